@@ -4332,6 +4332,10 @@
         <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher: Von %2 zufällig gewählten und exakt integrierten liegt keiner weiter daneben).</translation>
     </message>
     <message>
+        <source>exact but for rounding, found cell by cell</source>
+        <translation>bis auf Rundung exakt, Zelle für Zelle bestimmt</translation>
+    </message>
+    <message>
         <source>error-controlled steps of fineness %1</source>
         <translation>fehlergesteuerten Schritten der Feinheit %1</translation>
     </message>

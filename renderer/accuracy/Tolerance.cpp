@@ -71,7 +71,7 @@ public:
   Ladder(const Quality& quality, Projection projection, StepControl control)
       : m_quality(quality), m_isLocal(control != StepControl::equal && integrates(projection)),
         m_isByCells(control == StepControl::cells && m_isLocal), m_start(startFor(*quality.toleranceLevels)),
-        m_isEqual(!m_isLocal || projection == Projection::compositeIsosurface) {
+        m_isEqual(!m_isLocal || (!m_isByCells && showsSurface(projection))) {
     const double tolerance = *quality.toleranceLevels;
     m_quality.jitter = false;
     if (quality.earlyTermination < 1.0)
@@ -305,6 +305,8 @@ Message whyNot(double tolerance, double error, bool resolves) {
 
 Message describe(const WithinTolerance& found) {
   const Quality& quality = found.scene.quality;
+  if (quality.fineness && !integrates(found.scene.projection))
+    return Message::tr("exact but for rounding, found cell by cell");
   const Message steps =
       quality.fineness
           ? Message::tr("error-controlled steps of fineness %1").arg(Message::rounded(*quality.fineness, 3))
@@ -316,6 +318,12 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
                                 StepControl control) {
   assert(scene.quality.toleranceLevels);
   const double tolerance = *scene.quality.toleranceLevels;
+  if (control == StepControl::cells && !integrates(scene.projection)) {
+    WithinTolerance exact{scene, 0.0, 0.0, true, {}};
+    exact.scene.quality.jitter = false;
+    exact.scene.quality.fineness = usualFineness(tolerance); // any
+    return exact;
+  }
   const Ladder ladder(scene.quality, scene.projection, control);
   const double termination = scene.quality.earlyTermination < 1.0 ? shareOfTermination * tolerance : 0.0;
   Comparison comparison(scene, comparedSize(size, ladder.isByCells() ? fineByCells : fine), draw, ladder);

@@ -16,7 +16,7 @@ using DrawScene = std::function<Image(const Scene& scene, const glm::ivec2& size
 /// By what a renderer can become more accurate.
 enum class StepControl {
   local, ///< error-controlled steps, where the projection integrates
-  cells, ///< the integral cell by cell, where the projection integrates
+  cells, ///< cell by cell: the integral by a fineness, and what does not integrate exactly
   equal  ///< the same step everywhere
 };
 
@@ -33,8 +33,9 @@ struct WithinTolerance {
 
 /// Finds the coarsest steps that keep `scene.quality.toleranceLevels`, which must be set, for a picture of
 /// `size`. Draws smaller pictures of the same view, whose rays are a sample of its own: of each candidate and
-/// of one with half its steps or, cell by cell, one that is all but exact. MIP, MinIP, averages, isosurfaces
-/// and renderers without error-controlled steps get equal ones. Throws what `draw` throws.
+/// of one with half its steps or, cell by cell, one that is all but exact. MIP, MinIP, averages and isosurfaces
+/// are exact cell by cell, and draw nothing for it; other renderers get equal steps for them. Throws what
+/// `draw` throws.
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,
                                 StepControl control = StepControl::local);
 

@@ -243,6 +243,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.light = lightingTerms(scene.shading);
   if (effects.has(Effect::localSteps))
     terms.fineness = finenessOf(scene.quality);
+  terms.isExact = scene.quality.toleranceLevels.has_value();
   terms.frame = rayFrame(scene.camera, grid, size);
   terms.size = size;
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reference/RaySamples.h"
+#include "reference/CellChords.h"
 #include "scene/steps/CellRule.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -49,8 +48,7 @@ class CellMarch {
 public:
   CellMarch(const PictureTerms& terms, const RaySamples<T>& samples)
       : m_terms(terms), m_samples(samples), m_points(terms.scene.transferFunction.points),
-        m_first(samples.ray().anchor + samples.span().begin * samples.ray().direction + terms.centre),
-        m_end(samples.span().end - samples.span().begin) {}
+        m_chords(terms, samples) {}
 
   /// Integrates front to back: `node(place, segment, scalar)` says what lies at a place whose scalar belongs
   /// to a segment of the function (point `segment - 1` to point `segment`), `add(light)` composites a piece
@@ -61,9 +59,8 @@ public:
     m_limit = largestPieceChange(fineness);
     m_transmittance = 1.0;
     m_spent = 0;
-    findBreaks();
-    for (double entry = 0.0; entry < m_end;) {
-      const double exit = exitFrom(entry);
+    for (double entry = 0.0; entry < m_chords.end();) {
+      const double exit = m_chords.exitFrom(entry);
       cut(entry, exit);
       for (const Piece& piece : m_pieces)
         if (integrate(piece, cuts, node, add, isEnd))
@@ -79,101 +76,25 @@ private:
     std::size_t segment = 0;
   };
 
-  // Where light changes its definition along the ray: one length behind a cut face, and where fog sets in.
-  void findBreaks() {
-    m_breaks.clear();
-    const auto add = [this](double at) {
-      if (at > 0.0 && at < m_end)
-        m_breaks.push_back(at);
-    };
-    for (int axis = 0; m_terms.isCut && axis < 3; ++axis) {
-      const double inside = m_terms.smallestMm / m_terms.grid.spacingMm[axis];
-      for (const double face : {m_terms.cut.lower[axis] + inside, m_terms.cut.upper[axis] - inside})
-        if (m_samples.ray().direction[axis] != 0.0)
-          add((face + m_terms.centre[axis] - m_first[axis]) / m_samples.ray().direction[axis]);
-    }
-    const double eye = m_samples.ray().eye - m_samples.span().begin;
-    add(m_terms.scene.fog.startMm + eye);
-    add(m_terms.scene.fog.endMm + eye);
-    std::sort(m_breaks.begin(), m_breaks.end());
-  }
-
-  // Where the smooth chord that begins at `entry` ends: at the next plane of voxel centres, or at a break.
-  double exitFrom(double entry) const {
-    double exit = m_end;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double along = m_samples.ray().direction[axis];
-      if (std::abs(along) * m_end < 1e-12)
-        continue;
-      const double p = m_first[axis] + entry * along;
-      const double plane = along > 0.0 ? std::floor(p + onPlane) + 1.0 : std::ceil(p - onPlane) - 1.0;
-      exit = std::min(exit, std::max((plane - m_first[axis]) / along, std::nextafter(entry, m_end)));
-    }
-    const auto next = std::upper_bound(m_breaks.begin(), m_breaks.end(), entry);
-    return next == m_breaks.end() ? exit : std::min(exit, *next);
-  }
-
   // The pieces of a chord on which the function is linear, as far as they show.
   void cut(double entry, double exit) {
     m_pieces.clear();
     const double length = exit - entry;
-    std::array<double, 4> f;
-    for (int i = 0; i < 4; ++i)
-      f[i] = m_samples.scalarAt(entry + i * length / 3.0);
-    // From values to Bernstein coefficients, whose hull holds the cubic.
-    m_cubic = {f[0], f[0] + (18.0 * (f[1] - f[0]) - 9.0 * (f[2] - f[0]) + 2.0 * (f[3] - f[0])) / 6.0,
-               f[3] + (2.0 * (f[0] - f[3]) - 9.0 * (f[1] - f[3]) + 18.0 * (f[2] - f[3])) / 6.0, f[3]};
-    const auto [low, high] = std::minmax_element(m_cubic.begin(), m_cubic.end());
+    const ChordCubic cubic = m_chords.scalars(entry, exit);
     std::vector<double>& places = m_places;
     places.assign({0.0, 1.0});
     for (const ControlPoint& point : m_points)
-      if (point.value >= *low && point.value <= *high && *low < *high)
-        addCrossings(point.value);
+      cubic.addCrossings(point.value, places);
     std::sort(places.begin(), places.end());
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       if (places[i + 1] - places[i] < 1e-12)
         continue;
-      const std::size_t segment = segmentOf(cubicAt(0.5 * (places[i] + places[i + 1])));
+      const std::size_t segment = segmentOf(cubic.at(0.5 * (places[i] + places[i + 1])));
       const Piece piece{entry + places[i] * length,
                         places[i + 1] == 1.0 ? exit : entry + places[i + 1] * length, segment};
       if (showsAnything(segment) && piece.to > piece.from)
         m_pieces.push_back(piece);
     }
-  }
-
-  // Where the chord's cubic takes a value: between two places where it turns by halving.
-  void addCrossings(double value) {
-    std::array<double, 4> ends{0.0, 1.0, 1.0, 1.0};
-    const double d0 = m_cubic[1] - m_cubic[0], d1 = m_cubic[2] - m_cubic[1], d2 = m_cubic[3] - m_cubic[2];
-    const double a = d0 - 2.0 * d1 + d2, b = d1 - d0;
-    const double root = b * b - a * d0;
-    int turns = 0;
-    if (root > 0.0) {
-      const double q = -(b + std::copysign(std::sqrt(root), b));
-      for (const double at : {a != 0.0 ? q / a : 2.0, q != 0.0 ? d0 / q : 2.0})
-        if (at > 0.0 && at < 1.0)
-          ends[++turns] = at;
-      if (turns == 2 && ends[2] < ends[1])
-        std::swap(ends[1], ends[2]);
-    }
-    for (int i = 0; i <= turns; ++i) {
-      double from = ends[i], to = i < turns ? ends[i + 1] : 1.0;
-      const bool isBelow = cubicAt(from) < value;
-      if ((cubicAt(to) < value) == isBelow)
-        continue;
-      for (int k = 0; k < 50; ++k) {
-        const double middle = 0.5 * (from + to);
-        ((cubicAt(middle) < value) == isBelow ? from : to) = middle;
-      }
-      m_places.push_back(0.5 * (from + to));
-    }
-  }
-
-  double cubicAt(double s) const {
-    const double r = 1.0 - s;
-    const double rest = 3.0 * r * r * s * (m_cubic[1] - m_cubic[0]) +
-                        3.0 * r * s * s * (m_cubic[2] - m_cubic[0]) + s * s * s * (m_cubic[3] - m_cubic[0]);
-    return m_cubic[0] + rest;
   }
 
   // The first of the points above a value.
@@ -258,19 +179,13 @@ private:
     return sum;
   }
 
-  // So near behind a plane counts as on it, voxels.
-  static constexpr double onPlane = 1e-9;
-
   const PictureTerms& m_terms;
   const RaySamples<T>& m_samples;
   const std::vector<ControlPoint>& m_points;
-  glm::dvec3 m_first; // voxel index at the span's begin
-  double m_end;
+  CellChords<T> m_chords;
   double m_limit = 0.0;
   double m_transmittance = 1.0;
   int m_spent = 0;
-  std::vector<double> m_breaks;
-  std::array<double, 4> m_cubic{};
   std::vector<double> m_places;
   std::vector<Piece> m_pieces;
   std::vector<CellNode> m_nodes;

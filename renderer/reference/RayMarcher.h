@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/CellMarch.h"
+#include "reference/CellScalars.h"
 #include "reference/RaySamples.h"
 #include "reference/SampleLighting.h"
 #include "scene/steps/BlockWalk.h"
@@ -200,12 +201,12 @@ private:
   }
 
   glm::dvec4 surface() const {
-    const std::optional<double> hit = m_ray.firstHit();
+    const std::optional<double> hit = firstHit();
     return hit ? glm::dvec4(surfaceColor(*hit), 1.0) : glm::dvec4(0.0);
   }
 
   glm::dvec4 compositeOverSurface() {
-    const std::optional<double> hit = m_ray.firstHit();
+    const std::optional<double> hit = firstHit();
     if (!hit)
       return composite();
     // Gather what lies before the surface in steps of its own, then put it over the surface.
@@ -234,8 +235,17 @@ private:
     return glm::dvec4(m_ray.alphaOf(depth, m_ray.stepMm()));
   }
 
-  // The largest, smallest or mean scalar of the samples that are kept, classified once.
+  // The largest, smallest or mean scalar that is kept, classified once.
   glm::dvec4 classifiedOnce() const {
+    const std::optional<double> scalar =
+        m_terms.isExact ? CellScalars<T>(m_terms, m_ray).scalar(m_terms.scene.projection) : ofSamples();
+    if (!scalar)
+      return glm::dvec4(0.0);
+    const Classified classified = classify(m_terms.scene.transferFunction, *scalar);
+    return {classified.opacity * classified.color, classified.opacity};
+  }
+
+  std::optional<double> ofSamples() const {
     const Projection projection = m_terms.scene.projection;
     int kept = 0;
     double scalar = 0.0;
@@ -250,11 +260,16 @@ private:
                                                  : scalar + next;
     }
     if (kept == 0)
-      return glm::dvec4(0.0);
-    if (projection == Projection::average)
-      scalar /= kept;
-    const Classified classified = classify(m_terms.scene.transferFunction, scalar);
-    return {classified.opacity * classified.color, classified.opacity};
+      return std::nullopt;
+    return projection == Projection::average ? scalar / kept : scalar;
+  }
+
+  // In steps from the entry.
+  std::optional<double> firstHit() const {
+    if (!m_terms.isExact)
+      return m_ray.firstHit();
+    const std::optional<double> hit = CellScalars<T>(m_terms, m_ray).firstAt(m_terms.scene.isovalue);
+    return hit ? std::optional(*hit / m_ray.stepMm()) : std::nullopt;
   }
 
   // Light through so little cannot change the last digit of 1 in double precision, however bright.

@@ -7,10 +7,12 @@
 #include "scene/light/Gradient.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/BlockWalk.h"
+#include "scene/steps/CellRule.h"
 #include "scene/steps/RayFrame.h"
 #include "scene/volume/Volume.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace limn {
@@ -121,6 +123,8 @@ struct PictureTerms {
   bool hasRegion = isRestricting(scene.keep);
   bool changesOpacity = hasRegion || hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
   bool readsGradient = terms.usesNormal() || terms.usesRatio() || hasGradientOpacity;
+  /// Scalars and surfaces are found cell by cell, too.
+  bool isExact = scene.quality.toleranceLevels && isByCells;
   std::optional<double> fineness =
       effects.has(Effect::localSteps) && isByCells ? finenessOf(scene.quality) : std::nullopt;
   std::optional<LocalStepTerms> local =
@@ -179,7 +183,7 @@ public:
   double weightAt(double place) const {
     return m_terms.hasRegion ? limn::weightAt(m_terms.scene.keep, centredAt(place) + m_terms.centre) : 1.0;
   }
-  bool isKept(double place) const { return weightAt(place) >= 0.5; }
+  bool isKept(double place) const { return weightAt(place) >= keptWeight; }
 
   Material materialAt(double place) const {
     if (m_terms.effects.has(Effect::preintegration)) {

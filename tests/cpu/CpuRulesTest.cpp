@@ -2,6 +2,7 @@
 // Rules that every picture of the CPU engine keeps, to the bit where the rule is an equality.
 #include "cpu/CpuEngine.h"
 #include "cpu/CpuRenderer.h"
+#include "scene/ProjectionFacts.h"
 #include "scene/basics/Error.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/volume/Phantom.h"
@@ -22,8 +23,7 @@ constexpr glm::ivec2 cpuPicture{97, 80};
 
 std::vector<Scene> scenesOfEveryKind() {
   std::vector<Scene> scenes;
-  for (const Projection projection : {Projection::composite, Projection::xray, Projection::mip,
-                                      Projection::isosurface, Projection::compositeIsosurface}) {
+  for (const Projection projection : projections) {
     Scene scene = test::noisyPhantom(ShadingModel::robust);
     scene.projection = projection;
     scene.quality.jitter = true;
@@ -71,7 +71,7 @@ TEST(CpuRules, aNeedleOfTheFunctionNarrowerThanACellIsSeenWhole) {
 TEST(CpuRules, steppingOverEmptySpaceChangesNoBit) {
   CpuRenderer skipping(0), sampling(0, CpuRenderer::EmptySpace::sampled);
   for (const Scene& scene : scenesOfEveryKind()) {
-    const bool isScalar = scene.projection == Projection::mip;
+    const bool isScalar = classifiesOnce(scene.projection);
     EXPECT_TRUE(isScalar || scene.quality.toleranceLevels ||
                 skipping.plan(scene).effects.has(Effect::emptySpaceSkipping));
     const Image skipped = skipping.render(scene, cpuPicture), sampled = sampling.render(scene, cpuPicture);

@@ -15,17 +15,12 @@ namespace limn {
 namespace {
 
 constexpr double finenessOfExact = 9.0;
-constexpr double stepOfExact = 1.0 / 16.0;
 
 Scene exactly(Scene scene) {
   scene.quality.earlyTermination = 1.0;
   scene.quality.jitter = false;
-  if (integrates(scene.projection)) {
-    scene.quality.toleranceLevels = 1.0;
-    scene.quality.fineness = finenessOfExact;
-  }
-  if (!integrates(scene.projection) || showsSurface(scene.projection))
-    scene.quality.stepVoxels = stepOfExact;
+  scene.quality.toleranceLevels = 1.0;
+  scene.quality.fineness = finenessOfExact;
   return scene;
 }
 

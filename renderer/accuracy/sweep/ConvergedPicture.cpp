@@ -40,6 +40,7 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   draw(finer, size, wanted, result.pixels);
   result.facts.stepVoxels = halvings.stepVoxels();
   result.facts.fineness = finer.quality.fineness;
+  result.facts.converged = halvings.isExact();
   double fraction = 0.0;
   while (!result.facts.converged) {
     if (!halvings.halve())

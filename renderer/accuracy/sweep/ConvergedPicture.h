@@ -23,13 +23,13 @@ struct ConvergedPicture {
 /// The picture against which errors are measured (DEFINITION section 9): no early termination, all steps
 /// halved for the pixels that still change until the last halving changes the 99.9th percentile by at most
 /// 0.15 level and the mean by at most 0.005. Error-controlled steps, which get there with a hundredth of the
-/// samples, begin at fineness 6 and end at a tenth of that mean. Equal ones, which everything else gets that
-/// adds no samples up, begin at 1/4 voxel or at the scene's step, whichever is smaller. `facts.converged` is
-/// false where that was not reached at the finest ladder, at a step of 1/1024 voxel or, from a finer one, by
-/// four halvings.
+/// samples, begin at fineness 6 and end at a tenth of that mean. What does not integrate is exact cell by
+/// cell, or gets equal steps where `draw` does not go that way: they begin at 1/4 voxel or at the scene's
+/// step, whichever is smaller. `facts.converged` is false where that was not reached at the finest ladder, at
+/// a step of 1/1024 voxel or, from a finer one, by four halvings.
 ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, const DrawPrecisely& draw,
                                   const ReportProgress& report = {},
-                                  StepControl control = StepControl::local);
+                                  StepControl control = StepControl::cells);
 
 /// By how much floats move a converged picture at most where the projection adds samples up, levels. On the
 /// CT head and the phantom, whole and in bricks, the percentile came to 0.0091

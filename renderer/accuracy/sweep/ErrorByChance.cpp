@@ -69,13 +69,17 @@ std::optional<ErrorByChance> errorByChance(const Scene& scene, const Image& pict
 
 std::optional<ErrorByChance> errorByChance(const Scene& scene, const Image& picture,
                                            const DrawPrecisely& draw, std::uint64_t seed) {
-  Halvings halvings(scene.quality, scene.projection, StepControl::local);
+  Halvings halvings(scene.quality, scene.projection, StepControl::cells);
   Scene finer = scene;
   finer.quality = halvings.quality();
   std::vector<std::uint8_t> wanted = pixelsByChance(scene, picture.size, seed);
   const std::vector<std::uint8_t> drawn = wanted;
   PrecisePixels exact(wanted.size(), glm::dvec4(0.0));
   draw(finer, picture.size, wanted, exact);
+  if (halvings.isExact()) {
+    const ImageError error = imageError(chosen(precise(picture), drawn), chosen(exact, drawn));
+    return ErrorByChance{error.largest + still, still, error.p99_9 + still, chancePixels};
+  }
   while (halvings.halve() && (finer.quality.fineness || halvings.stepVoxels() >= smallestEqualStep)) {
     finer.quality = halvings.quality();
     const PrecisePixels before = exact;

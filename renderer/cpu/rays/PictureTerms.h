@@ -61,6 +61,7 @@ struct PictureTerms {
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
   std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
+  bool isExact = false;           ///< scalars and surfaces are found cell by cell, too
 
   RayFrame frame;
   glm::ivec2 size{0};

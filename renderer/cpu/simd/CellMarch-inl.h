@@ -486,6 +486,12 @@ private:
   Node m_nodes[cellNodes];
 };
 
+/// The last sample of a ray's equal steps before what may show, lengths behind the span's begin.
+inline double beforeSeen(const PictureTerms& terms, const Ray& ray) {
+  const double stepMm = (ray.span.end - ray.span.begin) / ray.count;
+  return std::max(0.0, (ray.from - 1 + double(ray.offset)) * stepMm / terms.lengthMm);
+}
+
 /// One ray, cell by cell.
 template <VoxelSource::Kind kind>
 class CellMarch {
@@ -507,12 +513,6 @@ public:
   }
 
 private:
-  // The last sample of the equal steps before what may show, in lengths.
-  static double beforeSeen(const PictureTerms& terms, const Ray& ray) {
-    const double stepMm = (ray.span.end - ray.span.begin) / ray.count;
-    return std::max(0.0, (ray.from - 1 + double(ray.offset)) * stepMm / terms.lengthMm);
-  }
-
   const PictureTerms& m_terms;
   Ray m_ray;
   Samples<kind> m_samples;

@@ -9,6 +9,7 @@
 #endif
 
 #include "cpu/rays/CellWalk.h"
+#include "cpu/simd/ChordCubic-inl.h"
 #include "cpu/simd/Samples-inl.h"
 #include "scene/steps/CellRule.h"
 
@@ -36,24 +37,11 @@ struct Pieces {
   }
 };
 
-HWY_INLINE float mixed(float p, float q, float w) {
-  return p + w * (q - p);
-}
-
-/// The polar form of a cubic.
-HWY_INLINE float polar(const float cubic[4], float x, float y, float z) {
-  const float p0 = mixed(cubic[0], cubic[1], x), p1 = mixed(cubic[1], cubic[2], x),
-              p2 = mixed(cubic[2], cubic[3], x);
-  return mixed(mixed(p0, p1, y), mixed(p1, p2, y), z);
-}
-
 /// Gives piece `n` the part from `a` to `b` of a cubic on 0..1.
-HWY_INLINE void cutCubic(const float cubic[4], float a, float b, Pieces& pieces, int n) {
-  const bool isWhole = a == 0.0f && b == 1.0f;
-  pieces.cubic[0][n] = isWhole ? cubic[0] : polar(cubic, a, a, a);
-  pieces.cubic[1][n] = isWhole ? cubic[1] : polar(cubic, a, a, b);
-  pieces.cubic[2][n] = isWhole ? cubic[2] : polar(cubic, a, b, b);
-  pieces.cubic[3][n] = isWhole ? cubic[3] : polar(cubic, b, b, b);
+HWY_INLINE void cutCubic(const ChordCubic& cubic, float a, float b, Pieces& pieces, int n) {
+  const ChordCubic part = cubic.part(a, b);
+  for (int i = 0; i < 4; ++i)
+    pieces.cubic[i][n] = part.b[i];
 }
 
 /// Makes part `part` of piece `n` a piece of its own, at that place among others.
@@ -62,7 +50,7 @@ inline void cutPiece(const Pieces& of, int n, int part, Pieces& pieces) {
   const float length = of.to[n] - of.from[n];
   pieces.from[part] = of.from[n] + a * length;
   pieces.to[part] = part + 1 == cellParts ? of.to[n] : of.from[n] + b * length;
-  const float cubic[4] = {of.cubic[0][n], of.cubic[1][n], of.cubic[2][n], of.cubic[3][n]};
+  const ChordCubic cubic{{of.cubic[0][n], of.cubic[1][n], of.cubic[2][n], of.cubic[3][n]}};
   cutCubic(cubic, a, b, pieces, part);
   pieces.start[part] = of.start[n];
   pieces.low[part] = of.low[n];
@@ -107,10 +95,10 @@ private:
       m_cell = std::countr_zero(m_open);
       m_open &= m_open - 1;
       for (int i = 0; i < 4; ++i)
-        m_cubic[i] = m_cubics[i][m_cell];
-      m_lowest = std::min({m_cubic[0], m_cubic[1], m_cubic[2], m_cubic[3]});
-      m_highest = std::max({m_cubic[0], m_cubic[1], m_cubic[2], m_cubic[3]});
-      m_segment = m_samples.function.segmentOf(m_cubic[0]);
+        m_cubic.b[i] = m_cubics[i][m_cell];
+      m_lowest = m_cubic.low();
+      m_highest = m_cubic.high();
+      m_segment = m_samples.function.segmentOf(m_cubic.b[0]);
       m_shares = 0.0f;
       return true;
     }
@@ -174,15 +162,15 @@ private:
   void leave(float from, float low, float high, std::size_t& next) {
     float places[4] = {from, 0.0f, 0.0f, 0.0f};
     int count = 1;
-    addExtrema(from, places, count);
+    m_cubic.addTurns(from, 1.0f, places, count);
     places[count++] = 1.0f;
     for (int i = 0; i + 1 < count; ++i) {
-      const float end = cubicAt(places[i + 1]);
+      const float end = m_cubic.at(places[i + 1]);
       const bool isAbove = end >= high;
       if (!isAbove && !(end < low))
         continue;
-      m_shares =
-          std::max(crossing(places[i], places[i + 1], isAbove ? high : low, isAbove), from + leastShare);
+      m_shares = std::max(m_cubic.crossing(places[i], places[i + 1], isAbove ? high : low, isAbove),
+                          from + leastShare);
       // Steps of the function are segments of no length.
       do
         next += isAbove ? 1 : -1;
@@ -193,61 +181,6 @@ private:
       m_shares = 1.0f;
       return;
     }
-  }
-
-  // The places behind `from` where the cubic turns, in order.
-  void addExtrema(float from, float* places, int& count) const {
-    const double d0 = double(m_cubic[1]) - m_cubic[0], d1 = double(m_cubic[2]) - m_cubic[1],
-                 d2 = double(m_cubic[3]) - m_cubic[2];
-    if (d0 * d1 >= 0.0 && d1 * d2 >= 0.0 && d0 * d2 >= 0.0)
-      return;
-    const double a = d0 - 2.0 * d1 + d2, b = d1 - d0;
-    const double root = b * b - a * d0;
-    if (root <= 0.0)
-      return;
-    // Of both quotients the one that cancels nothing.
-    const double q = -(b + std::copysign(std::sqrt(root), b));
-    double first = a != 0.0 ? q / a : 2.0;
-    double second = q != 0.0 ? d0 / q : 2.0;
-    if (second < first)
-      std::swap(first, second);
-    for (const double at : {first, second})
-      if (at > from && at < 1.0)
-        places[count++] = static_cast<float>(at);
-  }
-
-  float cubicAt(float s) const {
-    const float r = 1.0f - s;
-    return r * r * (r * m_cubic[0] + 3.0f * s * m_cubic[1]) +
-           s * s * (3.0f * r * m_cubic[2] + s * m_cubic[3]);
-  }
-
-  // Where the cubic, which runs one way between two places, comes to a value: by Newton's steps from the
-  // chord, and halves where one would leave what is known to hold it.
-  float crossing(float a, float b, float value, bool rises) const {
-    const float atA = cubicAt(a) - value, atB = cubicAt(b) - value;
-    if (rises ? atA >= 0.0f : atA < 0.0f)
-      return a;
-    float s = a + (b - a) * (atA / (atA - atB));
-    for (int k = 0; k < mostNewtonSteps; ++k) {
-      const float found = cubicAt(s) - value;
-      (rises == (found < 0.0f) ? a : b) = s;
-      float next = s - found / slopeAt(s);
-      if (!(next > a && next < b))
-        next = 0.5f * (a + b);
-      const float step = std::abs(next - s);
-      s = next;
-      // The next step would be its square, and less than floats tell.
-      if (step < 1e-5f)
-        break;
-    }
-    return s;
-  }
-
-  float slopeAt(float s) const {
-    const float r = 1.0f - s;
-    return 3.0f * (r * r * (m_cubic[1] - m_cubic[0]) + 2.0f * r * s * (m_cubic[2] - m_cubic[1]) +
-                   s * s * (m_cubic[3] - m_cubic[2]));
   }
 
   void add(Pieces& pieces, float from, const glm::vec4* texels, float low, float high) {
@@ -265,8 +198,6 @@ private:
     }
   }
 
-  static constexpr int mostNewtonSteps = 24;
-
   const Samples<kind>& m_samples;
   const PiecewiseTable& m_table;
   CellWalk m_walk;
@@ -275,7 +206,7 @@ private:
   int m_cell = 0;           // the one that is cut
   float m_shares = 1.0f;    // of its chord that are cut
   std::size_t m_segment = 0;
-  float m_cubic[4] = {};
+  ChordCubic m_cubic;
   float m_lowest = 0.0f, m_highest = 0.0f;
   HWY_ALIGN float m_entries[cells] = {}, m_exits[cells] = {};
   HWY_ALIGN float m_cubics[4][cells] = {};

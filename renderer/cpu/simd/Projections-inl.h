@@ -9,6 +9,7 @@
 #endif
 
 #include "cpu/simd/CellMarch-inl.h"
+#include "cpu/simd/CellScalars-inl.h"
 #include "cpu/simd/Composite-inl.h"
 #include "cpu/simd/EmptySpace-inl.h"
 #include "cpu/simd/Rays-inl.h"
@@ -67,9 +68,14 @@ public:
   /// +∞ where the ray meets no surface in the brick.
   float hit() const { return firstHit().value_or(std::numeric_limits<float>::infinity()); }
 
-  /// The largest, smallest or all scalars of the samples that are kept: {the largest, {minus the smallest or
-  /// {their sum, then how many.
+  /// The largest, smallest or all scalars that are kept: {the largest, {minus the smallest or {their sum,
+  /// then how many; exactly, their integral and the length of what is kept.
   glm::dvec2 scalars() const {
+    if (m_terms.isExact) {
+      const Ray part = ownPart();
+      return part.span.isEmpty() ? glm::dvec2(-std::numeric_limits<double>::infinity(), 0.0)
+                                 : CellScalars<kind>(m_terms, part, 0.0).scalars();
+    }
     const EffectSet& effects = m_terms.effects;
     const bool isLargest = effects.has(Effect::mip);
     VF extreme = all(isLargest ? -beyondScalars : beyondScalars);
@@ -108,12 +114,17 @@ private:
   }
 
   glm::vec4 gatheredCellByCell() const {
-    if (!m_terms.brick)
-      return CellMarch<kind>(m_terms, m_ray).gathered();
-    Ray part = m_ray;
-    part.span =
-        partInBrick(m_terms, framedRay(m_terms.frame, part.pixel.x, part.pixel.y, m_terms.size), part.span);
+    const Ray part = ownPart();
     return part.span.isEmpty() ? glm::vec4(0.0f) : CellMarch<kind>(m_terms, part).gathered();
+  }
+
+  // The ray as far as it lies in the brick.
+  Ray ownPart() const {
+    Ray part = m_ray;
+    if (m_terms.brick)
+      part.span =
+          partInBrick(m_terms, framedRay(m_terms.frame, part.pixel.x, part.pixel.y, m_terms.size), part.span);
+    return part;
   }
 
   // One by one, so that the sum does not depend on which samples are computed together.
@@ -147,7 +158,21 @@ private:
 
   // Where the field first reaches the isovalue in what is kept, in steps behind sample 0; absent where it
   // stays below.
-  std::optional<float> firstHit() const {
+  std::optional<float> firstHit() const { return m_terms.isExact ? firstHitInCells() : firstHitInSteps(); }
+
+  std::optional<float> firstHitInCells() const {
+    const Ray part = ownPart();
+    if (part.span.isEmpty())
+      return std::nullopt;
+    const double seen = m_terms.brick ? 0.0 : beforeSeen(m_terms, m_ray);
+    const std::optional<double> hit = CellScalars<kind>(m_terms, part, seen).firstHit();
+    if (!hit)
+      return std::nullopt;
+    const double mm = part.span.begin + *hit * m_terms.lengthMm - m_ray.span.begin;
+    return static_cast<float>(mm * m_ray.count / (m_ray.span.end - m_ray.span.begin) - m_ray.offset);
+  }
+
+  std::optional<float> firstHitInSteps() const {
     const float offset = m_ray.offset;
     const float exit = static_cast<float>(m_ray.count) - offset;
     // The entry counts as before the first sample, the exit as the last: whose samples they are has them.

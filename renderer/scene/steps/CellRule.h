@@ -28,6 +28,9 @@ inline double largestPieceChange(double fineness) {
 /// A piece that adds no more light than so many of those changes is estimated once.
 inline constexpr double faintPieces = 4.0;
 
+/// Scalars are looked at, and surfaces met, where the kept region leaves at least so much.
+inline constexpr double keptWeight = 0.5;
+
 /// A point of Gauss's rule of three on 0..1, and the weights of three extinctions (at 0, ½ and 1, between
 /// which they are a quadratic) in the optical depth up to it.
 struct GaussPoint {

@@ -39,10 +39,10 @@ struct Refinement::Job {
 
 namespace {
 
-// Errors can be controlled where light is added up; a scene that asks for its own tolerance has had its
-// steps.
-bool mayControlErrors(const SidePicture& side) {
-  return integrates(side.scene().projection) && !side.scene().quality.toleranceLevels;
+// Errors can be controlled where light is added up and, cell by cell, everywhere; a scene that asks for its
+// own tolerance has had its steps.
+bool mayControlErrors(const SidePicture& side, bool goesByCells) {
+  return (goesByCells || integrates(side.scene().projection)) && !side.scene().quality.toleranceLevels;
 }
 
 } // namespace
@@ -69,14 +69,8 @@ RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides,
 
 RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> sides,
                                 const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs) {
-  if (!m_search && std::ranges::all_of(sides, mayControlErrors)) {
-    std::vector<Scene> scenes;
-    for (const SidePicture& side : sides)
-      scenes.push_back(side.scene());
-    const bool goesByCells = engine.facts(scenes.front()).goesByCells;
-    m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs,
-                     goesByCells ? StepControl::cells : StepControl::local);
-  }
+  if (!m_search)
+    beginSearch(engine, sides);
   if (m_search) {
     const RestTurn turn = m_search->step(engine, *m_sheet, budgetMs);
     if (turn != RestTurn::finished)
@@ -85,8 +79,13 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
     m_search.reset();
   }
   m_lastMs = 0.0;
-  for (const SidePicture& side : sides)
-    m_lastMs += side.completeMs().value_or(0.0);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const double ms = sides[i].completeMs().value_or(0.0);
+    m_lastMs += ms;
+    // What needs no search takes about as long as what is there.
+    if (i < m_needed.size() && m_needed[i].expectedMs == 0.0)
+      m_needed[i].expectedMs = ms;
+  }
   const double step = sides.front().finishedQuality().stepVoxels;
   const double halvingMs = msOfHalvings(rough, step, m_lastMs, smallestStepVoxels);
   const bool isShorter = isToleranceShorter(m_needed, halvingMs, patienceMs);
@@ -95,6 +94,17 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
     m_toPrepare.push_back(later);
   m_sides.resize(sides.size());
   return RestTurn::worked;
+}
+
+void Refinement::beginSearch(DrawingEngine& engine, std::span<SidePicture> sides) {
+  const bool goesByCells = engine.facts(sides.front().scene()).goesByCells;
+  std::vector<Scene> scenes;
+  for (const SidePicture& side : sides)
+    if (mayControlErrors(side, goesByCells))
+      scenes.push_back(side.scene());
+  if (scenes.size() == sides.size())
+    m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs,
+                     goesByCells ? StepControl::cells : StepControl::local);
 }
 
 RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) {

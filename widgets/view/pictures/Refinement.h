@@ -73,6 +73,7 @@ private:
 
   RestTurn chooseRoad(DrawingEngine& engine, std::span<SidePicture> sides,
                       const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs);
+  void beginSearch(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn begin(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn beginHalving(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn beginTolerance(std::span<SidePicture> sides);

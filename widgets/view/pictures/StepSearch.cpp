@@ -93,6 +93,8 @@ RestTurn StepSearch::draw(Side& side, DrawingEngine& engine, PictureSheet& sheet
 
 // From the largest of the small pictures, and of those the one whose steps are nearest.
 double StepSearch::expectedMs(const Side& side) const {
+  if (side.taken.empty())
+    return 0.0;
   const double fineness = finenessOf(side.search->found().scene.quality).value_or(0.0);
   const Taken& nearest = *std::ranges::min_element(side.taken, {}, [&](const Taken& taken) {
     return std::pair(-taken.pixels, std::abs(taken.fineness - fineness));

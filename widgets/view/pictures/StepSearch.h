@@ -26,7 +26,7 @@ enum class RestTurn {
 struct NeededSteps {
   Quality quality;
   ErrorEstimate estimate;  ///< of what its steps cost: at least the tolerance
-  double expectedMs = 0.0; ///< drawing time of the picture, as small ones tell
+  double expectedMs = 0.0; ///< drawing time of the picture, as small ones tell; 0 where none was needed
   bool holds = false;      ///< false: no steps come within the tolerance
 };
 
