@@ -353,7 +353,7 @@ void runFigure(const FigureRequest& request) {
   const auto start = std::chrono::steady_clock::now();
   Settings settings;
   const MakingOptions order = orderOf(request, settings, progress);
-  const MadeFigure made = makeFigure(withErrors(figure, order), order, pixels);
+  const MadeFigure made = makeFigure(figure, order, pixels);
   std::vector<std::string> volumes;
   for (const Planned& planned : plan.panels) {
     requireWhole(planned.volumePath, *planned.panel.scene.volume);

@@ -7,11 +7,13 @@
 #include "app/document/Settings.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
+#include "io/reports/ReportJson.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 
 #include <chrono>
+#include <iostream>
 #include <map>
 #include <memory>
 
@@ -38,9 +40,11 @@ MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments, cons
   return std::move(pair.front());
 }
 
-void printFigures(const Scene& scene, Engine engine, int threads) {
-  const glm::ivec2 size(scene.image.width, scene.image.height);
-  const PictureFigures figures = measureFigures(scene, size, engine, threads);
+PictureFigures measured(const Scene& scene, Engine engine, int threads) {
+  return measureFigures(scene, {scene.image.width, scene.image.height}, engine, threads);
+}
+
+void print(const PictureFigures& figures, const Scene& scene) {
   std::printf("contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of "
               "what lies at or above %g%s can be seen\n",
               figures.contrast, 100.0 * figures.overflow.share, figures.overflow.meanOvershoot,
@@ -60,6 +64,31 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
   std::snprintf(line, sizeof line, "Samples spent by a ray: %d to %d (pale yellow), %.0f on average.",
                 figures.least, figures.most, figures.mean);
   note(line);
+}
+
+// Whoever asks for a tolerance is told what it came to.
+std::optional<PictureAccuracy> accuracyOf(const Scene& asked, const MadePicture& picture, int threads,
+                                          const Progress& progress) {
+  if (!asked.quality.toleranceLevels)
+    return std::nullopt;
+  reportOrStop(progress, -1.0, "Integrating some pixels exactly");
+  const std::optional<ErrorByChance> chance = chanceOf(picture.scene, picture.image, {threads, {}, {}});
+  reportOrStop(progress, 1.0, "Integrating some pixels exactly");
+  if (!chance)
+    return std::nullopt;
+  return PictureAccuracy{chance->levels, describe(*chance).english()};
+}
+
+void printJson(const MadePicture& picture, const std::string& out, double ms,
+               const std::optional<PictureAccuracy>& accuracy, const std::optional<PictureFigures>& figures) {
+  PictureReport drawn{out, picture.image.size, picture.engine, ms, {}, {}, figures, {}};
+  if (accuracy) {
+    drawn.withinLevels = accuracy->levels;
+    drawn.statement = accuracy->sentence;
+  }
+  for (const Message& remark : picture.notes)
+    drawn.notes.push_back(remark.english());
+  std::cout << pictureJson(drawn);
 }
 
 } // namespace
@@ -95,15 +124,22 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   const auto shareable = [&scene](const std::string& path) {
     return shareableName(QString::fromStdString(path), *scene.volume).toStdString();
   };
+  std::optional<PictureFigures> figures;
   if (arguments.printsFigures)
-    printFigures(scene, picture.drawnBy, arguments.threads);
+    figures = measured(scene, picture.drawnBy, arguments.threads);
+  if (figures && !arguments.json)
+    print(*figures, scene);
   if (!arguments.samplesSpent.empty())
     writeSamples(picture, arguments);
   Scene written = isComparison ? scene : picture.scene;
   if (!written.keep.source.empty())
     written.keep.source = shareable(written.keep.source);
+  const std::optional<PictureAccuracy> accuracy =
+      isComparison ? std::nullopt : accuracyOf(scene, picture, arguments.threads, progress);
   writeImage(arguments.out, picture.image, scene.image.background,
-             sceneToJson(written, shareable(loaded.volumePath)));
+             sceneToJson(written, shareable(loaded.volumePath), accuracy));
+  if (arguments.json)
+    printJson(picture, arguments.out, ms.count(), accuracy, figures);
   if (arguments.scene.source.quiet)
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())
@@ -112,10 +148,8 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     note(warning.english());
   for (const Message& remark : picture.notes)
     note(remark.english());
-  // Whoever asks for a tolerance is told what it came to.
-  if (scene.quality.toleranceLevels && !isComparison)
-    if (const auto chance = chanceOf(picture.scene, picture.image, {arguments.threads, {}, {}}))
-      note(describe(*chance).english());
+  if (accuracy)
+    note(accuracy->sentence);
   char line[160];
   std::snprintf(line, sizeof line, ": %d x %d pixels in %.0f ms (set-up included) on %s",
                 picture.image.size.x, picture.image.size.y, ms.count(), picture.engine.c_str());
@@ -142,6 +176,7 @@ void addRenderOptions(CommandSyntax& command, RenderArguments& arguments) {
       .option("--threads", arguments.threads,
               "threads of the CPU engine and the reference (default: every core)")
       .within(1, 4096);
+  command.flag("--json", arguments.json, "one JSON object on stdout: what was drawn, by whom, and its error");
   command.flag("--figures", arguments.printsFigures,
                "print contrast, overflow of highlights, and how much can be seen of what lies at or above "
                "the scene's isovalue (300 if not set)");

@@ -13,6 +13,7 @@ struct RenderArguments {
   std::string engine = "auto";
   int threads = 0;
   bool printsFigures = false;
+  bool json = false; ///< what was drawn is told on stdout, for machines
   bool skipsExisting = false;
   std::string samplesSpent; ///< empty: not wanted
   double textureMb = anyMb; ///< the most that the volume may take on the graphics card

@@ -26,6 +26,14 @@ uchar byteOfShare(float value) {
   return static_cast<uchar>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
+// What chance says of a picture that was drawn.
+void state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
+  const std::optional<ErrorByChance> chance =
+      chanceOf(picture.scene, picture.image, {effort.threads, effort.isCancelled, {}});
+  panel.isStated = chance.has_value();
+  panel.errorLevels = chance ? std::optional(chance->levels) : std::nullopt;
+}
+
 QImage withoutBackground(const Image& picture) {
   QImage bytes(picture.size.x, picture.size.y, QImage::Format_RGBA8888_Premultiplied);
   for (int y = 0; y < picture.size.y; ++y) {
@@ -129,8 +137,17 @@ std::string figureDescription(const Figure& figure, const std::vector<std::strin
 }
 
 MadeFigure makeFigure(const Figure& figure, const MakingOptions& order, FigurePixels pixels) {
-  const FigureLayout layout = figureLayout(figure);
-  MadeFigure made = drawPanels(figure, layout.pictureSize(), order, pixels);
+  // Pictures come before what is said of them: room is kept for as many words, each with a number of its own.
+  constexpr double wideLevels = 0.41;
+  Figure told = figure;
+  if (figure.settings.shows(FigureMark::accuracy))
+    for (const std::size_t panel : panelsWithScene(figure)) {
+      told.panels[panel].errorLevels = wideLevels + 0.01 * static_cast<double>(panel);
+      told.panels[panel].isStated = true;
+    }
+  const FigureLayout layout = figureLayout(told);
+  MadeFigure made = drawPanels(told, layout.pictureSize(), order, pixels);
+  made.figure = withErrors(made.figure, order);
   made.layout = layout;
   return made;
 }
@@ -167,6 +184,8 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                                         ? withoutBackground(picture.image)
                                         : overBackground(picture.image, picture.scene.image.background);
              made.figure.panels[panel].scene = picture.scene;
+             if (figure.panels[panel].isStated)
+               state(made.figure.panels[panel], picture, order.effort);
              made.engine = picture.engine;
              for (const Message& said : picture.notes)
                if (const std::string note = translated(said).toStdString();
@@ -186,7 +205,8 @@ Figure withErrors(Figure figure, const MakingOptions& order) {
   const double factor = std::min(1.0, mostSide / std::max(full.width(), full.height()));
   const glm::ivec2 size(std::max(1, static_cast<int>(full.width() * factor)),
                         std::max(1, static_cast<int>(full.height() * factor)));
-  const std::vector<std::size_t> panels = panelsWithScene(figure);
+  std::vector<std::size_t> panels = panelsWithScene(figure);
+  std::erase_if(panels, [&](std::size_t panel) { return figure.panels[panel].errorLevels.has_value(); });
   std::vector<Scene> scenes;
   for (const Scene& scene : withStepsFound(scenesOf(figure, panels), size, order))
     for (const double parts : {1.0, 2.0, 4.0})

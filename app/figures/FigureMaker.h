@@ -48,12 +48,14 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                       FigurePixels pixels = FigurePixels::bytes);
 
 /// Draws every picture of a figure in the size that its layout gives them, with one renderer, as `limn
-/// render` does: the same bits. Tells and asks `order.effort`. Throws Error and Cancelled.
+/// render` does: the same bits. Where it tells errors, pixels drawn at random say them
+/// (accuracy/sweep/ErrorByChance); where those do not settle they are estimated. Tells and asks
+/// `order.effort`. Throws Error and Cancelled.
 MadeFigure makeFigure(const Figure& figure, const MakingOptions& order,
                       FigurePixels pixels = FigurePixels::bytes);
 
-/// The figure with its errors estimated where it tells them: from small pictures of the same views with their
-/// steps halved twice (accuracy/ErrorEstimate). Throws Error and Cancelled.
+/// The figure with those errors estimated that it tells and that are not known: from small pictures of the
+/// same views with their steps halved twice (accuracy/ErrorEstimate). Throws Error and Cancelled.
 Figure withErrors(Figure figure, const MakingOptions& order);
 
 /// The most bytes that a figure takes while it is made and written.

@@ -38,4 +38,12 @@ TissueScenes tissueScenes(const Scene& scene);
 /// The mean weight of the tissue over the pixels whose rays meet it, 0..1; 0 where none does.
 double visibleShare(const Image& weights, const Image& surface);
 
+/// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
+/// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
+struct PictureFigures {
+  double contrast = 0.0;
+  Overflow overflow;
+  double visibleShare = 0.0; ///< 0..1
+};
+
 } // namespace limn

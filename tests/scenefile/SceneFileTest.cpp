@@ -52,6 +52,13 @@ TEST(SceneFile, whatIsWrittenIsReadBackToTheLastBit) {
   EXPECT_TRUE(document.hasTransferFunction);
 }
 
+TEST(SceneFile, whatAPictureSaysOfItsErrorChangesNoScene) {
+  const Scene scene = unusualScene();
+  const std::string text = sceneToJson(scene, "v", PictureAccuracy{0.5, "within half a level"});
+  EXPECT_NE(text.find("within half a level"), std::string::npos);
+  EXPECT_EQ(parseScene(text, "test.json").scene, scene);
+}
+
 TEST(SceneFile, aLightDirectionMayHaveAnyLengthButNone) {
   Scene scene = unusualScene();
   for (const double length : {1e-300, 1e300}) {

@@ -22,8 +22,9 @@ struct FigurePanel {
   std::optional<PatientPlane> plane; ///< absent: the picture of the scene
   PlaneSettings planes;              ///< what a slice shows
   GreyWindow firstWindow;            ///< of a slice whose settings have none
-  /// How far the picture is from the exact one, levels (99.9th percentile), as far as it was estimated.
+  /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
+  bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated
   bool operator==(const FigurePanel&) const = default;
 };
 

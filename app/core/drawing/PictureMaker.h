@@ -60,14 +60,6 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
                            const Scene& scene, const glm::ivec2& size, const std::string& name);
 
-/// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
-/// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
-struct PictureFigures {
-  double contrast = 0.0;
-  Overflow overflow;
-  double visibleShare = 0.0; ///< 0..1
-};
-
 /// Draws what the figures need (scene/PictureFigures.h) with the ray caster, the CPU engine or the reference.
 /// Throws Error.
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);

@@ -45,6 +45,7 @@ constexpr double exactLevels = 0.5;
 FigurePanel asDrawn(FigurePanel panel) {
   panel.name.clear();
   panel.errorLevels.reset();
+  panel.isStated = false;
   return panel;
 }
 
@@ -61,14 +62,6 @@ QString withNotes(QString text, const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     text += QLatin1Char(' ') + QString::fromStdString(note);
   return text;
-}
-
-// The figure with its errors, drawn as a whole.
-MadeFigure madeWithErrors(const Figure& figure, const MakingOptions& order, FigurePixels pixels,
-                          const Effort& effort) {
-  constexpr double estimating = 0.15; // of the whole, in time
-  const Figure estimated = withErrors(figure, withEffort(order, partOf(effort, 0.0, estimating)));
-  return makeFigure(estimated, withEffort(order, partOf(effort, estimating, 1.0)), pixels);
 }
 
 /// From which pictures of a figure are made.
@@ -434,7 +427,8 @@ void FigureDialog::save() {
             QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)},
            [figure = wanted(), named, volumePath,
             order = m_context.drawnLikeTheView()](const std::string& path, const Effort& effort) {
-             const MadeFigure made = madeWithErrors(figure, order, pixelsFor(figureFormatOf(path)), effort);
+             const MadeFigure made =
+                 makeFigure(figure, withEffort(order, effort), pixelsFor(figureFormatOf(path)));
              const std::vector<std::string> volumes(made.figure.panels.size(), volumePath);
              writeFigure(path, made, figureDescription(made.figure, volumes, named));
              return Outcome{withNotes(tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()),
@@ -444,7 +438,7 @@ void FigureDialog::save() {
 
 void FigureDialog::copy() {
   run([figure = wanted(), order = m_context.drawnLikeTheView()](const Effort& effort) {
-    const MadeFigure made = madeWithErrors(figure, order, FigurePixels::bytes, effort);
+    const MadeFigure made = makeFigure(figure, withEffort(order, effort));
     const QImage image = imageOf(made);
     return Outcome{withNotes(tr("Copied %1 × %2 pixels.").arg(image.width()).arg(image.height()), made.notes),
                    [image] { QApplication::clipboard()->setImage(image); }};

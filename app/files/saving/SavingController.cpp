@@ -23,6 +23,20 @@
 namespace limn {
 namespace {
 
+// What chance says of the pictures on screen, of the worse of two; absent until it does.
+std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
+  std::optional<ErrorByChance> worst;
+  for (const SideState& side : state.sides) {
+    if (!side.chance)
+      return std::nullopt;
+    if (!worst || side.chance->levels > worst->levels)
+      worst = side.chance;
+  }
+  if (!worst)
+    return std::nullopt;
+  return PictureAccuracy{worst->levels, describe(*worst).english()};
+}
+
 Image parted(const Image& left, const Image& right, double wipe) {
   Image result = left;
   const int column = std::clamp(static_cast<int>(std::lround(wipe * left.size.x)), 0, left.size.x);
@@ -231,7 +245,7 @@ void SavingController::writePicture(const QString& path) {
     writeImage(path.toStdString(),
                right ? comparedPicture(*left, *right, layout, m_context.view.wipePosition(), background)
                      : *left,
-               background, sceneToJson(scene, volumeInPicture()));
+               background, sceneToJson(scene, volumeInPicture(), accuracyOf(m_context.view.pictureState())));
   };
   m_context.notes.attempt(write, path);
 }

@@ -73,8 +73,9 @@ public:
   glm::dvec2 scalars() const {
     if (m_terms.isExact) {
       const Ray part = ownPart();
-      return part.span.isEmpty() ? glm::dvec2(-std::numeric_limits<double>::infinity(), 0.0)
-                                 : CellScalars<kind>(m_terms, part, 0.0).scalars();
+      if (!part.span.isEmpty())
+        return CellScalars<kind>(m_terms, part, 0.0).scalars();
+      return {m_terms.effects.has(Effect::average) ? 0.0 : -std::numeric_limits<double>::infinity(), 0.0};
     }
     const EffectSet& effects = m_terms.effects;
     const bool isLargest = effects.has(Effect::mip);

@@ -183,6 +183,20 @@ Json fuzzOf(const std::optional<FuzzReport>& fuzz) {
 
 } // namespace
 
+std::string pictureJson(const PictureReport& picture) {
+  Json json{{"picture", picture.file},  {"width", picture.size.x}, {"height", picture.size.y},
+            {"engine", picture.engine}, {"ms", picture.ms},        {"accuracy", nullptr},
+            {"figures", nullptr},       {"notes", picture.notes}};
+  if (picture.withinLevels)
+    json["accuracy"] = {{"within_levels", *picture.withinLevels}, {"statement", picture.statement}};
+  if (const std::optional<PictureFigures>& figures = picture.figures)
+    json["figures"] = {{"contrast", figures->contrast},
+                       {"overflow_share", figures->overflow.share},
+                       {"overflow_mean", figures->overflow.meanOvershoot},
+                       {"visible_share", figures->visibleShare}};
+  return textOf(json);
+}
+
 std::string volumeJson(const VolumeFacts& facts) {
   const Volume& volume = *facts.volume;
   const Grid& grid = volume.grid();

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "io/reading/ReadOptions.h"
+#include "scene/PictureFigures.h"
+
+#include <glm/glm.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +31,21 @@ struct VolumeFacts {
   double gradientPercentile = 0.0; ///< the 99.5th, value/mm
 };
 
+/// What is told of a picture that was drawn.
+struct PictureReport {
+  std::string file;
+  glm::ivec2 size{0};
+  std::string engine;
+  double ms = 0.0;
+  std::optional<double> withinLevels; ///< of the exact picture, where that was asked for
+  std::string statement;              ///< how many pixels, and how sure that is
+  std::optional<PictureFigures> figures;
+  std::vector<std::string> notes;
+};
+
 // What machines read of Limn: one JSON object each, keys as the command line documents them.
+
+std::string pictureJson(const PictureReport& picture);
 
 /// Nothing of the patient.
 std::string volumeJson(const VolumeFacts& facts);

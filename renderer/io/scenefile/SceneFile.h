@@ -6,6 +6,7 @@
 #include "scene/presets/Preset.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,8 +36,16 @@ SceneDocument located(SceneDocument document, const std::filesystem::path& file)
 /// What is to be written of a scene; `volume` is stored as given, and so is the source of labels.
 SceneDocument documentOf(const Scene& scene, const std::string& volume);
 
+/// How far a saved picture of a scene lies from the exact one. Says nothing of the scene: who reads it as one
+/// passes it over.
+struct PictureAccuracy {
+  double levels = 0.0;  ///< of 255, within which the pixels lie
+  std::string sentence; ///< how many of them, and how sure that is
+};
+
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
-std::string sceneToJson(const Scene& scene, const std::string& volume);
+std::string sceneToJson(const Scene& scene, const std::string& volume,
+                        const std::optional<PictureAccuracy>& accuracy = {});
 
 /// Reads the text of a preset file. Throws Error (input).
 Preset parsePreset(std::string_view text, const std::string& name);

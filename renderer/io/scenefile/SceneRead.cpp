@@ -247,6 +247,7 @@ bool readIsovalue(JsonFields& fields, double& isovalue) {
 constexpr Limits slabLimits{0.0, thickestSlabMm};
 // Of places: a kilometre from the origin lies no patient.
 constexpr Limits placeLimits{-1e6, 1e6};
+constexpr Limits accuracyLimits{0.0, 255.0};
 
 GreyWindow readGreyWindow(JsonFields fields) {
   GreyWindow window;
@@ -262,6 +263,15 @@ Slab readSlab(JsonFields fields) {
   fields.number("thickness_mm", slab.thicknessMm, slabLimits);
   fields.finish();
   return slab;
+}
+
+// What a saved picture says of itself; it decides nothing.
+void readAccuracy(JsonFields fields) {
+  double levels = 0.0;
+  std::string statement;
+  fields.number("within_levels", levels, accuracyLimits);
+  fields.text("statement", statement);
+  fields.finish();
 }
 
 MeasuredDistance readDistance(JsonFields fields) {
@@ -306,6 +316,8 @@ SceneDocument readScene(JsonFields fields) {
     scene.quality = readQuality(fields.object("quality"));
   if (fields.has("image"))
     scene.image = readImageSettings(fields.object("image"));
+  if (fields.has("accuracy"))
+    readAccuracy(fields.object("accuracy"));
   fields.finish();
   return document;
 }

@@ -144,8 +144,12 @@ SceneDocument documentOf(const Scene& scene, const std::string& volume) {
   return document;
 }
 
-std::string sceneToJson(const Scene& scene, const std::string& volume) {
-  return textOf(sceneJson(documentOf(scene, volume)));
+std::string sceneToJson(const Scene& scene, const std::string& volume,
+                        const std::optional<PictureAccuracy>& accuracy) {
+  Json json = sceneJson(documentOf(scene, volume));
+  if (accuracy)
+    json["accuracy"] = {{"within_levels", accuracy->levels}, {"statement", accuracy->sentence}};
+  return textOf(json);
 }
 
 std::string presetToJson(const Preset& preset) {

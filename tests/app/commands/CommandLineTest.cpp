@@ -56,11 +56,16 @@ TEST_F(CommandLine, aToleranceIsKeptToldAndReproducedByItsPicture) {
   const std::string second = file("again.png").string();
   const std::string samples = file("samples.png").string();
   const Outcome outcome =
-      run("render phantom:6 --size 48x48 --tolerance 1 --samples-spent " + samples + " -o " + first);
+      run("render phantom:6 --size 48x48 --tolerance 1 --json --samples-spent " + samples + " -o " + first);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("estimated within"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("Samples spent"), std::string::npos) << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(samples));
+  const nlohmann::json told = nlohmann::json::parse(outcome.out);
+  EXPECT_LE(told["accuracy"]["within_levels"].get<double>(), 2.0) << "of 2995 pixels the farthest off";
+  const std::string statement = told["accuracy"]["statement"].get<std::string>();
+  EXPECT_NE(outcome.err.find(statement), std::string::npos) << outcome.err;
+  EXPECT_NE(readImageDescription(first).find(statement), std::string::npos);
   ASSERT_EQ(run("render " + first + " -o " + second).status, 0);
   EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
   EXPECT_EQ(run("render phantom:6 --tolerance 1 --step 0.5 -o x.png").status, 2);

@@ -143,6 +143,12 @@ TEST(FigureText, saysOfEachNoteWhereItHolds) {
   EXPECT_EQ(notesOf(figure).toStdString(),
             "Estimated within 0.42 of 255 levels of the exact picture. Scale at the depth of the centre "
             "(perspective). Not for diagnosis.");
+  for (FigurePanel& panel : figure.panels)
+    panel.isStated = true;
+  EXPECT_EQ(
+      notesOf(figure).toStdString(),
+      "99.9 % of pixels within 0.42 of 255 levels of the exact picture (95 % sure). Scale at the depth of "
+      "the centre (perspective). Not for diagnosis.");
   hide(figure, FigureMark::accuracy);
   hide(figure, FigureMark::scaleBar);
   hide(figure, FigureMark::notForDiagnosis);
