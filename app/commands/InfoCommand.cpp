@@ -12,7 +12,7 @@
 #include "scene/basics/Error.h"
 #include "scene/light/ModulusSearch.h"
 #include "scene/volume/Phantom.h"
-#include "stability/FilterBits.h"
+#include "glsl/programs/FilterBits.h"
 
 #include <QString>
 #include <QSysInfo>
