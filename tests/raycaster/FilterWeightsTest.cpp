@@ -2,10 +2,12 @@
 // What a graphics card's filter adds to the error, known without one: the driver's weights rounded to 1/256,
 // as a card has them, against weights in floats.
 #include "accuracy/Tolerance.h"
+#include "accuracy/sweep/ErrorByChance.h"
 #include "glsl/programs/FilterBits.h"
 #include "glsl/programs/GlslEvaluator.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
@@ -274,6 +276,33 @@ TEST_F(FilterWeights3D, ownWeightsAreFoundWhereTheFilterLeavesTheStepsTooLittle)
   EXPECT_FALSE(counted.ownWeights || uncounted.ownWeights);
   EXPECT_GT(*counted.fineness, *uncounted.fineness) << "steps make up for what the filter adds";
   EXPECT_TRUE(searched(0.25, cardBits).ownWeights);
+}
+
+// Exact pixels know nothing of a driver, so what it adds is in the distance to them.
+TEST_F(FilterWeights3D, theStatementOfChanceContainsWhatTheFilterAdds) {
+  constexpr glm::ivec2 size(96, 96);
+  Scene scene = enhanced(0.1);
+  scene.shading.model = ShadingModel::none;
+  scene.transferFunction.points = {{290.0, glm::dvec3(1.0, 0.9, 0.8), 0.0}, {310.0, glm::dvec3(1.0), 0.95}};
+  scene.quality.fineness = 9.0;
+  scene.quality.earlyTermination = 1.0;
+  const DrawPrecisely precisely = [](const Scene& drawn, const glm::ivec2& pixels,
+                                     const std::vector<std::uint8_t>& wanted, PrecisePixels& found) {
+    ReferencePicture picture{pixels, std::move(found), std::vector<int>(wanted.size(), 0)};
+    redrawReference(picture, drawn, wanted);
+    found = std::move(picture.pixels);
+  };
+  const Image inFloats = RayCaster().render(scene, size);
+  const Image onCard = card().render(scene, size);
+  constexpr std::uint64_t seed = 1;
+  const std::optional<ErrorByChance> ofFloats = errorByChance(scene, inFloats, precisely, seed);
+  const std::optional<ErrorByChance> ofCard = errorByChance(scene, onCard, precisely, seed);
+  ASSERT_TRUE(ofFloats && ofCard);
+  const double added = imageError(onCard, inFloats).p99_9;
+  std::cout << "in floats within " << ofFloats->levels << ", on a card within " << ofCard->levels
+            << ", added " << added << "\n";
+  EXPECT_GT(added, 1.0);
+  EXPECT_GE(ofCard->levels, added - ofFloats->levels);
 }
 
 TEST_F(FilterWeights3D, singleRaysAreWeighedInFloats) {
