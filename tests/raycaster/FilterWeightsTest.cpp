@@ -223,6 +223,12 @@ TEST_F(FilterWeights3D, theErrorOfACardsPictureIsWhatIsToldOfIt) {
   }
 }
 
+TEST(FilterWeightsText, nothingThatACommandOffersRoundsWeights) {
+  for (const DecisionVariant& variant : decisionVariants())
+    EXPECT_EQ(variant.decisions.weights, FilterWeights::driver) << variant.name;
+  EXPECT_EQ(Decisions{}.weights, FilterWeights::driver);
+}
+
 // --- what is made of it
 
 // Along an axis of the grid, where all samples of a ray move alike: along others, fine steps even it out.
