@@ -4,5 +4,5 @@
 uniform sampler3D u_region;
 
 float weightAt(vec3 position) {
-  return textureLod(u_region, position, 0.0).r;
+  return filtered(u_region, position).r;
 }

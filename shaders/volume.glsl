@@ -13,5 +13,5 @@ vec3 toTexture(vec3 centredIndex) {
 }
 
 float scalarAt(vec3 position) {
-  return textureLod(u_volume, position, 0.0).r;
+  return filtered(u_volume, position).r;
 }

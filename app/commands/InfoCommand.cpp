@@ -7,12 +7,12 @@
 #include "cpu/CpuRenderer.h"
 #include "gl/DriverHealth.h"
 #include "gl/HeadlessContext.h"
+#include "glsl/programs/FilterBits.h"
 #include "io/reports/ReportJson.h"
 #include "raycaster/RayCaster.h"
 #include "scene/basics/Error.h"
 #include "scene/light/ModulusSearch.h"
 #include "scene/volume/Phantom.h"
-#include "stability/FilterBits.h"
 
 #include <QString>
 #include <QSysInfo>

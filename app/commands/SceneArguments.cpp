@@ -109,10 +109,12 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
     scene.quality.stepVoxels = arguments.stepVoxels;
     scene.quality.toleranceLevels.reset();
     scene.quality.fineness.reset();
+    scene.quality.ownWeights = false;
   }
   if (arguments.toleranceLevels > 0.0) {
     scene.quality.toleranceLevels = arguments.toleranceLevels;
     scene.quality.fineness.reset();
+    scene.quality.ownWeights = false;
   }
   if (!arguments.size.empty()) {
     const glm::ivec2 size = parsedSize(arguments.size);

@@ -215,9 +215,12 @@ Figure withErrors(Figure figure, const MakingOptions& order) {
     return figure;
   std::vector<Image> images;
   bool canBeEstimated = true;
+  ImageError ofFilter;
   makeEach(scenes, size, order, [&](std::size_t index, MadePicture picture) {
-    if (index % 3 == 0)
+    if (index % 3 == 0) {
       canBeEstimated = picture.canBeEstimated;
+      ofFilter = picture.ofFilter;
+    }
     images.push_back(std::move(picture.image));
     if (index % 3 != 2)
       return;
@@ -226,7 +229,7 @@ Figure withErrors(Figure figure, const MakingOptions& order) {
     const ErrorEstimate steps =
         errorBeforeHalvings(imageError(images[0], images[1]), imageError(images[1], images[2]));
     figure.panels[panels[index / 3]].errorLevels =
-        withEarlyEnds(steps, errorOfEarlyEnds(images[0], picture.scene)).p99_9;
+        withFilter(withEarlyEnds(steps, errorOfEarlyEnds(images[0], picture.scene)), ofFilter).p99_9;
     images.clear();
   });
   return figure;

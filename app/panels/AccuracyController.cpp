@@ -155,7 +155,8 @@ void AccuracyMeasurer::findSteps(const std::vector<Scene>& scenes, const glm::iv
     std::vector<WithinTolerance> found;
     found.reserve(scenes.size());
     for (const Scene& scene : scenes)
-      found.push_back(withinTolerance(scene, size, draw, job.renderers().control()));
+      found.push_back(
+          withinTolerance(scene, size, draw, job.renderers().control(), job.renderers().filterBits()));
     const WithinTolerance finest = *std::min_element(found.begin(), found.end(), needsFinerSteps);
     return [this, finest] { emit stepsFound(finest); };
   });

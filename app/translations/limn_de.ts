@@ -955,7 +955,7 @@
     </message>
     <message>
         <source>99.9 % of pixels within %1 of 255 levels (95 % sure)</source>
-        <translation>99,9 % der Bildpunkte höchstens %1 von 255 Stufen falsch (zu 95 % sicher)</translation>
+        <translation>99,9&#xa0;% der Bildpunkte höchstens %1 von 255 Stufen falsch (zu 95&#xa0;% sicher)</translation>
     </message>
     <message>
         <source>Black and white are 255 levels apart.</source>
@@ -4333,7 +4333,7 @@
     </message>
     <message>
         <source>99.9 % of the pixels lie within %1 of 255 levels of the exact picture (95 % sure: of %2 drawn at random and integrated exactly none lies farther off).</source>
-        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher: Von %2 zufällig gewählten und exakt integrierten liegt keiner weiter daneben).</translation>
+        <translation>99,9&#xa0;% der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95&#xa0;% sicher: Von %2 zufällig gewählten und exakt integrierten liegt keiner weiter daneben).</translation>
     </message>
     <message>
         <source>exact but for rounding, found cell by cell</source>
@@ -7007,16 +7007,29 @@
         <source>Cannot read %1: there is no such file or folder; did you mean %2?</source>
         <translation>%1 kann nicht gelesen werden: Es gibt keine solche Datei und keinen solchen Ordner; meinten Sie %2?</translation>
     </message>
-</context>
-<context>
-    <name>limn::NumberField</name>
     <message>
-        <source>%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.</source>
-        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein, oder Prozent wie 10 %.</translation>
+        <source>The graphics card weighs voxels in %1 bits, which alone moves this picture by up to %2: it does not keep the tolerance of %3; ask for the tolerance anew (--tolerance).</source>
+        <translation>Die Grafikkarte gewichtet Voxel mit %1&#xa0;Bit, was allein dieses Bild um bis zu %2 verändert: Die Toleranz von %3 wird nicht eingehalten; geben Sie sie neu vor (--tolerance).</translation>
     </message>
     <message>
-        <source>%1 does not fit: give a number from %2 to %3.</source>
-        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein.</translation>
+        <source>estimated within %1, with %2 and own weights between voxels</source>
+        <translation>nach Schätzung auf %1 genau, mit %2 und eigenen Gewichten zwischen Voxeln</translation>
+    </message>
+    <message>
+        <source>the graphics card weighs voxels too coarsely for the tolerance</source>
+        <translation>die Grafikkarte gewichtet Voxel zu grob für die Toleranz</translation>
+    </message>
+    <message>
+        <source>the weights of the graphics card are fine enough for what is asked</source>
+        <translation>die Gewichte der Grafikkarte sind fein genug für das, was verlangt ist</translation>
+    </message>
+    <message>
+        <source>voxels are weighed finely enough without it</source>
+        <translation>Voxel werden auch ohne sie fein genug gewichtet</translation>
+    </message>
+    <message>
+        <source>Own weights between voxels</source>
+        <translation>Eigene Gewichte zwischen Voxeln</translation>
     </message>
 </context>
 <context>
@@ -7114,6 +7127,17 @@
     <message>
         <source>Only the enhanced and robust models follow boundaries, and none is shown.</source>
         <translation>Nur die Modelle „Verstärkt“ und „Robust“ folgen Grenzflächen, und keines wird gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::NumberField</name>
+    <message>
+        <source>%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.</source>
+        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein, oder Prozent wie 10&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit: give a number from %2 to %3.</source>
+        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein.</translation>
     </message>
 </context>
 <context>
@@ -7808,11 +7832,11 @@
     </message>
     <message>
         <source>How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid), or per cent such as 10 %</source>
-        <translation>Wie viel Gewebe dieses Werts von dem verdeckt, was dahinter liegt: 0 (unsichtbar) – 1 (deckend), oder Prozent wie 10 %</translation>
+        <translation>Wie viel Gewebe dieses Werts von dem verdeckt, was dahinter liegt: 0 (unsichtbar) – 1 (deckend), oder Prozent wie 10&#xa0;%</translation>
     </message>
     <message>
         <source>How much is left of the opacity where the value changes this fast: 0 (none) – 1 (all), or per cent such as 10 %</source>
-        <translation>Wie viel von der Deckkraft bleibt, wo sich der Wert so schnell ändert: 0 (nichts) – 1 (alles), oder Prozent wie 10 %</translation>
+        <translation>Wie viel von der Deckkraft bleibt, wo sich der Wert so schnell ändert: 0 (nichts) – 1 (alles), oder Prozent wie 10&#xa0;%</translation>
     </message>
     <message>
         <source>The colour in which tissue of this value is drawn</source>

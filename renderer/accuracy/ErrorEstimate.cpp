@@ -48,6 +48,10 @@ ErrorEstimate withEarlyEnds(const ErrorEstimate& ofSteps, const ImageError& ofEn
   return {std::max(ofSteps.p99_9, ofEnds.p99_9), ofSteps.mean + ofEnds.mean, ofSteps.order};
 }
 
+ErrorEstimate withFilter(const ErrorEstimate& estimate, const ImageError& ofFilter) {
+  return {estimate.p99_9 + ofFilter.p99_9, estimate.mean + ofFilter.mean, estimate.order};
+}
+
 ErrorEstimate errorAfterHalvings(const std::vector<ImageError>& halvings) {
   const std::size_t count = halvings.size();
   const ImageError& last = halvings.back();

@@ -49,6 +49,10 @@ ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene);
 /// step at edges: of the 99.9th percentile the larger one shows, the means add.
 ErrorEstimate withEarlyEnds(const ErrorEstimate& ofSteps, const ImageError& ofEnds);
 
+/// The estimate of a picture to which a driver's filter adds an error of its own (accuracy/Tolerance): those
+/// of the step lie at edges as well, and add.
+ErrorEstimate withFilter(const ErrorEstimate& estimate, const ImageError& ofFilter);
+
 /// A band of the transfer function counts where it rises or falls by at least this much opacity, or colour
 /// weighted by it: the height below which `stepResolvesFunction` lets samples miss one.
 inline constexpr double leastBandHeight = 0.1;

@@ -40,8 +40,17 @@ constexpr double safetyOfWhole = 1.02;
 // So much finer than a picture is the one that tells its error cell by cell: its own is a sixty-fourth.
 constexpr double nearlyExact = 6.0;
 
+// The same of what a driver's filter adds. Along an axis of the grid a picture of other pixels has all its
+// samples rounded by another part of the 2^-(b+1) voxel at most: commonly by half of that, and the next
+// picture by all of it. Seen: 1.9 times (tests/raycaster/FilterWeightsTest.cpp).
+constexpr double safetyOfFilter = 2.0;
+
 // The share of the tolerance that rays which end early may take.
 constexpr double shareOfTermination = 0.125;
+
+// The share that a driver's filter may take. Steps that are left no less than half take up to √2 times as
+// many samples, one unit of fineness; eight voxels fetched for each sample cost more.
+constexpr double shareOfFilter = 0.5;
 
 // After so many pictures the coarsest that is fine enough will do. Cell by cell coarse ones cost little.
 constexpr int mostTries = 4;
@@ -78,9 +87,13 @@ public:
       m_quality.earlyTermination =
           std::max(quality.earlyTermination, 1.0 - shareOfTermination * tolerance / 255.0);
     m_quality.fineness.reset();
+    m_quality.ownWeights = false;
     if (!m_isLocal)
       m_quality.toleranceLevels.reset();
   }
+
+  // From here on.
+  void weighInFloats() { m_quality.ownWeights = true; }
 
   bool isLocal() const { return m_isLocal; }
   bool isByCells() const { return m_isByCells; }
@@ -132,6 +145,16 @@ public:
     }
     return found->second;
   }
+
+  // What the driver's filter adds to a picture, from the same one with own weights.
+  ImageError ofFilter(double rung) {
+    const Image& filtered = picture(rung);
+    m_scene.quality = m_ladder.at(rung);
+    m_scene.quality.ownWeights = true;
+    return imageError(filtered, m_draw(m_scene, m_size));
+  }
+
+  void forget() { m_pictures.clear(); }
 
   // The error of a picture from one that is some rungs finer: an error that falls with the square of the step
   // is nearly all of their difference. A finer one that is there serves again.
@@ -230,6 +253,13 @@ Found search(Comparison& comparison, const Ladder& ladder, double bound, double 
   }
 }
 
+// By how much pictures of few pixels may tell too little.
+ImageError scaled(ImageError error, double factor) {
+  error.p99_9 *= factor;
+  error.mean *= factor;
+  return error;
+}
+
 // Of single rays the mean is taken to be as large.
 Found ofSingleRays(double rung, double error) {
   return {rung, error, error};
@@ -311,11 +341,22 @@ Message describe(const WithinTolerance& found) {
       quality.fineness
           ? Message::tr("error-controlled steps of fineness %1").arg(Message::rounded(*quality.fineness, 3))
           : Message::tr("equal steps of %1 voxels").arg(Message::rounded(quality.stepVoxels, 3));
-  return Message::tr("estimated within %1, with %2").arg(levelsText(found.estimateLevels), steps);
+  return (quality.ownWeights ? Message::tr("estimated within %1, with %2 and own weights between voxels")
+                             : Message::tr("estimated within %1, with %2"))
+      .arg(levelsText(found.estimateLevels), steps);
+}
+
+ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits) {
+  if (filterBits >= mostFilterBits || scene.quality.ownWeights)
+    return {};
+  Scene own = scene;
+  own.quality.ownWeights = true;
+  const glm::ivec2 compared = comparedSize(size, fine);
+  return scaled(imageError(draw(scene, compared), draw(own, compared)), safetyOfFilter);
 }
 
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,
-                                StepControl control) {
+                                StepControl control, int filterBits) {
   assert(scene.quality.toleranceLevels);
   const double tolerance = *scene.quality.toleranceLevels;
   if (control == StepControl::cells && !integrates(scene.projection)) {
@@ -324,7 +365,7 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
     exact.scene.quality.fineness = usualFineness(tolerance); // any
     return exact;
   }
-  const Ladder ladder(scene.quality, scene.projection, control);
+  Ladder ladder(scene.quality, scene.projection, control);
   const double termination = scene.quality.earlyTermination < 1.0 ? shareOfTermination * tolerance : 0.0;
   Comparison comparison(scene, comparedSize(size, ladder.isByCells() ? fineByCells : fine), draw, ladder);
   // Of a picture, errors of the step show at edges and those of early ends in opaque tissue: its percentile
@@ -334,19 +375,30 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
   const double factor = !ladder.isByCells()        ? safety
                         : comparison.isWhole(size) ? safetyOfWhole
                                                    : safetyOfSample;
-  const double bound = (tolerance - added) / factor;
+  double bound = (tolerance - added) / factor;
+  ImageError filter;
   Found found;
   if (isOfSingleRays) {
+    if (filterBits < mostFilterBits)
+      ladder.weighInFloats();
     found = searchCarefully(comparison, ladder, bound);
   } else {
     Comparison roughly(scene, comparedSize(size, rough), draw, ladder);
     const double near = search(roughly, ladder, bound, ladder.start(), 1.0).rung;
+    if (filterBits < mostFilterBits)
+      filter = scaled(comparison.ofFilter(near), safetyOfFilter);
+    if (filter.p99_9 > shareOfFilter * tolerance) {
+      ladder.weighInFloats();
+      comparison.forget();
+      filter = {};
+    }
+    bound -= filter.p99_9 / factor;
     found = search(comparison, ladder, bound, near, ladder.isByCells() ? 0.1 : 0.3);
   }
 
   WithinTolerance result{scene,
-                         std::max(factor * found.error + added, termination),
-                         factor * found.mean,
+                         std::max(factor * found.error + added, termination) + filter.p99_9,
+                         factor * found.mean + filter.mean,
                          found.error <= bound,
                          {}};
   result.scene.quality = ladder.at(found.rung);

@@ -15,8 +15,9 @@ struct NotDrawnYet {
 
 } // namespace
 
-ToleranceSearch::ToleranceSearch(const Scene& scene, const glm::ivec2& size, StepControl control)
-    : m_scene(scene), m_size(size), m_control(control) {
+ToleranceSearch::ToleranceSearch(const Scene& scene, const glm::ivec2& size, StepControl control,
+                                 int filterBits)
+    : m_scene(scene), m_size(size), m_control(control), m_filterBits(filterBits) {
   goOn();
 }
 
@@ -38,7 +39,7 @@ void ToleranceSearch::goOn() {
     return found->picture;
   };
   try {
-    m_found = withinTolerance(m_scene, m_size, draw, m_control);
+    m_found = withinTolerance(m_scene, m_size, draw, m_control, m_filterBits);
   } catch (const NotDrawnYet& missing) {
     m_wanted = missing.wanted;
   }

@@ -12,7 +12,8 @@ namespace limn {
 class ToleranceSearch {
 public:
   /// `scene.quality.toleranceLevels` must be set.
-  ToleranceSearch(const Scene& scene, const glm::ivec2& size, StepControl control = StepControl::local);
+  ToleranceSearch(const Scene& scene, const glm::ivec2& size, StepControl control = StepControl::local,
+                  int filterBits = mostFilterBits);
 
   /// A picture that is needed.
   struct Wanted {
@@ -39,6 +40,7 @@ private:
   Scene m_scene;
   glm::ivec2 m_size;
   StepControl m_control;
+  int m_filterBits;
   std::vector<Drawn> m_drawn;
   std::optional<Wanted> m_wanted;
   std::optional<WithinTolerance> m_found;

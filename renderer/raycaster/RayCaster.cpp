@@ -5,6 +5,7 @@
 #include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
 #include "gl/PictureTarget.h"
+#include "glsl/programs/FilterBits.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "glsl/textures/SceneTextures.h"
@@ -37,6 +38,7 @@ struct RayCaster::Parts {
   SceneTextures textures;
   DecisionTextures decisionTextures;
   ProgramCache programs;
+  FilterBits filter;
   GlBuffer corners;
   GlVertexArray vertexArray;
   Message stepLimitation;
@@ -57,7 +59,7 @@ struct RayCaster::Parts {
 };
 
 RayCaster::Parts::Parts(const Decisions& chosen, const VolumeRoom& room)
-    : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen) {
+    : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen), filter(chosen) {
   const SavedState saved;
   const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
   glBindVertexArray(vertexArray.name());
@@ -77,6 +79,8 @@ EffectPlan RayCaster::Parts::plan(const Scene& scene) {
   noteStepLimit(scene);
   SceneFacts facts = textures.facts(scene);
   facts.canSkipEmptySpace = skipsEmptySpace;
+  if (scene.quality.ownWeights)
+    facts.filterBits = filter.measured();
   return requiredEffects(scene, facts);
 }
 
@@ -254,6 +258,7 @@ DrawingFacts RayCaster::facts(const Scene& scene) {
   facts.plan = m_parts->plan(scene);
   facts.steepestPerMm = m_parts->textures.steepestPerMm();
   facts.takesAllSamples = m_parts->stepLimitation.empty();
+  facts.filterBits = m_parts->filter.measured();
   const EffectSet program = m_parts->programFor(facts.plan.effects, Content::picture);
   facts.isReady = !facts.plan.isVisible || m_parts->programs.canDraw(program);
   return facts;
@@ -261,6 +266,10 @@ DrawingFacts RayCaster::facts(const Scene& scene) {
 
 int RayCaster::compiledPrograms() const {
   return m_parts->programs.compiled();
+}
+
+int RayCaster::filterBits() {
+  return m_parts->filter.measured();
 }
 
 const GradientScale& RayCaster::gradientScale() const {

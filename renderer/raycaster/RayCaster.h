@@ -91,6 +91,9 @@ public:
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;
 
+  /// Of the weights by which the driver mixes voxels; `mostFilterBits` where it weighs in floats.
+  int filterBits();
+
   /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads r.
   const GradientScale& gradientScale() const;
 

@@ -47,6 +47,9 @@ struct Quality {
   /// the projection integrates. A renderer draws with `fineness`; accuracy/Tolerance finds it for a picture.
   std::optional<double> toleranceLevels;
   std::optional<double> fineness; ///< of error-controlled steps; absent: the one that heads commonly need
+  /// Whether a picture needs voxels weighed more finely than a graphics card does, which accuracy/Tolerance
+  /// finds, too; nothing else draws differently with it.
+  bool ownWeights = false;
   bool operator==(const Quality&) const = default;
 };
 

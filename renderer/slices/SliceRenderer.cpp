@@ -4,6 +4,7 @@
 #include "gl/DriverHealth.h"
 #include "gl/PictureTarget.h"
 #include "gl/ShaderProgram.h"
+#include "glsl/programs/FilterBits.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "glsl/textures/SceneTextures.h"
@@ -109,6 +110,7 @@ EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {
 struct SliceRenderer::Parts {
   BlendOrder order;
   SceneTextures textures;
+  FilterBits filter;
   std::map<EffectSet, ShaderProgram> programs;
   GlBuffer corners;
   GlVertexArray vertexArray;
@@ -149,7 +151,10 @@ void SliceRenderer::Parts::draw(const Scene& scene, const glm::ivec2& size) {
   const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
   glClearBufferfv(GL_COLOR, 0, nothing);
   textures.update(scene);
-  const EffectPlan plan = sliceEffects(scene, textures.facts(scene));
+  SceneFacts facts = textures.facts(scene);
+  if (scene.quality.ownWeights)
+    facts.filterBits = filter.measured();
+  const EffectPlan plan = sliceEffects(scene, facts);
   if (!plan.isVisible)
     return;
   textures.measure(scene, plan.effects);
@@ -184,6 +189,10 @@ Image SliceRenderer::render(const Scene& scene, const glm::ivec2& size) {
   Image image = readBack(size);
   requireHealthyDriver(Message::tr("drawing a picture of slices"));
   return image;
+}
+
+int SliceRenderer::filterBits() {
+  return m_parts->filter.measured();
 }
 
 Message SliceRenderer::limitation() const {

@@ -49,6 +49,9 @@ public:
   /// needed too many slabs; empty otherwise.
   Message limitation() const;
 
+  /// Of the weights between voxels, as SceneFacts has them.
+  int filterBits();
+
 private:
   struct Parts;
   std::unique_ptr<Parts> m_parts;

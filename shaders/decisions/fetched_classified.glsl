@@ -7,7 +7,7 @@ uniform sampler3D u_classifiedVolume;
 #define Fetched vec4
 
 Fetched fetchedAt(vec3 position) {
-  return textureLod(u_classifiedVolume, position, 0.0);
+  return filtered(u_classifiedVolume, position);
 }
 
 bool mayBeSeen(Fetched classified) {

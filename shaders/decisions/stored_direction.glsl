@@ -7,6 +7,6 @@ uniform float u_gradientPerStored; // from a stored modulus to the unit
 uniform float u_flatModulus;       // up to here a gradient gives no normal
 
 vec3 gradientAt(vec3 position) {
-  vec4 stored = textureLod(u_storedGradient, position, 0.0);
+  vec4 stored = filtered(u_storedGradient, position);
   return u_gradientPerStored * stored.a * safeNormal(2.0 * stored.rgb - 1.0).xyz;
 }

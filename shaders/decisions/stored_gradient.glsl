@@ -6,5 +6,5 @@ uniform float u_gradientPerStored; // from what is stored to the unit
 uniform float u_flatModulus;       // up to here a gradient gives no normal
 
 vec3 gradientAt(vec3 position) {
-  return u_gradientPerStored * textureLod(u_storedGradient, position, 0.0).rgb;
+  return u_gradientPerStored * filtered(u_storedGradient, position).rgb;
 }

@@ -13,5 +13,5 @@ vec3 toTexture(vec3 centredIndex) {
 }
 
 float scalarAt(vec3 position) {
-  return 3.0 * textureLod(u_volume, position, 0.0).r - 1.0;
+  return 3.0 * filtered(u_volume, position).r - 1.0;
 }

@@ -2,12 +2,12 @@
 // Cases of kind `fact` that the code must agree with: background arithmetic, so the file states no tolerance.
 // In C++ they hold to rounding, in GLSL to 2e-6 as the other cases do.
 #include "gl/HelperCases.h"
+#include "glsl/programs/GlslEvaluator.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "reference/SampleLighting.h"
 #include "scene/basics/StableMath.h"
 #include "scene/function/PiecewiseTable.h"
-#include "stability/GlslEvaluator.h"
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"

@@ -2,10 +2,10 @@
 // The formulas of stable_math.glsl, the compositing of equal layers, and the transfer function's lookup.
 #include "gl/HelperCases.h"
 
+#include "glsl/programs/GlslEvaluator.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/StableMath.h"
-#include "stability/GlslEvaluator.h"
 #include "support/AnalyticScenes.h"
 
 #include <numbers>

@@ -3,8 +3,8 @@
 // volume.glsl and gradient.glsl on the texture that the ray caster makes of it.
 #include "gl/HelperCases.h"
 
+#include "glsl/programs/GlslEvaluator.h"
 #include "scene/light/Gradient.h"
-#include "stability/GlslEvaluator.h"
 #include "support/AnalyticScenes.h"
 #include "support/MarschnerLobb.h"
 #include "support/Orders.h"
@@ -53,7 +53,7 @@ struct GpuField {
 
 GpuField onGpu(const std::shared_ptr<const Volume>& volume, const std::vector<glm::dvec3>& indices) {
   static const GlslEvaluator evaluate(
-      {"volume.glsl", "gradient.glsl"},
+      {"driver_weights.glsl", "volume.glsl", "gradient.glsl"},
       "vec3 inside(vec3 index) { return clamp(toTexture(index), u_textureLower, u_textureUpper); }");
   const std::vector<glm::vec4> found = evaluate("vec4(gradientAt(inside(v.xyz)), scalarAt(inside(v.xyz)))",
                                                 centredArguments(*volume, indices), rayThrough(volume));

@@ -3,9 +3,9 @@
 // renderer/scene/function/MeanMaterial and in preintegration.glsl.
 #include "gl/HelperCases.h"
 
+#include "glsl/programs/GlslEvaluator.h"
 #include "scene/basics/StableMath.h"
 #include "scene/function/MeanMaterial.h"
-#include "stability/GlslEvaluator.h"
 #include "support/AnalyticScenes.h"
 #include "support/Orders.h"
 

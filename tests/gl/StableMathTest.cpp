@@ -2,7 +2,7 @@
 // The helpers of shaders/stable_math.glsl against their twins in double, each over its whole range: a
 // fragment program draws one value per pixel into a target of floats.
 #include "scene/basics/StableMath.h"
-#include "stability/GlslEvaluator.h"
+#include "glsl/programs/GlslEvaluator.h"
 #include "support/GlTest.h"
 
 #include <functional>

@@ -46,9 +46,9 @@ std::vector<Decisions> otherDecisions() {
   for (const DecisionVariant& variant : decisionVariants())
     if (!(variant.decisions == Decisions{}))
       all.push_back(variant.decisions);
-  // And all at once.
+  // And all at once, with what only tests decide.
   all.push_back({TableFormat::bytes256, VolumeFormat::r8, SamplePlace::front, GradientFormat::directions,
-                 ClassificationOrder::beforeInBytes});
+                 ClassificationOrder::beforeInBytes, FilterWeights::eightBits});
   return all;
 }
 

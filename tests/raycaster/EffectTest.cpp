@@ -181,6 +181,16 @@ const Row rows[] = {
        s.keep = cubes(s, {0.0, 1.0, 0.7});
        s.projection = Projection::compositeIsosurface;
      }},
+    {"own weights of a kept region", Effect::ownWeights,
+     [](Scene& s) {
+       s.keep = cubes(s, {1.0, 0.0, 0.4});
+       s.quality.ownWeights = true;
+     }},
+    {"maximum by own weights", Effect::ownWeights,
+     [](Scene& s) {
+       s.projection = Projection::mip;
+       s.quality.ownWeights = true;
+     }},
     {"crowded control points", Effect::denseFunctions,
      [](Scene& s) {
        for (const double value : {40.0, 40.1, 40.2, 40.3, 40.4, 40.5})
@@ -193,14 +203,24 @@ Scene baseScene() {
   return test::headScene(volume, ShadingModel::enhanced);
 }
 
+// Own weights take a driver that weighs in 8 bits, as graphics cards do.
+RayCaster casterFor(const Row& row) {
+  Decisions decisions;
+  if (row.effect == Effect::ownWeights)
+    decisions.weights = FilterWeights::eightBits;
+  return RayCaster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, decisions);
+}
+
 using Effects = test::GlTest;
 
 TEST_F(Effects, everyEffectAgreesWithTheReferenceAndShows) {
-  RayCaster caster;
   const Scene base = baseScene();
-  const Image without = caster.render(base, pictureSize);
+  const Image without = RayCaster().render(base, pictureSize);
+  RayCaster usual;
   for (const Row& row : rows) {
     SCOPED_TRACE(row.what);
+    RayCaster own = casterFor(row);
+    RayCaster& caster = row.effect == Effect::ownWeights ? own : usual;
     Scene scene = base;
     row.apply(scene);
     const Image image = caster.render(scene, pictureSize);
@@ -222,7 +242,8 @@ TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {
     Scene scene = baseScene();
     row.apply(scene);
     const bool isDense = row.effect == Effect::denseFunctions;
-    const EffectPlan plan = requiredEffects(scene, {.canSkipEmptySpace = true, .hasDenseFunctions = isDense});
+    const EffectPlan plan =
+        requiredEffects(scene, {.canSkipEmptySpace = true, .hasDenseFunctions = isDense, .filterBits = 8});
     EXPECT_TRUE(plan.effects.has(row.effect)) << row.what;
     EXPECT_EQ(plan.effects, canonical(plan.effects)) << row.what;
     ASSERT_EQ(plan.reasons.size(), static_cast<std::size_t>(effectCount));

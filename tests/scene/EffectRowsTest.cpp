@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects/EffectRows.h"
 #include "scene/PhantomScene.h"
+#include "scene/ProjectionFacts.h"
 #include "support/EffectNames.h"
 
 #include <gtest/gtest.h>
@@ -111,6 +112,24 @@ TEST(EffectRows, areOnWhereAnyOfTheirEffectsIs) {
   EXPECT_EQ(row(scene, "fog").reason.english(), "the density of the fog is 0");
   scene.projection = Projection::compositeIsosurface;
   EXPECT_TRUE(row(scene, "isosurface").isOn);
+}
+
+TEST(EffectRows, tellOfOwnWeightsWhereTheDriversAreTooCoarse) {
+  Scene scene = test::roughPhantomScene();
+  const auto rowWith = [&scene](int bits) {
+    return effectRows(scene, requiredEffects(scene, {.filterBits = bits})).back();
+  };
+  EXPECT_EQ(rowWith(8).name, "own_weights");
+  EXPECT_FALSE(rowWith(8).isOn);
+  EXPECT_NE(rowWith(8).reason, rowWith(mostFilterBits).reason);
+  scene.quality.ownWeights = true;
+  EXPECT_TRUE(rowWith(8).isOn);
+  EXPECT_TRUE(rowWith(mostFilterBits - 1).isOn);
+  EXPECT_FALSE(rowWith(mostFilterBits).isOn) << "a driver in floats needs none";
+  for (const Projection projection : projections) {
+    scene.projection = projection;
+    EXPECT_TRUE(rowWith(8).isOn) << nameOf(projection);
+  }
 }
 
 TEST(EffectRows, tellWhatTheProjectionHasNoUseFor) {

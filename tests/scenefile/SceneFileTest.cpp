@@ -38,7 +38,7 @@ Scene unusualScene() {
   scene.crop = {{0.1, 0, 0}, {1, 0.5, 0.75}};
   scene.projection = Projection::compositeIsosurface;
   scene.isovalue = 255.5;
-  scene.quality = {0.125, Preintegration::never, 1.0, false, 0.75, 7};
+  scene.quality = {0.125, Preintegration::never, 1.0, false, 0.75, 7, true};
   scene.image = {640, 480, {0, 0, 0}};
   return scene;
 }

@@ -24,6 +24,7 @@ inline const std::vector<std::string> documentedEffects{"gradient",
                                                         "jitter",
                                                         "knee",
                                                         "two_sided",
-                                                        "region"};
+                                                        "region",
+                                                        "own_weights"};
 
 } // namespace limn::test

@@ -74,6 +74,13 @@ const Groups others{
     {Effect::region, Effect::mip},
     {Effect::region, Effect::minip},
     {Effect::region, Effect::average},
+    {Effect::emptySpaceSkipping, Effect::ownWeights, Effect::preintegration, Effect::region},
+    {Effect::emptySpaceSkipping, Effect::ownWeights, Effect::localSteps, Effect::gradientOpacity},
+    {Effect::emptySpaceSkipping, Effect::ownWeights, Effect::localSteps, Effect::hybrid, Effect::region},
+    {Effect::ownWeights, Effect::localSteps, Effect::xray},
+    {Effect::ownWeights, Effect::isosurface},
+    {Effect::ownWeights, Effect::mip, Effect::region},
+    {Effect::ownWeights, Effect::average},
     {Effect::sampleCounts},
 };
 

@@ -23,15 +23,47 @@ namespace {
 struct Drawer {
   Engine engine;
   std::string name;
+  int filterBits = mostFilterBits;
 };
+
+Message levels(double number) {
+  return (number == 1.0 ? Message::tr("%1 level") : Message::tr("%1 levels"))
+      .arg(Message::rounded(number, 2));
+}
+
+// Where steps were found for a tolerance that the filter of this driver alone exceeds.
+Message filterNote(const MadePicture& picture, int filterBits) {
+  const std::optional<double>& tolerance = picture.scene.quality.toleranceLevels;
+  const double added = picture.ofFilter.p99_9;
+  if (!tolerance || added <= *tolerance)
+    return {};
+  return Message::tr(
+             "The graphics card weighs voxels in %1 bits, which alone moves this picture by up to %2: "
+             "it does not keep the tolerance of %3; ask for the tolerance anew (--tolerance).")
+      .arg(filterBits)
+      .arg(levels(added), levels(*tolerance));
+}
 
 // Draws a scene with the steps that keep its tolerance.
 MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
                        const Drawer& by) {
-  if (!needsSteps(scene))
-    return {draw(scene, size), scene, by.engine, by.name, {}, false};
-  const WithinTolerance found = withinTolerance(scene, size, draw, control);
-  MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}, false};
+  const auto made = [&](const Scene& drawn) {
+    return MadePicture{draw(drawn, size),
+                       drawn,
+                       by.engine,
+                       by.name,
+                       {},
+                       false,
+                       errorOfFilter(drawn, size, draw, by.filterBits)};
+  };
+  if (!needsSteps(scene)) {
+    MadePicture picture = made(scene);
+    if (const Message note = filterNote(picture, by.filterBits); !note.empty())
+      picture.notes.push_back(note);
+    return picture;
+  }
+  const WithinTolerance found = withinTolerance(scene, size, draw, control, by.filterBits);
+  MadePicture picture = made(found.scene);
   picture.notes.push_back(Message::tr("The picture is %1.").arg(describe(found)));
   if (!found.holds)
     picture.notes.push_back(found.sentence);
@@ -88,13 +120,15 @@ void makeWithGl(const Sitting& sitting, const MakingOptions& order, const Volume
     const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort&) {
       return slices.render(scene, pixels);
     };
-    return makeWith(slices, draw, sitting, order.effort, StepControl::equal, {*order.engine, rendererName()});
+    return makeWith(slices, draw, sitting, order.effort, StepControl::equal,
+                    {*order.engine, rendererName(), slices.filterBits()});
   }
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, room);
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return caster.render(scene, pixels, effort);
   };
-  makeWith(caster, draw, sitting, order.effort, StepControl::local, {Engine::rayCaster, rendererName()});
+  makeWith(caster, draw, sitting, order.effort, StepControl::local,
+           {Engine::rayCaster, rendererName(), caster.filterBits()});
 }
 
 // Any strips make the same picture; between them it is told how far it is.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "accuracy/ImageError.h"
 #include "accuracy/sweep/ErrorByChance.h"
 #include "app/core/drawing/EngineChoice.h"
 #include "glsl/textures/GraphicsMemory.h"
@@ -25,6 +26,7 @@ struct MadePicture {
   /// Known to have steps that see the transfer function, so that pictures of smaller ones tell its error
   /// (accuracy/ErrorEstimate).
   bool canBeEstimated = false;
+  ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance)
 };
 
 /// How pictures are drawn.

@@ -50,6 +50,7 @@ struct RealRenderers::Parts {
   void draw(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   void drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   Image byProcessor(const Scene& scene, const glm::ivec2& size);
+  int filterBits();
   Image whole(const Scene& scene, const glm::ivec2& size);
   Scene withSteps(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   double peakMb(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
@@ -105,6 +106,14 @@ void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint& po
   glFinish();
 }
 
+int RealRenderers::Parts::filterBits() {
+  if (!context)
+    return mostFilterBits;
+  if (!rays)
+    rays.emplace();
+  return rays->filterBits();
+}
+
 // A picture beside those that are measured.
 Image RealRenderers::Parts::whole(const Scene& scene, const glm::ivec2& size) {
   if (context) {
@@ -130,7 +139,8 @@ Scene RealRenderers::Parts::withSteps(const Scene& scene, const OperatingPoint& 
       return isByCells ? byProcessor(tried, pixels) : whole(tried, pixels);
     };
     const WithinTolerance found = withinTolerance(atPoint(scene, point), size, draw,
-                                                  isByCells ? StepControl::cells : StepControl::local);
+                                                  isByCells ? StepControl::cells : StepControl::local,
+                                                  isByCells ? mostFilterBits : filterBits());
     known = withinTolerances.emplace(*point.toleranceLevels, found.scene).first;
   }
   return known->second;
@@ -200,6 +210,10 @@ SweepRenderers RealRenderers::forSweep() {
 
 DrawPrecisely RealRenderers::precisely() {
   return preciselyBy(m_parts->threads, m_parts->isCancelled);
+}
+
+int RealRenderers::filterBits() {
+  return m_parts->filterBits();
 }
 
 StepControl RealRenderers::control() const {

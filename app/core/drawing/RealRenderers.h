@@ -37,6 +37,9 @@ public:
   /// How rays keep a tolerance.
   StepControl control() const;
 
+  /// Of the weights between voxels of what draws rays (SceneFacts).
+  int filterBits();
+
   /// A picture of a scene as it is, drawn with rays.
   Image render(const Scene& scene, const glm::ivec2& size);
 

@@ -404,6 +404,7 @@ Figure FigureDialog::wanted() const {
       if (Quality& quality = panel.scene.quality; !quality.toleranceLevels) {
         quality.toleranceLevels = exactLevels;
         quality.fineness.reset();
+        quality.ownWeights = false;
       }
   return all;
 }

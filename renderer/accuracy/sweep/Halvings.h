@@ -23,6 +23,7 @@ public:
     m_quality.jitter = false;
     m_quality.toleranceLevels.reset();
     m_quality.fineness.reset();
+    m_quality.ownWeights = false;
     m_quality.stepVoxels = std::min(firstStep, quality.stepVoxels);
     m_smallestStep = std::min(smallestStep, std::ldexp(m_quality.stepVoxels, -leastHalvings));
     if (m_isLocal || m_isExact) {

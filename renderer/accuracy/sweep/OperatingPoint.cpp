@@ -43,6 +43,7 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
   scene.quality.jitter = false;
   scene.quality.toleranceLevels = point.toleranceLevels;
   scene.quality.fineness.reset();
+  scene.quality.ownWeights = false;
   return scene;
 }
 

@@ -38,6 +38,13 @@ enum class GradientFormat {
   directions ///< one fetch of RGBA8: unit directions and moduli made before
 };
 
+/// By which weights voxels are mixed where the program leaves that to the driver.
+enum class FilterWeights {
+  driver,
+  eightBits ///< the driver's place between voxels rounded to 1/256, as graphics cards have it: what tests
+            ///< know of a card without one. In no list of variants, so that no command draws with it
+};
+
 /// What is interpolated between voxels: the scalar, or what the transfer function makes of each.
 enum class ClassificationOrder {
   afterInterpolation,
@@ -54,6 +61,7 @@ struct Decisions {
   SamplePlace place = SamplePlace::middle; ///< of samples; pre-integrated steps have none
   GradientFormat gradients = GradientFormat::onTheFly;
   ClassificationOrder classification = ClassificationOrder::afterInterpolation; ///< of samples
+  FilterWeights weights = FilterWeights::driver;
   bool operator==(const Decisions&) const = default;
 };
 

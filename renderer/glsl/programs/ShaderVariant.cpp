@@ -30,6 +30,10 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
+const char* filterBlock(EffectSet effects, const Decisions& decisions) {
+  return effects.has(Effect::ownWeights) ? "own_weights.glsl" : driverFilterBlock(decisions);
+}
+
 const char* volumeBlock(const Decisions& decisions) {
   return decisions.volume == VolumeFormat::r16 ? "volume_wide.glsl" : "volume.glsl";
 }
@@ -81,8 +85,8 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions&
     if (isNeeded)
       appendBlock(source, name);
   };
-  for (const char* name :
-       {"stable_math.glsl", volumeBlock(decisions), "piecewise.glsl", classificationBlock(decisions)})
+  for (const char* name : {"stable_math.glsl", filterBlock(effects, decisions), volumeBlock(decisions),
+                           "piecewise.glsl", classificationBlock(decisions)})
     appendBlock(source, name);
   blockIf(effects.has(Effect::region), "region.glsl");
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
@@ -109,6 +113,10 @@ const std::string& embeddedShader(const std::string& name) {
                                   [&name](const EmbeddedShader& shader) { return shader.name == name; });
   assert(found != shaders.end());
   return found->text;
+}
+
+const char* driverFilterBlock(const Decisions& decisions) {
+  return decisions.weights == FilterWeights::driver ? "driver_weights.glsl" : "weights_of_8_bits.glsl";
 }
 
 ShaderSource vertexSource() {

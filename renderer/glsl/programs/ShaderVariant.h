@@ -22,6 +22,9 @@ const std::vector<EmbeddedShader>& embeddedShaders();
 /// The text of one file; it must exist.
 const std::string& embeddedShader(const std::string& name);
 
+/// The block by which a program lets the driver mix voxels.
+const char* driverFilterBlock(const Decisions& decisions = {});
+
 /// The vertex shader of every program.
 ShaderSource vertexSource();
 

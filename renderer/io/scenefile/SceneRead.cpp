@@ -222,6 +222,7 @@ Quality readQuality(JsonFields fields) {
   fields.number("early_termination", quality.earlyTermination, {0.0, 1.0, true});
   fields.boolean("jitter", quality.jitter);
   readTolerance(fields, quality);
+  fields.boolean("own_weights", quality.ownWeights);
   fields.finish();
   return quality;
 }

@@ -103,6 +103,8 @@ Json toJson(const Quality& quality) {
     json["tolerance_levels"] = *quality.toleranceLevels;
   if (quality.fineness)
     json["fineness"] = *quality.fineness;
+  if (quality.ownWeights)
+    json["own_weights"] = true;
   return json;
 }
 

@@ -334,6 +334,12 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
   plan.clause(Effect::localSteps, finenessOf(scene.quality).has_value(),
               Message::tr("samples are spent where the picture needs them to keep to the tolerance"),
               Message::tr("no tolerance is set, so every step is equally long"));
+  // On what weighs in floats a picture is the same without it, and a program less.
+  const bool isCoarse = facts.filterBits < mostFilterBits;
+  plan.clause(Effect::ownWeights, scene.quality.ownWeights && isCoarse,
+              Message::tr("the graphics card weighs voxels too coarsely for the tolerance"),
+              isCoarse ? Message::tr("the weights of the graphics card are fine enough for what is asked")
+                       : Message::tr("voxels are weighed finely enough without it"));
   plan.clause(Effect::unlimited, false, "", Message::tr("only the measure of overflow draws it"));
   plan.clause(Effect::sampleCounts, false, "", Message::tr("only tests draw it"));
   plan.plan.isVisible = isAnythingVisible(scene);

@@ -9,12 +9,16 @@
 
 namespace limn {
 
+/// So many bits of a driver's weights between voxels are told apart; one that has as many weighs in floats.
+inline constexpr int mostFilterBits = 12;
+
 /// Facts about data and renderer on which effects depend beside the scene's own numbers.
 struct SceneFacts {
-  bool canSkipEmptySpace = false; ///< the renderer knows where nothing can be seen
-  double emptyShare = 1.0;        ///< of the blocks that the renderer can step over, 0..1
-  bool hasDenseFunctions = false; ///< control points so close that a table holds several in one bin
-  double steepestPerMm = 0.0;     ///< what the field commonly changes by at most, value/mm (steepness)
+  bool canSkipEmptySpace = false;  ///< the renderer knows where nothing can be seen
+  double emptyShare = 1.0;         ///< of the blocks that the renderer can step over, 0..1
+  bool hasDenseFunctions = false;  ///< control points so close that a table holds several in one bin
+  double steepestPerMm = 0.0;      ///< what the field commonly changes by at most, value/mm (steepness)
+  int filterBits = mostFilterBits; ///< of the weights by which the renderer's own filter mixes voxels
 };
 
 /// Why an effect is needed or not, a phrase for a reader.

@@ -42,6 +42,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"long_rays", "EFFECT_LONG_RAYS", "one loop over the samples, for very many of them"},
     {"dense_functions", "EFFECT_DENSE_FUNCTIONS", "a search among control points that lie very close"},
     {"local_steps", "EFFECT_LOCAL_STEPS", "samples are spent where the picture needs them"},
+    {"own_weights", "EFFECT_OWN_WEIGHTS", "voxels are weighed in floats, not by the driver's filter"},
     {"unlimited", "EFFECT_UNLIMITED", "the sum of the light terms before it is limited"},
     {"sample_counts", "EFFECT_SAMPLE_COUNTS", "the number of samples instead of the picture"},
 }};
@@ -76,10 +77,10 @@ const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 EffectSet withinProjection(EffectSet effects) {
   const EffectSet marching{Effect::xray,     Effect::preintegration, Effect::jitter,
                            Effect::longRays, Effect::denseFunctions, Effect::emptySpaceSkipping,
-                           Effect::region,   Effect::localSteps};
+                           Effect::region,   Effect::localSteps,     Effect::ownWeights};
   if (effects.hasAny(scalarProjections)) {
     const EffectSet kept =
-        scalarProjections.with(EffectSet{Effect::jitter, Effect::denseFunctions, Effect::region});
+        scalarProjections.with({Effect::jitter, Effect::denseFunctions, Effect::region, Effect::ownWeights});
     return effects.without(effects.without(kept));
   }
   if (effects.has(Effect::xray))

@@ -46,6 +46,7 @@ enum class Effect : std::uint8_t {
   longRays,
   denseFunctions,
   localSteps,
+  ownWeights,
   unlimited,
   sampleCounts
 };

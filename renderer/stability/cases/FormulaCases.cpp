@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glsl/programs/GlslEvaluator.h"
 #include "scene/PictureFigures.h"
 #include "scene/basics/StableMath.h"
 #include "scene/light/Shading.h"
-#include "stability/GlslEvaluator.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 

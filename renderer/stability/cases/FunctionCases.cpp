@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glsl/programs/GlslEvaluator.h"
 #include "scene/basics/Error.h"
 #include "scene/basics/StableMath.h"
 #include "scene/function/MeanMaterial.h"
-#include "stability/GlslEvaluator.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glsl/programs/GlslEvaluator.h"
 #include "scene/basics/StableMath.h"
 #include "scene/light/Gradient.h"
-#include "stability/GlslEvaluator.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
@@ -137,8 +137,9 @@ double ballNormalError() {
   for (const glm::dvec3& direction : directions(256))
     for (const double radius : {1.0, 4.3, 9.0})
       places.push_back(glm::vec4(glm::vec3(radius * direction), 0.0f));
-  const std::vector<glm::vec4> normals = GlslEvaluator({"stable_math.glsl", "volume.glsl", "gradient.glsl"})(
-      "safeNormal(gradientAt(toTexture(v.xyz)))", places, scene);
+  const std::vector<glm::vec4> normals =
+      GlslEvaluator({"stable_math.glsl", "driver_weights.glsl", "volume.glsl", "gradient.glsl"})(
+          "safeNormal(gradientAt(toTexture(v.xyz)))", places, scene);
   double largest = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec3 expected = glm::normalize(glm::dvec3(places[i]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/GlslEvaluator.h"
+#include "glsl/programs/GlslEvaluator.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
@@ -304,8 +304,8 @@ std::vector<Finding> filterWeights(Workbench& bench) {
   std::vector<Finding> findings = {
       atMost("cpp", what, worst(inCpp), 1e-12, "largest distance from the straight line between the voxels"),
       withOpenGl(bench, "glsl", what, [&] {
-        const std::vector<glm::vec4> values =
-            GlslEvaluator({"volume.glsl"})("scalarAt(toTexture(vec3(0.0, v.x, 0.0)))", places, scene);
+        const std::vector<glm::vec4> values = GlslEvaluator({"driver_weights.glsl", "volume.glsl"})(
+            "scalarAt(toTexture(vec3(0.0, v.x, 0.0)))", places, scene);
         return atMost("glsl", what, worst([&](std::size_t i) { return double(values[i].r); }), eightBits,
                       "largest distance from the straight line: graphics cards round the weights to 8 bits, "
                       "half of one is 1/512");

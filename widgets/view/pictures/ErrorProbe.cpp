@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/ErrorProbe.h"
 
+#include "accuracy/Tolerance.h"
 #include "engine/DrawingEngine.h"
 #include "scene/basics/Error.h"
 #include "widgets/view/pictures/InteractionQuality.h"
@@ -60,7 +61,13 @@ ErrorProbe::Measured ErrorProbe::measure(DrawingEngine& engine, const Scene& sce
   const Image quarter = draw(engine, withStep(scene, step / 4.0));
   const ImageError first = imageError(half, shown);
   const ImageError second = imageError(quarter, half);
-  return {step, errorBeforeHalvings(first, second), errorOfEarlyEnds(shown, scene)};
+  return {step, errorBeforeHalvings(first, second), errorOfEarlyEnds(shown, scene), ofFilter(engine, scene)};
+}
+
+ImageError ErrorProbe::ofFilter(DrawingEngine& engine, const Scene& scene) {
+  return errorOfFilter(
+      scene, m_size, [&](const Scene& drawn, const glm::ivec2&) { return draw(engine, drawn); },
+      engine.facts(scene).filterBits);
 }
 
 Image ErrorProbe::draw(DrawingEngine& engine, const Scene& scene) {
@@ -76,7 +83,7 @@ std::optional<ErrorEstimate> ErrorProbe::estimate(int side, double stepVoxels) c
   ErrorEstimate steps = measured.steps;
   steps.p99_9 *= scale;
   steps.mean *= scale;
-  return withEarlyEnds(steps, measured.earlyEnds);
+  return withFilter(withEarlyEnds(steps, measured.earlyEnds), measured.filter);
 }
 
 } // namespace limn

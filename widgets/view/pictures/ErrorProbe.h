@@ -39,7 +39,7 @@ private:
   struct Measured {
     double stepVoxels = 0.0;
     ErrorEstimate steps;
-    ImageError earlyEnds;
+    ImageError earlyEnds, filter;
   };
   struct Side {
     Scene scene;
@@ -48,6 +48,7 @@ private:
   };
 
   Measured measure(DrawingEngine& engine, const Scene& scene);
+  ImageError ofFilter(DrawingEngine& engine, const Scene& scene);
   Image draw(DrawingEngine& engine, const Scene& scene);
 
   std::vector<Side> m_sides;

@@ -2,8 +2,11 @@
 #include "widgets/view/pictures/Refinement.h"
 
 #include "accuracy/ErrorEstimate.h"
+#include "accuracy/Tolerance.h"
 #include "engine/DrawingEngine.h"
 #include "scene/ProjectionFacts.h"
+#include "widgets/view/pictures/ErrorProbe.h"
+#include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/StepSearch.h"
 
 #include <QThreadPool>
@@ -93,18 +96,33 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
   for (double later = step / 2.0; !isShorter && later >= smallestStepVoxels; later /= 2.0)
     m_toPrepare.push_back(later);
   m_sides.resize(sides.size());
+  if (!isShorter)
+    measureFilter(engine, sides);
   return RestTurn::worked;
 }
 
 void Refinement::beginSearch(DrawingEngine& engine, std::span<SidePicture> sides) {
-  const bool goesByCells = engine.facts(sides.front().scene()).goesByCells;
+  const DrawingFacts facts = engine.facts(sides.front().scene());
   std::vector<Scene> scenes;
   for (const SidePicture& side : sides)
-    if (mayControlErrors(side, goesByCells))
+    if (mayControlErrors(side, facts.goesByCells))
       scenes.push_back(side.scene());
   if (scenes.size() == sides.size())
     m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs,
-                     goesByCells ? StepControl::cells : StepControl::local);
+                     facts.goesByCells ? StepControl::cells : StepControl::local, facts.filterBits);
+}
+
+// By small pictures, and only where the driver's weights are coarse: no smaller step mends what they add.
+void Refinement::measureFilter(DrawingEngine& engine, std::span<SidePicture> sides) {
+  const DrawScene draw = [&](const Scene& scene, const glm::ivec2& size) {
+    m_sheet->resize(size);
+    m_sheet->draw(engine, scene, {{0, 0}, size});
+    return m_sheet->read();
+  };
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    m_sides[i].ofFilter =
+        errorOfFilter(sides[i].shownScene(), smallerSize(sides[i].size(), ErrorProbe::longest), draw,
+                      engine.facts(sides[i].shownScene()).filterBits);
 }
 
 RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) {
@@ -149,7 +167,7 @@ std::optional<RefinementEnd> Refinement::endBefore(DrawingEngine& engine, std::s
 
 bool Refinement::isWithinTarget(DrawingEngine& engine, std::span<SidePicture> sides) const {
   for (std::size_t i = 0; i < sides.size(); ++i)
-    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 > halfALevel ||
+    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 + m_sides[i].ofFilter.p99_9 > halfALevel ||
         !isResolved(engine, sides[i].shownScene()))
       return false;
   return true;
@@ -211,7 +229,7 @@ RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
     } else {
       m_sides[i].steps = m_needed[i].estimate;
     }
-    m_sides[i].whole = withEarlyEnds(m_sides[i].steps, job->earlyEnds);
+    m_sides[i].whole = withFilter(withEarlyEnds(m_sides[i].steps, job->earlyEnds), m_sides[i].ofFilter);
     m_lastMs += sides[i].finerSchedule().spentMs();
     sides[i].adoptFiner(std::move(job->picture));
   }

@@ -64,7 +64,8 @@ private:
   struct Side {
     std::vector<ImageError> halvings; ///< the differences that the passes made
     ErrorEstimate steps;
-    std::optional<ErrorEstimate> whole; ///< with early ends, once a pass is adopted
+    ImageError ofFilter;                ///< where the steps are halved; a tolerance has it counted
+    std::optional<ErrorEstimate> whole; ///< with early ends and filter, once a pass is adopted
     std::shared_ptr<Job> job;
   };
 
@@ -74,6 +75,7 @@ private:
   RestTurn chooseRoad(DrawingEngine& engine, std::span<SidePicture> sides,
                       const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs);
   void beginSearch(DrawingEngine& engine, std::span<SidePicture> sides);
+  void measureFilter(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn begin(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn beginHalving(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn beginTolerance(std::span<SidePicture> sides);

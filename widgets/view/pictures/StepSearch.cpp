@@ -34,12 +34,12 @@ struct StepSearch::Job {
 };
 
 StepSearch::StepSearch(const std::vector<Scene>& scenes, const glm::ivec2& size, double levels,
-                       double stripMs, StepControl control)
+                       double stripMs, StepControl control, int filterBits)
     : m_size(size), m_levels(levels), m_stripMs(stripMs) {
   for (Scene scene : scenes) {
     scene.quality.toleranceLevels = levels;
     scene.quality.fineness.reset();
-    m_sides.emplace_back().search = std::make_shared<ToleranceSearch>(scene, size, control);
+    m_sides.emplace_back().search = std::make_shared<ToleranceSearch>(scene, size, control, filterBits);
   }
 }
 
@@ -62,7 +62,8 @@ RestTurn StepSearch::draw(Side& side, DrawingEngine& engine, PictureSheet& sheet
   const auto [scene, size] = *side.search->wanted();
   sheet.resize(size);
   // One pixel first: what is compiled or gathered for it is no measure of the pictures to come.
-  if (!std::exchange(side.isWarm, true)) {
+  if (side.warmWith != scene.quality.ownWeights) {
+    side.warmWith = scene.quality.ownWeights;
     sheet.draw(engine, scene, {size / 2, {1, 1}});
     return RestTurn::worked;
   }

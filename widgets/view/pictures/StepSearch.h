@@ -35,9 +35,9 @@ struct NeededSteps {
 class StepSearch {
 public:
   /// Pictures of `size` of the scenes are to lie within `levels`, kept as the engine does; strips should take
-  /// `stripMs`.
+  /// `stripMs`. `filterBits`: of the engine's weights between voxels (DrawingFacts).
   StepSearch(const std::vector<Scene>& scenes, const glm::ivec2& size, double levels, double stripMs,
-             StepControl control);
+             StepControl control, int filterBits);
 
   /// Does a piece of at most about `budgetMs`, drawing into `sheet`; `finished` once all is found.
   RestTurn step(DrawingEngine& engine, PictureSheet& sheet, double budgetMs);
@@ -56,7 +56,7 @@ private:
   };
   struct Side {
     std::shared_ptr<ToleranceSearch> search; // its job's while there is one
-    bool isWarm = false;
+    std::optional<bool> warmWith;            // whether with own weights: another program
     std::optional<TileSchedule> schedule;
     std::shared_ptr<Job> job;
     std::vector<Taken> taken;

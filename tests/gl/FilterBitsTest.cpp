@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/FilterBits.h"
+#include "glsl/programs/FilterBits.h"
 
 #include "support/GlTest.h"
 

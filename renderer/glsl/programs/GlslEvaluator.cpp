@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/GlslEvaluator.h"
+#include "glsl/programs/GlslEvaluator.h"
 
 #include "gl/PictureTarget.h"
 #include "gl/ShaderProgram.h"
@@ -66,11 +66,6 @@ std::vector<glm::vec4> drawn(const ShaderProgram& program, const std::vector<glm
   return values;
 }
 
-void bind(TextureUnit unit, GLenum target, GLuint texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(target, texture);
-}
-
 } // namespace
 
 std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
@@ -90,10 +85,7 @@ std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
   const ShaderProgram program = programOf(m_blocks, m_functions, expression);
   program.use();
   setUniforms(program, scene, {1, 1}, textures);
-  bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
-  bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
-  bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
-  bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
+  bindTextures(textures);
   return drawn(program, arguments);
 }
 

@@ -1,28 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/FilterBits.h"
+#include "glsl/programs/FilterBits.h"
 
+#include "glsl/programs/GlslEvaluator.h"
+#include "glsl/programs/ShaderVariant.h"
 #include "scene/volume/Volume.h"
-#include "stability/GlslEvaluator.h"
-#include "stability/scenes/SimpleScenes.h"
+
+#include <epoxy/gl.h>
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <set>
 
 namespace limn {
+namespace {
 
-int filterBits() {
-  constexpr int places = 1 << mostFilterBits;
+// From 0 at the first voxel's centre to 1 at the second's, along x.
+Scene ramp() {
+  Grid grid;
+  grid.dims = {2, 2, 2};
+  grid.originMm = glm::dvec3(-0.5);
   Scene scene;
-  scene.volume = volumeOf(centredGrid({2, 2, 2}, glm::dvec3(1.0)), [](int x, int, int) { return x; });
+  scene.volume = std::make_shared<const Volume>(grid, std::vector<float>{0, 1, 0, 1, 0, 1, 0, 1}, Rescale{},
+                                                std::nullopt, VolumeInfo{});
   scene.transferFunction.points = {{0.0, glm::dvec3(1.0), 0.0}, {1.0, glm::dvec3(1.0), 1.0}};
+  return scene;
+}
+
+} // namespace
+
+int filterBits(const Decisions& decisions) {
+  constexpr int places = 1 << mostFilterBits;
   std::vector<glm::vec4> arguments;
   for (int i = 0; i < places; ++i)
     arguments.emplace_back((static_cast<float>(i) + 0.5f) / places - 0.5f, 0.0f, 0.0f, 0.0f);
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
   std::vector<float> values;
-  const GlslEvaluator evaluate({"volume.glsl"});
-  for (const glm::vec4& value : evaluate("scalarAt(toTexture(vec3(v.x, 0.0, 0.0)))", arguments, scene))
+  const GlslEvaluator evaluate({driverFilterBlock(decisions), "volume.glsl"});
+  for (const glm::vec4& value : evaluate("scalarAt(toTexture(vec3(v.x, 0.0, 0.0)))", arguments, ramp()))
     values.push_back(value.r);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
   return filterBitsOf(values);
 }
 
