@@ -204,6 +204,29 @@ TEST_F(RanksTest, refuseInOneSentenceAndWriteNothing) {
   EXPECT_FALSE(fs::exists(in("a.png")));
 }
 
+// Ranks on other machines may lack the file, or have another one in its place: none waits for what never
+// comes.
+TEST_F(RanksTest, endWhereOneFindsAnotherVolumeOrNone) {
+  writeVolume(in("head.nrrd"), 16, 16);
+  const auto onTwo = [&](const std::string& first, const std::string& second) {
+    const std::string drawn = " --size 20x20 --quiet -o " + quoted("a.png");
+    return onRanks(1, first + drawn + " : -n 1 '" + ranksProgram().string() + "' " + second + drawn);
+  };
+  for (const auto& [first, second] : {std::pair{quoted("head.nrrd"), quoted("none.nrrd")},
+                                      {quoted("none.nrrd"), quoted("head.nrrd")},
+                                      {quoted("head.nrrd"), std::string("phantom:6")},
+                                      {std::string("phantom:6"), quoted("head.nrrd")}}) {
+    const test::Outcome outcome = onTwo(first, second);
+    EXPECT_EQ(outcome.status, 3) << first << second;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_NE(
+        outcome.err.find(first.find("phantom") == second.find("phantom") ? "none.nrrd" : "another volume"),
+        std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(fs::exists(in("a.png")));
+  }
+}
+
 TEST_F(RanksTest, doWhatTheGuidePrints) {
   std::istringstream page(test::bytesOfFile(test::sourceFolder() / "app/guide/many/README.md"));
   std::string command = "set -e\n";
