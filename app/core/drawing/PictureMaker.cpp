@@ -11,6 +11,7 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
+#include "scene/volume/VolumePart.h"
 #include "slices/SliceRenderer.h"
 
 #include <algorithm>
@@ -311,9 +312,11 @@ DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled) {
 }
 
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort) {
-  if (staysOnDisk(scene))
+  Scene whole = scene;
+  whole.volume = wholeOf(scene.volume);
+  if (staysOnDisk(whole))
     return std::nullopt;
-  return errorByChance(scene, picture, preciselyBy(effort.threads, effort.isCancelled));
+  return errorByChance(whole, picture, preciselyBy(effort.threads, effort.isCancelled));
 }
 
 Image sideBySide(const Image& left, const Image& right) {
