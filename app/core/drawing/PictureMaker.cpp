@@ -55,7 +55,8 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                        by.name,
                        {},
                        false,
-                       errorOfFilter(drawn, size, draw, by.filterBits)};
+                       errorOfFilter(drawn, size, draw, by.filterBits),
+                       {}};
   };
   if (!needsSteps(scene)) {
     MadePicture picture = made(scene);
@@ -65,7 +66,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
   }
   const WithinTolerance found = withinTolerance(scene, size, draw, control, by.filterBits);
   MadePicture picture = made(found.scene);
-  picture.notes.push_back(Message::tr("The picture is %1.").arg(describe(found)));
+  picture.steps = Message::tr("The picture is %1.").arg(describe(found));
   if (!found.holds)
     picture.notes.push_back(found.sentence);
   return picture;
@@ -204,6 +205,13 @@ PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
 }
 
 } // namespace
+
+std::vector<Message> remarksOf(const MadePicture& picture) {
+  std::vector<Message> remarks = picture.notes;
+  if (!picture.steps.empty())
+    remarks.insert(remarks.begin(), picture.steps);
+  return remarks;
+}
 
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
                            const Scene& scene, const glm::ivec2& size, const std::string& name) {
