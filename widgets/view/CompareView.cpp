@@ -306,7 +306,7 @@ void CompareView::wheelEvent(QWheelEvent* event) {
 }
 
 void CompareView::keyPressEvent(QKeyEvent* event) {
-  if (!m_input->obey(commandOf(*event)))
+  if (!m_input->obey(commandOf(*event), event->timestamp()))
     QWidget::keyPressEvent(event);
   push();
 }

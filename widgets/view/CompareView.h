@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -139,7 +140,8 @@ public slots:
   void measureEffects();
 
 signals:
-  void cameraEdited(const limn::Camera& camera);
+  /// By the gesture of this id: what one drag, or one run of notches or key presses, asks for has one id.
+  void cameraEdited(const limn::Camera& camera, std::uint64_t gesture);
   /// The same, but nobody asked: the pictures changed their shape, or what is visible.
   void cameraFitted(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);

@@ -109,7 +109,7 @@ QList<HelpRow> menuRows(const ActionList& actions) {
   QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
   for (const char* name :
        {"openFile", "openFolder", "saveSession", "savePicture", "saveFigure", "copyPicture", "undo", "redo",
-        "findPreset", "settings", "guide", "closeVolume", "quit"}) {
+        "cameraBack", "cameraForward", "findPreset", "settings", "guide", "closeVolume", "quit"}) {
     const QAction& action = actions.find(name);
     // Undo also says what it would undo.
     QString does = action.objectName() == QLatin1String("undo")   ? QObject::tr("Undo")

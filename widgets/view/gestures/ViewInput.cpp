@@ -25,6 +25,7 @@ using namespace viewcommand;
 
 constexpr double keyTurnDeg = 5.0; // of an arrow key
 constexpr int wheelNotch = 120;
+constexpr int ofTheWheel = -1; // among the causes of gestures, which are kinds of commands otherwise
 
 // Slicer's keys: a keypad key arrives as a digit or, with the number lock off, as a cursor key.
 ViewCommand standardViewOf(int key, bool keypad, bool shift) {
@@ -65,6 +66,11 @@ const KeyCommand symbolCommands[] = {{Qt::Key_Left, Rotate{-1, 0}}, {Qt::Key_Rig
 ViewCommand commandIn(std::span<const KeyCommand> commands, int key) {
   const auto found = std::ranges::find(commands, key, &KeyCommand::first);
   return found == commands.end() ? std::monostate{} : found->second;
+}
+
+// Turned and zoomed in small steps; a standard view is one in itself.
+bool isRepeatable(const ViewCommand& command) {
+  return std::holds_alternative<Rotate>(command) || std::holds_alternative<Zoom>(command);
 }
 
 constexpr int cursorSize = 24; // logical pixels
@@ -180,7 +186,7 @@ void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
 
 void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
   if (const auto* camera = std::get_if<Camera>(&edit))
-    emit cameraEdited(*camera);
+    emit cameraEdited(*camera, gesture.id);
   else if (const auto* function = std::get_if<TransferFunction>(&edit))
     emit functionEdited(*function, gesture);
   else if (const auto* crop = std::get_if<CropBox>(&edit))
@@ -273,7 +279,8 @@ void ViewInput::turnWheel(QWheelEvent& event) {
   if (!event.isAccepted())
     return;
   const QRectF side = pictureRect(source.geometry, positionAt(source.geometry, event.position()));
-  emit cameraEdited(wheelZoomed(shown.camera, turn, event.position(), side));
+  emit cameraEdited(wheelZoomed(shown.camera, turn, event.position(), side),
+                    m_runs.idOf(ofTheWheel, event.timestamp()));
 }
 
 void ViewInput::hover(const QMouseEvent& event) {
@@ -332,7 +339,7 @@ void ViewInput::leave() {
   showCursor(std::nullopt);
 }
 
-bool ViewInput::obey(const ViewCommand& command) {
+bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> timestampMs) {
   using namespace viewcommand;
   const OverlaySource source = m_facts.shown();
   const Scene& shown = source.comparison.scene;
@@ -340,7 +347,9 @@ bool ViewInput::obey(const ViewCommand& command) {
     return false;
   const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry)};
   if (const auto camera = cameraAfter(command, shown.camera, *shown.volume, frame))
-    emit cameraEdited(*camera);
+    emit cameraEdited(*camera, timestampMs && isRepeatable(command)
+                                   ? m_runs.idOf(static_cast<int>(command.index()), *timestampMs)
+                                   : nextGestureId());
   else if (const auto* use = std::get_if<UseTool>(&command))
     setTool(use->tool);
   else if (const auto* preset = std::get_if<WindowPreset>(&command))

@@ -3,6 +3,7 @@
 
 #include "scene/framing/Framing.h"
 #include "scene/light/Gradient.h"
+#include "widgets/view/gestures/CameraHistory.h"
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/overlay/ViewOrder.h"
@@ -108,8 +109,9 @@ public:
   void doubleClick(const QMouseEvent& event);
   void turnWheel(QWheelEvent& event);
   void leave();
-  /// False where the command asks nothing of this view.
-  bool obey(const ViewCommand& command);
+  /// False where the command asks nothing of this view. `timestampMs` is when its key was pressed: presses in
+  /// a row are one gesture. Without, it is a gesture of its own.
+  bool obey(const ViewCommand& command, std::optional<std::uint64_t> timestampMs = {});
 
   void stopReading(); ///< the value under the pointer
   void forgetFace() { m_hovered.face.reset(); }
@@ -127,7 +129,8 @@ public:
   GradientScale scaleOfSide(int side) const { return m_facts.scaleOfSide(side); }
 
 signals:
-  void cameraEdited(const limn::Camera& camera);
+  /// By the gesture of this id.
+  void cameraEdited(const limn::Camera& camera, std::uint64_t gesture);
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void wipeEdited(double fraction);
@@ -159,6 +162,7 @@ private:
   ViewTool m_tool = ViewTool::rotate;
   std::optional<ViewDrag> m_drag;
   Hovered m_hovered;
+  GestureRuns m_runs;              ///< of wheel and keys
   std::optional<ReadValue> m_read; ///< under the pointer, while Shift is held
 };
 
