@@ -10,14 +10,17 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileIconProvider>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QMessageBox>
+#include <QMimeDatabase>
 #include <QObject>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSplitter>
+#include <QTemporaryFile>
 #include <QTreeView>
 
 #include <algorithm>
@@ -34,9 +37,29 @@ QString patterns(const LookFormat& format) {
   return endings.join(QLatin1Char(' '));
 }
 
+// Icons and kinds by a file's name: Qt's own opens every file that a dialog lists to guess what it is, and
+// one on a share that does not answer, or a device, would block the window.
+class NamedKinds : public QFileIconProvider {
+public:
+  QIcon icon(const QFileInfo& file) const override {
+    return QFileIconProvider::icon(file.isDir() ? Folder : File);
+  }
+  QString type(const QFileInfo& file) const override {
+    return file.isDir() ? QObject::tr("Folder")
+                        : QMimeDatabase().mimeTypeForFile(file, QMimeDatabase::MatchExtension).comment();
+  }
+};
+
+// Whether a file can be made in a folder, tried: rights do not tell of every file system.
+bool takesFiles(const QString& folder) {
+  return QTemporaryFile(QDir(folder).filePath(QStringLiteral(".limn-XXXXXX"))).open();
+}
+
 // Gives a dialog for files room for whole dates and for the places at its left; nothing where the platform
 // draws the dialog itself.
 void giveRoom(QFileDialog& dialog) {
+  static NamedKinds kinds;
+  dialog.setIconProvider(&kinds);
   auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView")); // as Qt calls it
   auto* splitter = dialog.findChild<QSplitter*>();
   if (!files || !splitter)
@@ -197,7 +220,9 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& 
     filter = dialog.selectedNameFilter();
     QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
     if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
-      settings.setSaveFolder(QFileInfo(path).absolutePath());
+      // One that refuses is not where the next dialog should begin.
+      if (const QString chosen = QFileInfo(path).absolutePath(); takesFiles(chosen))
+        settings.setSaveFolder(chosen);
       return path;
     }
     suggested = path;

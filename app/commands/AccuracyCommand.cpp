@@ -12,6 +12,7 @@
 #include "app/lab/accuracy/AccuracyTable.h"
 #include "app/lab/accuracy/ExactBy.h"
 #include "app/lab/accuracy/MeasureDecisions.h"
+#include "app/lab/accuracy/RivalPoints.h"
 #include "app/language/Language.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyFile.h"
@@ -27,6 +28,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace limn {
 namespace {
@@ -39,6 +41,7 @@ struct AccuracyArguments {
   std::string exactBy; ///< a program that draws the converged picture; empty: the reference
   int threads = 0;
   bool isQuick = false;
+  bool hasRivals = false;
   double withinLevels = 0.0; ///< 0: not given
   double withinMs = 0.0;     ///< 0: not given
 };
@@ -91,6 +94,14 @@ std::string readOptionsOf(const ReadOptions& read) {
   return words + (read.series ? " --series " + std::to_string(*read.series) : std::string());
 }
 
+std::vector<std::string> rivalReadOptions(const ReadOptions& read) {
+  std::vector<std::string> words;
+  std::istringstream text(readOptionsOf(read));
+  for (std::string word; text >> word;)
+    words.push_back(word);
+  return words;
+}
+
 ConvergedPicture exactPicture(const LoadedScene& loaded, const Scene& scene, RealRenderers& renderers,
                               const AccuracyArguments& arguments, const Progress& progress) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
@@ -111,13 +122,26 @@ Engine raysOf(const AccuracyArguments& arguments, const Scene& scene) {
   return arguments.engine == "cpu" ? Engine::cpu : Engine::rayCaster;
 }
 
+// They light both sides of a surface, which is another picture where the scene does not.
+void measureRivals(AccuracyReport& report, const LoadedScene& loaded, const Scene& scene,
+                   RealRenderers& renderers, const Progress& progress) {
+  constexpr int frames = 3;
+  Scene both = scene;
+  both.shading.twoSided = true;
+  const ConvergedPicture exact =
+      convergedPicture(both, report.size, renderers.precisely(), part(progress, 0.0, 0.4).report);
+  addRivals(report, scene, {loaded.volumePath, rivalReadOptions(loaded.read)}, exact.pixels, frames,
+            part(progress, 0.4, 1.0).report);
+}
+
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
 AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
                               const AccuracyArguments& arguments, const Progress& progress) {
   const Engine rays = raysOf(arguments, scene);
   RealRenderers renderers(arguments.threads, {}, rays);
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  const double end = arguments.isQuick ? 1.0 : 0.7;
+  const double whole = arguments.hasRivals ? 0.8 : 1.0;
+  const double end = arguments.isQuick ? whole : 0.7;
   const ConvergedPicture converged =
       exactPicture(loaded, scene, renderers, arguments, part(progress, 0.0, 0.3));
   const std::string name = nameOf(arguments.scene, loaded);
@@ -125,7 +149,9 @@ AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
                                           converged, renderers, part(progress, 0.3, end).report);
   // Decisions are those of the textures.
   if (!arguments.isQuick && rays == Engine::rayCaster)
-    report.decisions = measureDecisions(scene, size, converged.pixels, part(progress, end, 1.0).report);
+    report.decisions = measureDecisions(scene, size, converged.pixels, part(progress, end, whole).report);
+  if (arguments.hasRivals)
+    measureRivals(report, loaded, scene, renderers, part(progress, whole, 1.0));
   return report;
 }
 
@@ -224,6 +250,10 @@ void addAccuracyCommand(CommandSyntax& root) {
                  "that takes what limn render takes, such as \"mpirun -n 4 limn-mpi\"");
   command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
       .within(1, 4096);
+  command.flag(
+      "--rivals", arguments->hasRivals,
+      "VTK's GPU mapper and fixed-point caster as points of the same table and chart; they need an X "
+      "display");
   command.flag("--quick", arguments->isQuick,
                "equal steps of the ray caster only, without what each decision costs");
   command

@@ -65,6 +65,7 @@ SourceOptions sourceOptions(const SourceArguments& arguments) {
     options.read.memory = MemoryBudget(static_cast<std::uint64_t>(1e6 * arguments.memoryMb));
   if (!arguments.volume.empty())
     options.volume = arguments.volume;
+  options.read.part = arguments.part;
   return options;
 }
 

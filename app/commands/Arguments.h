@@ -17,6 +17,7 @@ struct SourceArguments {
   std::string volume;
   double memoryMb = 0.0; ///< 0: not given
   bool quiet = false;
+  std::shared_ptr<const PartWanted> part; ///< what one of several processes holds (limn-mpi); not an option
 };
 
 /// Adds the options that say how to read a source.

@@ -86,7 +86,7 @@ void printJson(const MadePicture& picture, const std::string& out, double ms,
     drawn.withinLevels = accuracy->levels;
     drawn.statement = accuracy->sentence;
   }
-  for (const Message& remark : picture.notes)
+  for (const Message& remark : remarksOf(picture))
     drawn.notes.push_back(remark.english());
   std::cout << pictureJson(drawn);
 }
@@ -146,7 +146,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     note("Shown with the preset \"" + loaded.preset + "\".");
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
-  for (const Message& remark : picture.notes)
+  for (const Message& remark : remarksOf(picture))
     note(remark.english());
   if (accuracy)
     note(accuracy->sentence);

@@ -83,6 +83,19 @@ void setGradient(const Scene& scene, const GradientScale& scale, PictureTerms& t
 
 } // namespace
 
+// Those on the far side of the brick are met by pre-integrated steps, and by surfaces that lie before a
+// sample; one block more knows its neighbours.
+BlockBox blocksMet(const Grid& grid, const IndexBox& brick, double stepVoxels) {
+  const glm::ivec3 blocks = blocksOf(grid.dims);
+  const glm::dvec3 reach = glm::dvec3(2.0 + stepVoxels);
+  const glm::dvec3 last(grid.dims);
+  const glm::dvec3 lower = glm::clamp(brick.lower + centreIndex(grid) - reach, glm::dvec3(0.0), last);
+  const glm::dvec3 upper = glm::clamp(brick.upper + centreIndex(grid) + reach, glm::dvec3(0.0), last);
+  const glm::ivec3 first = glm::clamp(glm::ivec3(lower) / blockSize - 1, glm::ivec3(0), blocks - 1);
+  const glm::ivec3 end = glm::clamp(glm::ivec3(upper) / blockSize + 2, first + 1, blocks);
+  return {first, end};
+}
+
 void RegionStore::update(const Region& region, const BlockBox& box, const std::shared_ptr<Room>& room,
                          const Effort& effort) {
   if (m_region == region && m_box == box)
@@ -135,20 +148,10 @@ void SceneData::makeReady(const Scene& scene, const Effort& effort) {
   updateVolume(scene, {m_threads, effort.isCancelled, effort.report});
 }
 
-// The blocks that samples of the brick can meet. Those on its far side are met by pre-integrated steps, and
-// by surfaces that lie before a sample; one block more knows its neighbours.
 BlockBox SceneData::partOf(const Scene& scene) const {
   const Grid& grid = scene.volume->grid();
-  const BlockBox whole{glm::ivec3(0), blocksOf(grid.dims)};
-  if (!m_brick)
-    return whole;
-  const glm::dvec3 reach = glm::dvec3(2.0 + scene.quality.stepVoxels);
-  const glm::dvec3 last(grid.dims);
-  const glm::dvec3 lower = glm::clamp(m_brick->lower + centreIndex(grid) - reach, glm::dvec3(0.0), last);
-  const glm::dvec3 upper = glm::clamp(m_brick->upper + centreIndex(grid) + reach, glm::dvec3(0.0), last);
-  const glm::ivec3 first = glm::clamp(glm::ivec3(lower) / blockSize - 1, glm::ivec3(0), whole.upper - 1);
-  const glm::ivec3 end = glm::clamp(glm::ivec3(upper) / blockSize + 2, first + 1, whole.upper);
-  return {first, end};
+  return m_brick ? blocksMet(grid, *m_brick, scene.quality.stepVoxels)
+                 : BlockBox{glm::ivec3(0), blocksOf(grid.dims)};
 }
 
 void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
@@ -206,6 +209,8 @@ SceneFacts SceneData::facts(const Scene& scene) {
 }
 
 double SceneData::steepestPerMm() {
+  if (m_whole)
+    return m_whole->steepestPerMm;
   if (!m_steepness)
     m_steepness = steepness(*m_volume);
   return *m_steepness;
@@ -265,6 +270,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.perUnitDistance = asFloat(std::min(terms.lengthMm / scene.transferFunction.unitDistanceMm,
                                            beyondAll / (boxDiagonalMm(grid) / terms.lengthMm)));
   terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
+  if (effects.has(Effect::gradient) && m_whole)
+    m_gradientScales.know(m_whole->moduli, m_whole->percent);
   if (effects.has(Effect::gradient))
     m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects), {m_threads, isCancelled, {}});
   setGradient(scene, m_gradientScale, terms);

@@ -35,6 +35,16 @@ private:
   BlockWeights m_blocks;
 };
 
+/// What pictures need to know of all voxels beside the volume's range, where several processes found it.
+struct WholeFacts {
+  FoundModuli moduli;
+  std::optional<double> percent; ///< of the percentile among the moduli
+  double steepestPerMm = 0.0;
+};
+
+/// The blocks of a grid that samples of a brick can meet, and what they are widened by.
+BlockBox blocksMet(const Grid& grid, const IndexBox& brick, double stepVoxels);
+
 /// What the rays of a scene read. Keeps what it made of one scene for the next; makes anew what differs and
 /// nothing else.
 class SceneData {
@@ -44,6 +54,9 @@ public:
 
   /// Only what rays read in this box is made ready from now on; absent: everything.
   void setBrick(const std::optional<IndexBox>& brick) { m_brick = brick; }
+
+  /// What is not to be found of the volume's voxels from now on, because it is known.
+  void setWhole(const std::optional<WholeFacts>& whole) { m_whole = whole; }
 
   /// Reads the volume and tabulates the functions of the scene that is drawn from now on. Asks `isCancelled`,
   /// which may be empty, at least every 10 ms. Throws Error; Cancelled, and then goes on from where it was.
@@ -86,6 +99,7 @@ private:
   int m_threads;
   bool m_skipsEmptySpace;
   std::optional<IndexBox> m_brick;
+  std::optional<WholeFacts> m_whole;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VoxelStore> m_voxels;
   RegionStore m_region;

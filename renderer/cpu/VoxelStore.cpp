@@ -5,8 +5,10 @@
 #include "scene/function/PiecewiseTable.h"
 #include "scene/steps/BlockGatherer.h"
 #include "scene/volume/RowPieces.h"
+#include "scene/volume/VolumePart.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <type_traits>
 
@@ -65,27 +67,29 @@ VoxelSource asStored(const StoredVoxels<T>& stored, const Volume& volume) {
   return source;
 }
 
-// The voxels on and in some blocks, half open.
-struct VoxelBox {
-  glm::ivec3 lower, upper;
-};
+// The voxels of a volume that lie in its array.
+VoxelBox heldOf(const Volume& volume) {
+  return volume.part() ? volume.part()->box : allVoxels(volume.grid());
+}
 
-VoxelBox voxelsOf(const BlockBox& part, const glm::ivec3& dims) {
-  return {part.lower * blockSize, glm::min(part.upper * blockSize + 1, dims)};
+// Where a voxel lies in an array of those that are held.
+std::size_t placeIn(const VoxelBox& held, int x, int y, int z) {
+  return voxelOffset(held.upper - held.lower, x - held.lower.x, y - held.lower.y, z - held.lower.z);
 }
 
 template <class T>
 void copyNormalised(const StoredVoxels<T>& stored, const Volume& volume, const VoxelBox& box,
                     const Effort& effort, RoomVector<float>& floats) {
   floats = RoomVector<float>(stored.size(), volume.room());
-  const glm::ivec3 dims = volume.grid().dims;
+  const VoxelBox held = heldOf(volume);
   const RowPieces rows(box.upper - box.lower);
   const Rescale rescale = volume.rescale();
   const ValueRange range = volume.range();
   forEachPiece(rows.pieces(), effort, [&](int piece) {
     rows.forEachRow(piece, [&](int j, int k) {
-      const std::size_t row = voxelOffset(dims, 0, box.lower.y + j, box.lower.z + k);
-      for (std::size_t n = row + box.lower.x; n < row + box.upper.x; ++n)
+      const std::size_t first = placeIn(held, box.lower.x, box.lower.y + j, box.lower.z + k);
+      const std::size_t end = first + static_cast<std::size_t>(box.upper.x - box.lower.x);
+      for (std::size_t n = first; n < end; ++n)
         floats[n] = static_cast<float>(
             normalisedValue(range, rescale.slope * static_cast<double>(stored[n]) + rescale.intercept));
     });
@@ -95,8 +99,8 @@ void copyNormalised(const StoredVoxels<T>& stored, const Volume& volume, const V
 // Writes lowest and highest normalised scalar of each block in some planes of a part, the voxels on its faces
 // included. Planes count from the part's first.
 template <class T>
-void gatherPlanes(const T* voxels, const glm::ivec3& dims, const BlockBox& part, const Rescale& toNormalised,
-                  int first, int end, glm::vec2* result, const Effort& effort) {
+void gatherPlanes(const T* voxels, const VoxelBox& held, const glm::ivec3& dims, const BlockBox& part,
+                  const Rescale& toNormalised, int first, int end, glm::vec2* result, const Effort& effort) {
   const glm::ivec3 blocks = part.upper - part.lower;
   // A row is looked at where it is the part's alone.
   const VoxelBox box = voxelsOf(part, dims);
@@ -107,7 +111,7 @@ void gatherPlanes(const T* voxels, const glm::ivec3& dims, const BlockBox& part,
     for (int piece = pieces.next(); piece >= 0; piece = pieces.next())
       rows.forEachRow(piece, [&](int j, int k) {
         gatherer.gather(part.lower.y + j, part.lower.z + first + k,
-                        [&](int y, int z) { return voxels + voxelOffset(dims, box.lower.x, y, z); });
+                        [&](int y, int z) { return voxels + placeIn(held, box.lower.x, y, z); });
         glm::vec2* ranges = result + voxelOffset(blocks, 0, j, k);
         for (int i = 0; i < blocks.x; ++i) {
           const double a =
@@ -124,10 +128,11 @@ template <class T>
 BlockRanges blocksOfVoxels(const T* voxels, const Volume& volume, const BlockBox& part,
                            const Rescale& toNormalised, const Effort& effort) {
   const glm::ivec3& dims = volume.grid().dims;
+  const VoxelBox held = heldOf(volume);
   // Rounding moves a position in a volume so large by less than a quarter of this.
   const float margin = static_cast<float>(std::max({dims.x, dims.y, dims.z})) * 0x1p-20f;
   const GatherPlanes gather = [&](int first, int end, glm::vec2* ranges, const Effort& planes) {
-    gatherPlanes(voxels, dims, part, toNormalised, first, end, ranges, planes);
+    gatherPlanes(voxels, held, dims, part, toNormalised, first, end, ranges, planes);
   };
   return widenedByNeighbours(part.upper - part.lower, gather, margin, effort, volume.room());
 }
@@ -145,33 +150,47 @@ void requireCountable(const glm::ivec3& dims) {
 
 } // namespace
 
+VoxelBox voxelsOf(const BlockBox& part, const glm::ivec3& dims) {
+  return {part.lower * blockSize, glm::min(part.upper * blockSize + 1, dims)};
+}
+
 VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort)
     : m_volume(std::move(volume)), m_part(part) {
-  const glm::ivec3 dims = m_volume->grid().dims;
-  requireCountable(dims);
-  visitVoxels(*m_volume, [&]<class T>(const StoredVoxels<T>& stored) {
+  const VoxelBox read = voxelsOf(part, m_volume->grid().dims);
+  const VoxelBox held = heldOf(*m_volume);
+  assert(contains(held, read));
+  requireCountable(m_volume->grid().dims);
+  const auto store = [&]<class T>(const StoredVoxels<T>& stored) {
     if (canStayAsStored<T>(*m_volume)) {
       m_source = asStored(stored, *m_volume);
       m_blocks = blocksOfVoxels(stored.data(), *m_volume, part, {m_source.scale, m_source.shift}, effort);
       return;
     }
-    copyNormalised(stored, *m_volume, voxelsOf(part, dims), partOf(effort, 0.0, 0.5), m_floats);
+    copyNormalised(stored, *m_volume, read, partOf(effort, 0.0, 0.5), m_floats);
     m_source.kind = VoxelSource::Kind::single;
     m_source.begin = reinterpret_cast<const unsigned char*>(m_floats.data());
     m_source.bytes = static_cast<std::int64_t>(m_floats.size() * sizeof(float));
     m_blocks = blocksOfVoxels(m_floats.data(), *m_volume, part, {1.0, 0.0}, partOf(effort, 0.5, 1.0));
-  });
+  };
+  std::visit(store, m_volume->stored());
+  const glm::ivec3 dims = held.upper - held.lower;
   const std::int64_t voxelBytes = m_source.bytes / (std::int64_t{dims.x} * dims.y * dims.z);
+  m_source.first = held.lower;
   m_source.dims = dims;
   const std::int64_t row = voxelBytes * dims.x;
   m_source.strideY = dims.y > 1 ? row : 0;
   m_source.strideZ = dims.z > 1 ? row * dims.y : 0;
+  // Voxels are found by their indices in the whole.
+  const std::int64_t before =
+      voxelBytes * held.lower.x + row * (held.lower.y + std::int64_t{dims.y} * held.lower.z);
+  m_source.begin -= before;
+  m_source.bytes += before;
 }
 
 std::size_t VoxelStore::ownBytes() const {
   if (m_volume->room())
     return 0;
-  const VoxelBox box = voxelsOf(m_part, m_source.dims);
+  const VoxelBox box = voxelsOf(m_part, m_volume->grid().dims);
   const glm::ivec3 copied = m_floats.empty() ? glm::ivec3(0) : box.upper - box.lower;
   return static_cast<std::size_t>(copied.x) * copied.y * copied.z * sizeof(float) + m_blocks.bytes();
 }

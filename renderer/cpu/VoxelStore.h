@@ -10,14 +10,18 @@
 
 namespace limn::cpu {
 
+/// The voxels on and in some blocks.
+VoxelBox voxelsOf(const BlockBox& part, const glm::ivec3& dims);
+
 /// A volume's voxels as rays read them, and the scalars that its blocks hold. Keeps the volume; copies it to
 /// floats only where its type, or a range that is narrow beside its values, asks for it. What it makes lies
 /// in the volume's room.
 class VoxelStore {
 public:
   /// Rays read the voxels of `part` alone, half open: no others are looked at, and of those that are copied
-  /// the rest stays unset. Throws Error (input) where there are too many rows to count, before anything is
-  /// copied; what Room does; Cancelled.
+  /// the rest stays unset. A volume that holds a part
+  /// of its voxels must hold those. Throws Error (input) where there are too many rows to count, before
+  /// anything is copied; what Room does; Cancelled.
   VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort);
 
   const VoxelSource& source() const { return m_source; }

@@ -12,6 +12,7 @@
 #include "io/formats/vtk/VtkXmlFile.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
+#include "io/reading/PartWanted.h"
 #include "io/reading/ReadError.h"
 #include "scene/volume/Orientation.h"
 
@@ -114,9 +115,8 @@ VolumeParts readFolder(const fs::path& path, const MemoryBudget& budget, const P
   return readPictures(path, pictures, budget, progress);
 }
 
-// Applies what the person adds, says what is not known, and makes the volume.
-std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, const ReadOptions& options,
-                                       const Progress& progress) {
+// Applies what the person adds, and says what is not known.
+void complete(const fs::path& path, const ReadOptions& options, VolumeParts& parts) {
   VolumeInfo& info = parts.info;
   if (options.spacingMm) {
     parts.grid.spacingMm = *options.spacingMm;
@@ -133,10 +133,58 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   for (Message& warning : info.warnings)
     warning = plainMessage(warning);
   requirePlausible(path, parts.grid);
+}
+
+std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, const Progress& progress) {
   return naming(path, [&] {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
-                                          std::move(info), effortOf(progress, countingVoxels),
+                                          std::move(parts.info), effortOf(progress, countingVoxels),
                                           std::move(parts.room));
+  });
+}
+
+double bytesIn(const VoxelArray& stored, const VoxelBox& box) {
+  const glm::dvec3 size(box.upper - box.lower);
+  const auto each = std::visit([]<class T>(const StoredVoxels<T>&) { return sizeof(T); }, stored);
+  return size.x * size.y * size.z * static_cast<double>(each);
+}
+
+// Leaves of the voxels those of a box, where memory holds them; returns which are left.
+VoxelBox keepBox(const fs::path& path, const VoxelBox& box, const MemoryBudget& memory, VolumeParts& parts) {
+  const double bytes = bytesIn(parts.stored, box);
+  if (bytes > memory.voxelBytes())
+    return allVoxels(parts.grid);
+  requireMemory(path, bytes);
+  parts.stored = parts.mapped ? readBox(*parts.mapped, parts.stored, parts.grid.dims, box, {})
+                              : cutOut(parts.stored, parts.grid.dims, box);
+  parts.room.reset();
+  return box;
+}
+
+// The part of a volume that this process holds.
+std::shared_ptr<const Volume> partOfVolume(const fs::path& path, VolumeParts parts,
+                                           const ReadOptions& options, const Progress& progress) {
+  const PartWanted& wanted = *options.part;
+  const PartWanted::Share share = wanted.share(parts.grid);
+  VolumePart part{
+      keepBox(path, share.held, wanted.memory, parts), share.own, {}, wanted.binCounts, wanted.visible};
+  const Effort effort = effortOf(progress, countingVoxels);
+  const VoxelFacts facts = wanted.joined(factsOf(parts.stored, part.box, part.own, effort));
+  part.reread = [path, options, facts, all = allVoxels(parts.grid)](const VoxelBox& box) {
+    ReadOptions again = options;
+    again.part.reset();
+    if (!contains(box, all)) {
+      PartWanted other = *options.part;
+      other.share = [box](const Grid&) { return PartWanted::Share{box, box}; };
+      other.joined = [facts](const VoxelFacts&) { return facts; };
+      again.part = std::make_shared<const PartWanted>(std::move(other));
+    }
+    return readVolume(path, again);
+  };
+  return naming(path, [&] {
+    return std::make_shared<const Volume>(
+        parts.grid, std::move(parts.stored), parts.rescale, std::move(parts.info), facts,
+        std::make_shared<const VolumePart>(std::move(part)), effort, std::move(parts.room));
   });
 }
 
@@ -150,8 +198,11 @@ std::shared_ptr<const Volume> readExisting(const fs::path& path, const DicomFold
                 Message::tr("choose a file or folder"));
   const Progress reading = part(progress, 0.0, 0.95);
   const MemoryBudget budget = options.memory.value_or(MemoryBudget());
-  return finished(path, isFolder ? readFolder(path, budget, reading) : readFile(path, budget, reading),
-                  options, part(progress, 0.95, 1.0));
+  VolumeParts parts = isFolder ? readFolder(path, budget, reading)
+                               : readFile(path, options.part ? budget.mappingAll() : budget, reading);
+  complete(path, options, parts);
+  return options.part && !isFolder ? partOfVolume(path, std::move(parts), options, part(progress, 0.95, 1.0))
+                                   : finished(path, std::move(parts), part(progress, 0.95, 1.0));
 }
 
 // Runs a step and turns what may go wrong in it into one sentence for `path`.

@@ -5,6 +5,7 @@
 #include "cpu/bricks/BrickRenderer.h"
 #include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
+#include "scene/volume/VolumePart.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/RendererRules.h"
 
@@ -222,6 +223,90 @@ TEST(Bricks, overIsAssociativeWithinRounding) {
     for (int channel = 0; channel < 4; ++channel)
       ASSERT_NEAR(right[channel], last[channel], 3 * 0x1p-24); // three roundings of numbers up to 1
   }
+}
+
+// The same volume in another type, of which all is found before it is divided.
+template <class T>
+std::shared_ptr<const Volume> storedAs(const Volume& volume) {
+  std::vector<T> voxels;
+  visitVoxels(volume, [&](const auto& stored) {
+    for (const auto voxel : stored)
+      voxels.push_back(static_cast<T>(std::is_same_v<T, std::uint8_t> ? (int(voxel) + 1100) / 16 : voxel));
+  });
+  const bool isByte = std::is_same_v<T, std::uint8_t>;
+  return std::make_shared<const Volume>(volume.grid(), StoredVoxels<T>(std::move(voxels)),
+                                        isByte ? Rescale{16.0, -1100.0} : volume.rescale(), std::nullopt,
+                                        VolumeInfo{});
+}
+
+// A volume of which nothing but what a brick reads is held.
+std::shared_ptr<const Volume> heldFor(const Scene& scene, const IndexBox& brick) {
+  const Volume& volume = *scene.volume;
+  const VoxelBox all = allVoxels(volume.grid());
+  auto part = std::make_shared<VolumePart>();
+  part->own = ownVoxels(volume.grid(), brick);
+  part->box = voxelsRead(volume.grid(), brick, scene.quality.stepVoxels);
+  EXPECT_TRUE(contains(part->box, part->own));
+  return std::make_shared<const Volume>(volume.grid(), cutOut(volume.stored(), volume.grid().dims, part->box),
+                                        volume.rescale(), VolumeInfo{}, factsOf(volume.stored(), all, all),
+                                        part);
+}
+
+std::size_t leftAway(const Volume& held) {
+  return held.voxelCount() - std::visit([](const auto& voxels) { return voxels.size(); }, held.stored());
+}
+
+// Returns how many voxels bricks did without.
+std::size_t expectSameShares(const Scene& scene, int count) {
+  std::size_t saved = 0;
+  const cpu::WholeFacts whole{findModuli(*scene.volume, 99.5), 99.5, steepness(*scene.volume)};
+  const Bricks bricks(scene.volume->grid(), scene.crop, count);
+  for (int brick = 0; brick < count; ++brick) {
+    BrickRenderer ofWhole(1), ofPart(1);
+    ofWhole.begin(scene, brickPicture, bricks.box(brick));
+    Scene held = scene;
+    held.volume = heldFor(scene, bricks.box(brick));
+    saved += leftAway(*held.volume);
+    ofPart.setWhole(whole);
+    ofPart.begin(held, brickPicture, bricks.box(brick));
+    const PixelRect tile{{0, 0}, brickPicture};
+    if (ofWhole.folding() != Folding::over) {
+      EXPECT_EQ(ofPart.scalars(tile), ofWhole.scalars(tile));
+      continue;
+    }
+    SurfaceHits hits, hitsOfPart;
+    if (ofWhole.hasSurface()) {
+      hits.own = hits.nearest = ofWhole.hits(tile);
+      hitsOfPart.own = hitsOfPart.nearest = ofPart.hits(tile);
+      EXPECT_EQ(hitsOfPart.own, hits.own);
+    }
+    EXPECT_EQ(ofPart.share(tile, hitsOfPart).pixels, ofWhole.share(tile, hits).pixels);
+  }
+  return saved;
+}
+
+// Bit for bit, in every model and projection, in equal, pre-integrated, long and error-controlled steps, and
+// for voxels that stay as they are stored and those that become floats.
+TEST(Bricks, giveTheSameWhereTheirVoxelsAloneAreHeld) {
+  int n = 0;
+  for (const ShadingModel model : shadingModels)
+    for (const Projection projection : projections) {
+      Scene scene = brickScene(projection, model);
+      SCOPED_TRACE(n);
+      const std::shared_ptr<const Volume> volume = scene.volume;
+      scene.volume = n % 4 == 0   ? storedAs<double>(*volume)
+                     : n % 4 == 1 ? storedAs<std::uint8_t>(*volume)
+                     : n % 4 == 2 ? storedAs<float>(*volume)
+                                  : volume;
+      scene.quality.stepVoxels = n % 5 == 0 ? 3.0 : 0.5;
+      scene.quality.preintegrated = n % 2 == 0 ? Preintegration::always : Preintegration::automatic;
+      if (n % 3 == 0)
+        scene.quality.toleranceLevels = 1.0;
+      if (n % 7 == 3)
+        scene.crop = {{0.1, 0.0, 0.3}, {0.9, 0.7, 1.0}};
+      EXPECT_GT(expectSameShares(scene, 2 + n % 4), 0u) << "nothing was tried";
+      ++n;
+    }
 }
 
 } // namespace

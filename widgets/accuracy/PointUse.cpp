@@ -151,8 +151,8 @@ std::vector<OperatingPoint> pointsToMeasure(const Scene& scene, double steepestP
 }
 
 bool isOfTheWindow(const OperatingPoint& point) {
-  return point.engine == Engine::rayCaster && point.gradients == GradientSource::onTheFly &&
-         point.imageScale == 1.0;
+  return point.rival.empty() && point.engine == Engine::rayCaster &&
+         point.gradients == GradientSource::onTheFly && point.imageScale == 1.0;
 }
 
 Quality qualityAt(const OperatingPoint& point, const Scene& scene, double steepestPerMm) {

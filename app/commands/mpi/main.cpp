@@ -6,10 +6,12 @@
 #include "app/commands/mpi/SharedDrawing.h"
 #include "app/core/drawing/PictureMaker.h"
 #include "app/core/sources/KeptRegion.h"
+#include "io/reading/PartWanted.h"
 #include "io/scenefile/SceneFile.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <sstream>
 #include <thread>
 
@@ -21,25 +23,34 @@ struct MpiArguments {
   bool printsCost = false;
 };
 
-// What the first rank asks of all, as a text: a scene to draw in so many pixels, or the end with its exit
-// status.
+// What the first rank asks of all, as a text: to tell what they found of their voxels when they read the
+// volume, to count them in so many bins, to tell which show in a scene, to draw a scene in so many pixels, or
+// to end with an exit status.
 struct Request {
-  bool isEnd = false;
-  int status = 0;
+  enum class Kind { voxels, bins, visible, picture, end };
+  Kind kind = Kind::end;
+  int number = 0; // of bins, or the exit status
   glm::ivec2 size{0};
   std::string scene;
 };
 
 Request requested(const Ranks& ranks, const Request& request) {
   std::ostringstream written;
-  written << request.isEnd << ' ' << request.status << ' ' << request.size.x << ' ' << request.size.y << '\n'
+  written << static_cast<int>(request.kind) << ' ' << request.number << ' ' << request.size.x << ' '
+          << request.size.y << '\n'
           << request.scene;
   std::istringstream told(ranks.fromFirst(written.str()));
   Request result;
-  told >> result.isEnd >> result.status >> result.size.x >> result.size.y;
+  int kind = 0;
+  told >> kind >> result.number >> result.size.x >> result.size.y;
+  result.kind = static_cast<Request::Kind>(kind);
   told.get();
   result.scene.assign(std::istreambuf_iterator<char>(told), {});
   return result;
+}
+
+VoxelFacts factsOfAll(const Ranks& ranks, const VoxelFacts& own) {
+  return ofAll<VoxelFacts>(ranks, [&] { return own; });
 }
 
 void requireRanksCanDraw(const RenderArguments& arguments) {
@@ -51,17 +62,45 @@ void requireRanksCanDraw(const RenderArguments& arguments) {
         "Ranks draw pictures alone; --figures, --samples-spent and --texture-mb are for limn render.");
 }
 
-// Scenes come from the first rank, their volume from this rank's own look at the file.
+// Scenes come from the first rank, their volume from this rank's own look at the file: at its part of it
+// where that can be read in parts.
 class OwnScenes {
 public:
-  explicit OwnScenes(const SourceArguments& source) {
-    m_failure =
-        failureOf([&] { m_volume = loadScene(source.source, sourceOptions(source), {}).scene.volume; });
+  OwnScenes(SourceArguments source, PartWanted part, const Ranks& ranks) {
+    part.joined = [&](const VoxelFacts& own) {
+      Request request = requested(ranks, {});
+      if (request.kind != Request::Kind::voxels) {
+        m_pending = std::move(request); // the first rank found no parts, or nothing
+        throw otherVolume();
+      }
+      return factsOfAll(ranks, own);
+    };
+    if (source.part)
+      source.part = std::make_shared<const PartWanted>(std::move(part));
+    SourceOptions options = sourceOptions(source);
+    options.wantsVolumeAlone = true;
+    m_failure = failureOf([&] { m_volume = loadScene(source.source, options, {}).scene.volume; });
+  }
+
+  /// What the first rank asks for next.
+  Request next(const Ranks& ranks) {
+    if (!m_pending)
+      return requested(ranks, {});
+    const Request request = std::move(*m_pending);
+    m_pending.reset();
+    return request;
+  }
+
+  /// The volume, of which the first rank holds a part.
+  const Volume& inParts() const {
+    requireVolume();
+    if (!m_volume->part())
+      throw otherVolume();
+    return *m_volume;
   }
 
   Scene of(const std::string& json) {
-    if (m_failure)
-      throw *m_failure;
+    requireVolume();
     const SceneDocument document = parseScene(json, "the scene of the first rank");
     Scene scene = document.scene;
     scene.volume = m_volume;
@@ -73,8 +112,19 @@ public:
     return scene;
   }
 
+  static Error otherVolume() {
+    return Error(Error::Kind::input, "A rank found another volume than the first one at the same path; give "
+                                     "all of them the same files.");
+  }
+
 private:
+  void requireVolume() const {
+    if (m_failure)
+      throw *m_failure;
+  }
+
   std::optional<Error> m_failure;
+  std::optional<Request> m_pending;
   std::shared_ptr<const Volume> m_volume;
   KeptPart m_keep;
   Region m_kept;
@@ -87,10 +137,34 @@ int threadsOf(const RenderArguments& arguments, const Ranks& ranks) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / neighbours);
 }
 
-// Runs the command as `limn render` does, but for who draws.
-int lead(const MpiArguments& arguments, const Ranks& ranks, SharedDrawing& drawing) {
+// What this rank reads of a volume, in its part of the machine's memory unless so much was given.
+PartWanted partOf(const SourceArguments& source, const Ranks& ranks) {
+  PartWanted part;
+  part.share = [&ranks](const Grid& grid) { return shareOf(ranks, grid); };
+  const auto neighbours = static_cast<std::uint64_t>(ranks.onThisMachine());
+  part.memory = source.memoryMb > 0.0 ? MemoryBudget(static_cast<std::uint64_t>(1e6 * source.memoryMb))
+                                      : MemoryBudget(MemoryBudget().bytes() / neighbours);
+  return part;
+}
+
+// Runs the command as `limn render` does, but for who looks at voxels and who draws.
+int lead(MpiArguments arguments, PartWanted part, const Ranks& ranks, SharedDrawing& drawing) {
+  part.joined = [&](const VoxelFacts& own) {
+    requested(ranks, {Request::Kind::voxels, 0, {}, {}});
+    return factsOfAll(ranks, own);
+  };
+  part.binCounts = [&](const Volume& volume, int mostBins) {
+    requested(ranks, {Request::Kind::bins, mostBins, {}, {}});
+    return ofAll<BinCounts>(ranks, [&] { return countsOfOwn(volume, mostBins); });
+  };
+  part.visible = [&](const Scene& scene) {
+    requested(ranks, {Request::Kind::visible, 0, {}, sceneToJson(scene, "volume")});
+    return ofAll<VisibleVoxels>(ranks, [&] { return visibleOfOwn(scene); }).box;
+  };
+  if (arguments.render.scene.source.part)
+    arguments.render.scene.source.part = std::make_shared<const PartWanted>(std::move(part));
   const auto draw = [&](const Scene& scene, const glm::ivec2& size) {
-    requested(ranks, {false, 0, size, sceneToJson(scene, "volume")});
+    requested(ranks, {Request::Kind::picture, 0, size, sceneToJson(scene, "volume")});
     return drawing.draw([&] { return scene; }, size);
   };
   const std::string name = "the CPU engine of " + std::to_string(ranks.count()) + " ranks";
@@ -107,29 +181,56 @@ int lead(const MpiArguments& arguments, const Ranks& ranks, SharedDrawing& drawi
     });
     return 0;
   });
-  requested(ranks, {true, status, {}, {}});
+  requested(ranks, {Request::Kind::end, status, {}, {}});
   return status;
 }
 
-// Draws what the first rank asks for until it ends; what fails is the first rank's to tell.
-int follow(const MpiArguments& arguments, const Ranks& ranks, SharedDrawing& drawing) {
-  OwnScenes scenes(arguments.render.scene.source);
+// Gives this rank's share of the answer.
+void answer(const Request& request, OwnScenes& scenes, const Ranks& ranks, SharedDrawing& drawing) {
+  switch (request.kind) {
+  case Request::Kind::voxels: // of a volume that this rank could not read, or not in parts
+    ranks.agree(failureOf([&] {
+      scenes.inParts();
+      throw OwnScenes::otherVolume();
+    }));
+    break;
+  case Request::Kind::bins:
+    ofAll<BinCounts>(ranks, [&] { return countsOfOwn(scenes.inParts(), request.number); });
+    break;
+  case Request::Kind::visible:
+    ofAll<VisibleVoxels>(ranks, [&] {
+      scenes.inParts();
+      return visibleOfOwn(scenes.of(request.scene));
+    });
+    break;
+  case Request::Kind::picture:
+    drawing.draw([&] { return scenes.of(request.scene); }, request.size);
+    break;
+  case Request::Kind::end:
+    break;
+  }
+}
+
+// Does what the first rank asks for until it ends; what fails is the first rank's to tell.
+int follow(const MpiArguments& arguments, const PartWanted& part, const Ranks& ranks,
+           SharedDrawing& drawing) {
+  OwnScenes scenes(arguments.render.scene.source, part, ranks);
   for (;;) {
-    const Request request = requested(ranks, {});
-    if (request.isEnd)
-      return request.status;
+    const Request request = scenes.next(ranks);
+    if (request.kind == Request::Kind::end)
+      return request.number;
     try {
-      drawing.draw([&] { return scenes.of(request.scene); }, request.size);
+      answer(request, scenes, ranks, drawing);
     } catch (const Error&) {
     }
   }
 }
 
 void printCost(const Ranks& ranks, const RankCost& cost) {
-  const std::vector<double> all = ranks.gathered({cost.samples, cost.ownMb, cost.foldedBytes});
-  for (std::size_t i = 0; i + 2 < all.size(); i += 3)
-    std::printf("rank %zu: %.0f samples in its brick, %.1f MB of its own, %.0f bytes folded\n", i / 3, all[i],
-                all[i + 1], all[i + 2]);
+  const std::vector<double> all = ranks.gathered({cost.samples, cost.ownMb, cost.foldedBytes, bytesRead()});
+  for (std::size_t i = 0; i + 3 < all.size(); i += 4)
+    std::printf("rank %zu: %.0f samples in its brick, %.1f MB of its own, %.0f bytes folded, %.0f read\n",
+                i / 4, all[i], all[i + 1], all[i + 2], all[i + 3]);
 }
 
 int run(int argc, char** argv, const Ranks& ranks) {
@@ -143,15 +244,20 @@ int run(int argc, char** argv, const Ranks& ranks) {
   CommandSyntax words = program.words();
   addRenderOptions(words, arguments.render);
   words.flag("--cost", arguments.printsCost,
-             "also print for each rank its samples, its own memory, and the bytes that it gave to be folded");
+             "also print for each rank its samples, its own memory, and the bytes that it gave to be folded "
+             "and asked the system to read");
   words.footer("Example: mpirun -n 4 limn-mpi head.nii.gz --size 1200x1200 -o head.png");
   if (const std::optional<int> status = program.run(argc, argv))
     return *status;
-  // Ranks of one machine share the pages of a file, but no memory of their own.
+  const PartWanted part = partOf(arguments.render.scene.source, ranks);
+  if (ranks.count() > 1)
+    arguments.render.scene.source.part = std::make_shared<const PartWanted>(part);
+  // Of what is read whole, ranks of one machine share the pages of a file, but no memory of their own.
   if (double& memoryMb = arguments.render.scene.source.memoryMb; memoryMb <= 0.0)
     memoryMb = MemoryBudget::least / 1e6;
   SharedDrawing drawing(ranks, threadsOf(arguments.render, ranks));
-  const int status = ranks.isFirst() ? lead(arguments, ranks, drawing) : follow(arguments, ranks, drawing);
+  const int status =
+      ranks.isFirst() ? lead(arguments, part, ranks, drawing) : follow(arguments, part, ranks, drawing);
   if (arguments.printsCost && status == 0)
     printCost(ranks, drawing.cost());
   return status;

@@ -11,6 +11,7 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
+#include "scene/volume/VolumePart.h"
 #include "slices/SliceRenderer.h"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                        by.name,
                        {},
                        false,
-                       errorOfFilter(drawn, size, draw, by.filterBits)};
+                       errorOfFilter(drawn, size, draw, by.filterBits),
+                       {}};
   };
   if (!needsSteps(scene)) {
     MadePicture picture = made(scene);
@@ -64,7 +66,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
   }
   const WithinTolerance found = withinTolerance(scene, size, draw, control, by.filterBits);
   MadePicture picture = made(found.scene);
-  picture.notes.push_back(Message::tr("The picture is %1.").arg(describe(found)));
+  picture.steps = Message::tr("The picture is %1.").arg(describe(found));
   if (!found.holds)
     picture.notes.push_back(found.sentence);
   return picture;
@@ -204,6 +206,13 @@ PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
 
 } // namespace
 
+std::vector<Message> remarksOf(const MadePicture& picture) {
+  std::vector<Message> remarks = picture.notes;
+  if (!picture.steps.empty())
+    remarks.insert(remarks.begin(), picture.steps);
+  return remarks;
+}
+
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
                            const Scene& scene, const glm::ivec2& size, const std::string& name) {
   return makeWithin(scene, size, draw, StepControl::cells, {Engine::cpu, name});
@@ -311,9 +320,11 @@ DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled) {
 }
 
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort) {
-  if (staysOnDisk(scene))
+  Scene whole = scene;
+  whole.volume = wholeOf(scene.volume);
+  if (staysOnDisk(whole))
     return std::nullopt;
-  return errorByChance(scene, picture, preciselyBy(effort.threads, effort.isCancelled));
+  return errorByChance(whole, picture, preciselyBy(effort.threads, effort.isCancelled));
 }
 
 Image sideBySide(const Image& left, const Image& right) {

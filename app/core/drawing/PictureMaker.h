@@ -27,7 +27,11 @@ struct MadePicture {
   /// (accuracy/ErrorEstimate).
   bool canBeEstimated = false;
   ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance)
+  Message steps;       ///< with which it keeps its tolerance, a sentence; empty where none were looked for
 };
+
+/// Everything that a picture tells, a sentence each.
+std::vector<Message> remarksOf(const MadePicture& picture);
 
 /// How pictures are drawn.
 struct MakingOptions {

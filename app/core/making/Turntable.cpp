@@ -45,7 +45,7 @@ std::string frameName(int frame) {
 void writeFrames(const fs::path& folder, const Turntable& turntable, const MakingOptions& order,
                  const DescribeScene& describe, std::vector<Message>& notes) {
   makeEach(framesOf(turntable), turntable.size, order, [&](std::size_t index, const MadePicture& picture) {
-    for (const Message& note : picture.notes)
+    for (const Message& note : remarksOf(picture))
       if (std::ranges::find(notes, note) == notes.end())
         notes.push_back(note);
     writeImage(folder / frameName(static_cast<int>(index)), picture.image, picture.scene.image.background,

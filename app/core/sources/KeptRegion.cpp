@@ -5,16 +5,24 @@
 #include "regions/Body.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/volume/Orientation.h"
+#include "scene/volume/VolumePart.h"
 
 namespace limn {
 namespace {
 
 const Message findingBody = Message::tr("Looking for the body");
 
+// What is connected is known of the whole alone, which is read for this where a part is held.
+BodyFinding bodyIn(const Volume& volume, const Progress& progress) {
+  const Effort effort = effortOf(progress, findingBody);
+  return volume.part() ? findBody(*reread(volume, allVoxels(volume.grid())), effort)
+                       : findBody(volume, effort);
+}
+
 } // namespace
 
 FoundRegion bodyOf(const Volume& volume, const Progress& progress) {
-  BodyFinding found = findBody(volume, effortOf(progress, findingBody));
+  BodyFinding found = bodyIn(volume, progress);
   FoundRegion kept{std::move(found.region), {}};
   if (kept.region.kind == Region::Kind::all)
     kept.remark =
@@ -28,7 +36,7 @@ FoundRegion bodyOf(const Volume& volume, const Progress& progress) {
 Region sureBodyOf(const Volume& volume, const Progress& progress) {
   if (!looksLikeHounsfield(volume))
     return {};
-  BodyFinding found = findBody(volume, effortOf(progress, findingBody));
+  BodyFinding found = bodyIn(volume, progress);
   return found.isSure ? std::move(found.region) : Region{};
 }
 

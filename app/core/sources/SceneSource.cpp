@@ -259,6 +259,8 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.volumePath = opened.path;
   loaded.dicom = opened.dicom;
   loaded.read = options.read;
+  if (options.wantsVolumeAlone)
+    return loaded;
   keepPart(loaded, document.keep, options, progress);
   if (!document.hasCamera)
     loaded.scene.camera = defaultCamera(opened.volume->grid());
@@ -352,6 +354,8 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   loaded.volumePath = opened.path;
   loaded.dicom = opened.dicom;
   loaded.read = options.read;
+  if (options.wantsVolumeAlone)
+    return loaded;
   const Grid& grid = opened.volume->grid();
   loaded.scene.camera = firstView(defaultCamera(grid), grid, opened.volume->info().orientationKnown);
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
@@ -382,6 +386,8 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
 
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded = loadUnframed(source, options, progress);
+  if (options.wantsVolumeAlone)
+    return loaded;
   if (const Message remark = thickSlices(loaded.scene.volume->grid()); !remark.empty())
     loaded.notes.push_back(remark);
   const ImageSettings& image = loaded.scene.image;

@@ -57,8 +57,9 @@ struct SourceOptions {
   std::vector<std::filesystem::path> knownVolumes;
   /// Volumes by the names that stand for them in scenes, because their own may name the patient.
   std::map<std::string, std::filesystem::path> references;
-  bool hidesTable = false;    ///< of a CT volume whose body is sure, that alone is kept at first
-  bool asksForSeries = false; ///< of several in the folder that is the source: throws SeveralSeries
+  bool hidesTable = false;       ///< of a CT volume whose body is sure, that alone is kept at first
+  bool wantsVolumeAlone = false; ///< the scene is another's: what would be found out for it is left away
+  bool asksForSeries = false;    ///< of several in the folder that is the source: throws SeveralSeries
   /// A DICOM file or folder that was opened already: its headers are not read again.
   std::shared_ptr<const DicomFolder> dicom;
   /// Volumes that were read already, by their absolute path or built-in name: they are not read again.

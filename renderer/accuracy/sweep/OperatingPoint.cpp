@@ -48,6 +48,10 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
 }
 
 std::string familyOf(const OperatingPoint& point) {
+  if (!point.rival.empty())
+    return point.rival == "vtk-gpu"          ? "VTK's GPU mapper"
+           : point.rival == "vtk-fixedpoint" ? "VTK's fixed-point caster"
+                                             : point.rival;
   std::string family = methodOf(point.engine);
   if (point.toleranceLevels)
     family += ", error-controlled";

@@ -25,6 +25,7 @@ struct OperatingPoint {
   double earlyTermination = 0.998;
   GradientSource gradients = GradientSource::onTheFly;
   double imageScale = 1.0; ///< of width and height while drawing, 0 < s ≤ 1; enlarged afterwards
+  std::string rival = {};  ///< another library's renderer that drew it, such as "vtk-gpu"; empty: Limn's
   bool operator==(const OperatingPoint&) const = default;
 };
 

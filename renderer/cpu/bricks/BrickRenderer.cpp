@@ -126,6 +126,18 @@ std::vector<int> Bricks::frontToBack(const RayFrame& frame) const {
   return order;
 }
 
+VoxelBox ownVoxels(const Grid& grid, const IndexBox& brick) {
+  const auto firstAtOrAbove = [&](const glm::dvec3& face) {
+    return glm::ivec3(
+        glm::clamp(glm::ceil(face + centreIndex(grid)), glm::dvec3(0.0), glm::dvec3(grid.dims)));
+  };
+  return {firstAtOrAbove(brick.lower), firstAtOrAbove(brick.upper)};
+}
+
+VoxelBox voxelsRead(const Grid& grid, const IndexBox& brick, double stepVoxels) {
+  return cpu::voxelsOf(cpu::blocksMet(grid, brick, stepVoxels), grid.dims);
+}
+
 BrickRenderer::BrickRenderer(int threads) : m_threads(allOr(threads)), m_data(m_threads, true) {
   cpu::requireInstructionSet();
 }

@@ -40,6 +40,13 @@ private:
   std::vector<Split> m_splits; // each before those of its parts
 };
 
+/// The voxels of a grid whose centres lie in a brick: each is one brick's. May be empty.
+VoxelBox ownVoxels(const Grid& grid, const IndexBox& brick);
+
+/// The voxels that a picture may read of a brick, with steps of `stepVoxels` at most: its own, too, and the
+/// neighbours of those.
+VoxelBox voxelsRead(const Grid& grid, const IndexBox& brick, double stepVoxels);
+
 /// What is done with the shares of the bricks of a picture (README.md).
 enum class Folding {
   over,    ///< pixels: those of bricks in front over those behind
@@ -65,6 +72,10 @@ class BrickRenderer {
 public:
   /// `threads` of the processor, 0: all. Throws as CpuRenderer does.
   explicit BrickRenderer(int threads = 0);
+
+  /// What all of the volume holds, from now on; of volumes of which parts are held it must be known before
+  /// begin(), others are looked at where it is absent.
+  void setWhole(const std::optional<cpu::WholeFacts>& whole) { m_data.setWhole(whole); }
 
   /// Sets up a picture; everything below is of it. Throws Error, Cancelled.
   void begin(const Scene& scene, const glm::ivec2& size, const IndexBox& brick,

@@ -16,11 +16,12 @@ namespace limn::cpu {
 struct VoxelSource {
   enum class Kind { byte, signedByte, half, signedHalf, single };
   Kind kind = Kind::byte;
-  const unsigned char* begin = nullptr;
-  std::int64_t bytes = 0;
-  float scale = 1.0f; ///< normalised scalar = scale · voxel + shift
+  const unsigned char* begin = nullptr; ///< where voxel (0, 0, 0) is, or would be were it among these
+  std::int64_t bytes = 0;               ///< from there to the end of the voxels
+  float scale = 1.0f;                   ///< normalised scalar = scale · voxel + shift
   float shift = 0.0f;
-  glm::ivec3 dims{1};
+  glm::ivec3 first{0};      ///< of the voxels; others are never read, whatever index is asked for
+  glm::ivec3 dims{1};       ///< how many there are from the first on
   std::int64_t strideY = 0; ///< bytes to the next row, 0 where there is one row
   std::int64_t strideZ = 0; ///< bytes to the next slice, likewise
 };

@@ -36,15 +36,16 @@ public:
   explicit Field(const VoxelSource& voxels)
       : m_voxels(voxels), m_rowBytes(std::int64_t{bytesOf<kind>} * voxels.dims.x),
         m_rowsAhead((voxels.dims.y > 1 ? 1 : 0) + (voxels.dims.z > 1 ? voxels.dims.y : 0)),
-        m_lastSafeRow(static_cast<std::int32_t>(std::int64_t{voxels.dims.y} * voxels.dims.z - 1 -
-                                                (3 + m_rowBytes - 1) / m_rowBytes)) {}
+        m_lastSafeRow(
+            static_cast<std::int32_t>(std::int64_t{voxels.dims.y} * (voxels.first.z + voxels.dims.z) +
+                                      voxels.first.y - 1 - (3 + m_rowBytes - 1) / m_rowBytes)) {}
 
   /// The cells of continuous voxel indices, clamped to the outermost voxel centres.
   HWY_INLINE Cells cellsAt(const V3& index) const {
     Cells cells;
-    cells.x = lowOf(index.x, m_voxels.dims.x, cells.weight.x);
-    cells.y = lowOf(index.y, m_voxels.dims.y, cells.weight.y);
-    cells.z = lowOf(index.z, m_voxels.dims.z, cells.weight.z);
+    cells.x = lowOf(index.x, m_voxels.first.x, m_voxels.dims.x, cells.weight.x);
+    cells.y = lowOf(index.y, m_voxels.first.y, m_voxels.dims.y, cells.weight.y);
+    cells.z = lowOf(index.z, m_voxels.first.z, m_voxels.dims.z, cells.weight.z);
     return cells;
   }
 
@@ -168,9 +169,9 @@ private:
     VI row, bytes;
   };
 
-  HWY_INLINE static VI lowOf(VF index, int dim, VF& weight) {
-    const VF clampedIndex = clamped(index, 0.0f, static_cast<float>(dim - 1));
-    const VF low = hn::Min(hn::Floor(clampedIndex), all(static_cast<float>(dim > 1 ? dim - 2 : 0)));
+  HWY_INLINE static VI lowOf(VF index, int first, int dim, VF& weight) {
+    const VF clampedIndex = clamped(index, static_cast<float>(first), static_cast<float>(first + dim - 1));
+    const VF low = hn::Min(hn::Floor(clampedIndex), all(static_cast<float>(first + (dim > 1 ? dim - 2 : 0))));
     weight = hn::Sub(clampedIndex, low);
     return intOf(low);
   }
@@ -197,12 +198,13 @@ private:
 
   // Where indices lie in cells, 0..1.
   HWY_INLINE V3 weightsIn(const Cells& cells, const V3& index) const {
-    return {weightIn(cells.x, index.x, m_voxels.dims.x), weightIn(cells.y, index.y, m_voxels.dims.y),
-            weightIn(cells.z, index.z, m_voxels.dims.z)};
+    return {weightIn(cells.x, index.x, m_voxels.first.x, m_voxels.dims.x),
+            weightIn(cells.y, index.y, m_voxels.first.y, m_voxels.dims.y),
+            weightIn(cells.z, index.z, m_voxels.first.z, m_voxels.dims.z)};
   }
 
-  HWY_INLINE static VF weightIn(VI low, VF index, int dim) {
-    const VF inside = clamped(index, 0.0f, static_cast<float>(dim - 1));
+  HWY_INLINE static VF weightIn(VI low, VF index, int first, int dim) {
+    const VF inside = clamped(index, static_cast<float>(first), static_cast<float>(first + dim - 1));
     return clamped(hn::Sub(inside, hn::ConvertTo(floats, low)), 0.0f, 1.0f);
   }
 
@@ -232,10 +234,12 @@ private:
   // Cells with two voxels more on either side.
   HWY_INLINE hn::Mask<Ints> isInner(const Cells& cells) const {
     const VI one = hn::Set(ints, 1);
-    const VI lowest = hn::Min(hn::Min(cells.x, cells.y), cells.z);
-    const VI beyondX = hn::Sub(hn::Set(ints, m_voxels.dims.x - 2), cells.x);
-    const VI beyondY = hn::Sub(hn::Set(ints, m_voxels.dims.y - 2), cells.y);
-    const VI beyondZ = hn::Sub(hn::Set(ints, m_voxels.dims.z - 2), cells.z);
+    const VI lowest = hn::Min(hn::Min(hn::Sub(cells.x, hn::Set(ints, m_voxels.first.x)),
+                                      hn::Sub(cells.y, hn::Set(ints, m_voxels.first.y))),
+                              hn::Sub(cells.z, hn::Set(ints, m_voxels.first.z)));
+    const VI beyondX = hn::Sub(hn::Set(ints, m_voxels.first.x + m_voxels.dims.x - 2), cells.x);
+    const VI beyondY = hn::Sub(hn::Set(ints, m_voxels.first.y + m_voxels.dims.y - 2), cells.y);
+    const VI beyondZ = hn::Sub(hn::Set(ints, m_voxels.first.z + m_voxels.dims.z - 2), cells.z);
     return hn::Not(hn::Lt(hn::Min(lowest, hn::Min(hn::Min(beyondX, beyondY), beyondZ)), one));
   }
 

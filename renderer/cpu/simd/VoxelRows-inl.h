@@ -103,32 +103,34 @@ public:
 
 private:
   // The voxel of an axis at an index or at the border before it, and the one before that.
-  static int inside(int index, int last) { return std::clamp(index, 0, last); }
-  static int inner(int index, int last) { return index < 0 ? 1 : last - 1; }
+  static int inside(int index, int first, int last) { return std::clamp(index, first, last); }
+  static int inner(int index, int first, int last) { return index < first ? first + 1 : last - 1; }
 
   F4 rowOf(int y, int z) const {
-    const glm::ivec3 last = m_voxels.dims - 1;
-    if (last.z > 0 && (z < 0 || z > last.z))
-      return beyond(rowOf(y, inside(z, last.z)), rowOf(y, inner(z, last.z)));
-    if (last.y > 0 && (y < 0 || y > last.y))
-      return beyond(rowOf(inside(y, last.y), z), rowOf(inner(y, last.y), z));
-    const unsigned char* row =
-        m_voxels.begin + inside(y, last.y) * m_voxels.strideY + inside(z, last.z) * m_voxels.strideZ;
-    if (m_cell.x > 0 && m_cell.x + 2 <= last.x)
+    const glm::ivec3 first = m_voxels.first;
+    const glm::ivec3 last = first + m_voxels.dims - 1;
+    if (last.z > first.z && (z < first.z || z > last.z))
+      return beyond(rowOf(y, inside(z, first.z, last.z)), rowOf(y, inner(z, first.z, last.z)));
+    if (last.y > first.y && (y < first.y || y > last.y))
+      return beyond(rowOf(inside(y, first.y, last.y), z), rowOf(inner(y, first.y, last.y), z));
+    const unsigned char* row = m_voxels.begin + inside(y, first.y, last.y) * m_voxels.strideY +
+                               inside(z, first.z, last.z) * m_voxels.strideZ;
+    if (m_cell.x > first.x && m_cell.x + 2 <= last.x)
       return asFloats<kind>(four, storedRowAt<kind>(row + std::int64_t{m_cell.x - 1} * bytesOf<kind>));
     HWY_ALIGN float numbers[4];
     for (int x = -1; x < 3; ++x)
-      numbers[x + 1] = numberOf(row, m_cell.x + x, last.x);
+      numbers[x + 1] = numberOf(row, m_cell.x + x, first.x, last.x);
     return hn::Load(four, numbers);
   }
 
   HWY_INLINE static F4 beyond(F4 border, F4 before) { return hn::Sub(hn::Add(border, border), before); }
 
-  static float numberOf(const unsigned char* row, int x, int last) {
+  static float numberOf(const unsigned char* row, int x, int first, int last) {
     const auto* stored = reinterpret_cast<const Stored<kind>*>(row);
-    const auto border = static_cast<float>(stored[inside(x, last)]);
-    return last == 0 || (x >= 0 && x <= last) ? border
-                                              : 2.0f * border - static_cast<float>(stored[inner(x, last)]);
+    const auto border = static_cast<float>(stored[inside(x, first, last)]);
+    return last == first || (x >= first && x <= last)
+               ? border
+               : 2.0f * border - static_cast<float>(stored[inner(x, first, last)]);
   }
 
   const VoxelSource& m_voxels;

@@ -5,16 +5,22 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace limn {
+
+struct PartWanted; // io/reading/PartWanted.h
 
 /// What the person who opens a file adds to it.
 struct ReadOptions {
   std::optional<glm::dvec3> spacingMm; ///< for image stacks and files without spacing; overrides otherwise
   std::optional<int> series;           ///< number of a series as DicomFolder gives it
   std::optional<MemoryBudget> memory;  ///< how much of it the process may take (default: MemoryBudget's)
+  /// Where this is one of several processes that hold a volume together. Folders (DICOM, pictures) are held
+  /// whole by each nevertheless.
+  std::shared_ptr<const PartWanted> part;
 };
 
 /// One series of a DICOM folder, without what names the patient.

@@ -10,6 +10,9 @@
 namespace limn {
 namespace {
 
+// Renderers of VTK, which limn accuracy --rivals measures.
+constexpr const char* rivalPrefix = "vtk-";
+
 // Writers put null where there is no figure.
 bool isNull(JsonFields& fields, const std::string& key) {
   return fields.has(key) && fields.child(key).is_null();
@@ -46,7 +49,11 @@ ImageError errorIn(JsonFields& fields) {
 
 OperatingPoint pointIn(JsonFields& fields) {
   OperatingPoint point;
-  fields.choice("engine", point.engine, pointEngines);
+  std::string engine;
+  if (fields.text("engine", engine) && engine.starts_with(rivalPrefix))
+    point.rival = engine;
+  else
+    fields.choice("engine", point.engine, pointEngines);
   readNumber(fields, "step_voxels", point.stepVoxels, positive);
   point.toleranceLevels = numberOrNone(fields, "tolerance_levels", positive);
   fields.boolean("preintegrated", point.preintegrated);

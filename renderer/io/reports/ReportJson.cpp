@@ -71,7 +71,7 @@ void addErrors(Json& json, const ImageError& error, bool isKnown) {
 
 Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
   const OperatingPoint& point = measured.point;
-  Json json{{"engine", nameOf(point.engine)},
+  Json json{{"engine", point.rival.empty() ? nameOf(point.engine) : point.rival},
             {"step_voxels", point.toleranceLevels ? Json() : Json(point.stepVoxels)},
             {"step_mm", point.toleranceLevels ? Json() : Json(point.stepVoxels * report.smallestSpacingMm)},
             {"tolerance_levels", point.toleranceLevels ? Json(*point.toleranceLevels) : Json()},

@@ -21,6 +21,17 @@ public:
   /// Voxels of at most so many bytes lie in memory. The other two thirds are for what engines make of them.
   double voxelBytes() const { return static_cast<double>(m_bytes) / 3.0; }
 
+  /// The same budget, under which all voxels are mapped that lie in a file as they are kept, however few:
+  /// what is not needed of them is not read.
+  MemoryBudget mappingAll() const {
+    MemoryBudget mapping = *this;
+    mapping.m_mapsAll = true;
+    return mapping;
+  }
+
+  /// Voxels of more bytes are mapped where they can be.
+  double unmappedBytes() const { return m_mapsAll ? 0.0 : voxelBytes(); }
+
   /// The least MB (10⁶ bytes) by which voxels of so many bytes lie in memory.
   static std::uint64_t leastMbFor(std::uint64_t voxelBytes) { return (3 * voxelBytes + 999'999) / 1'000'000; }
 
@@ -29,6 +40,7 @@ public:
 
 private:
   std::uint64_t m_bytes;
+  bool m_mapsAll = false;
 };
 
 } // namespace limn

@@ -4,6 +4,7 @@
 #include "scene/ProjectionFacts.h"
 #include "scene/basics/Error.h"
 #include "scene/framing/KeptVoxels.h"
+#include "scene/volume/VolumePart.h"
 
 #include <algorithm>
 #include <optional>
@@ -68,7 +69,8 @@ public:
     return m_shown.between(std::min(a, b), std::max(a, b));
   }
 
-  bool shows(std::size_t voxel) const {
+  // `voxel` is the place in the array, `label` that among all voxels.
+  bool shows(std::size_t voxel, std::size_t label) const {
     const T value = m_stored[voxel];
     if constexpr (sizeof(T) <= 2) {
       if (!m_table[static_cast<std::make_unsigned_t<T>>(value)])
@@ -76,7 +78,7 @@ public:
       if (!m_region)
         return true;
     }
-    return showsAt(value, m_region ? m_region->weights[m_region->labels->placeAt(voxel)] : 1.0);
+    return showsAt(value, m_region ? m_region->weights[m_region->labels->placeAt(label)] : 1.0);
   }
 
 private:
@@ -97,8 +99,10 @@ private:
 template <class T>
 class Shrinking {
 public:
-  Shrinking(const VoxelTest<T>& test, const glm::ivec3& dims, const VoxelBox& within, const Effort& effort)
-      : m_test(test), m_dims(dims), m_box(within), m_effort(effort) {}
+  // `held` are the voxels of the array, `within` some of them, both in a volume of `dims`.
+  Shrinking(const VoxelTest<T>& test, const glm::ivec3& dims, const VoxelBox& held, const VoxelBox& within,
+            const Effort& effort)
+      : m_test(test), m_dims(dims), m_held(held), m_box(within), m_effort(effort) {}
 
   std::optional<VoxelBox> box() {
     for (const int axis : {2, 1}) {
@@ -153,21 +157,28 @@ private:
   }
 
   int firstShown(int y, int z, int from, int to) const {
-    const std::size_t row = voxelOffset(m_dims, 0, y, z);
-    if (from < to && !m_test.mayShow(row + static_cast<std::size_t>(from), to - from))
+    std::size_t place = placeOf(from, y, z);
+    std::size_t label = voxelOffset(m_dims, from, y, z);
+    if (from < to && !m_test.mayShow(place, to - from))
       return to;
-    while (from < to && !m_test.shows(row + static_cast<std::size_t>(from)))
+    while (from < to && !m_test.shows(place++, label++))
       ++from;
     return from;
   }
 
   int behindLastShown(int y, int z, int from, int to) const {
-    const std::size_t row = voxelOffset(m_dims, 0, y, z);
-    if (from < to && !m_test.mayShow(row + static_cast<std::size_t>(from), to - from))
+    if (from < to && !m_test.mayShow(placeOf(from, y, z), to - from))
       return from;
-    while (to > from && !m_test.shows(row + static_cast<std::size_t>(to - 1)))
+    std::size_t place = placeOf(to, y, z);
+    std::size_t label = voxelOffset(m_dims, to, y, z);
+    while (to > from && !m_test.shows(--place, --label))
       --to;
     return to;
+  }
+
+  std::size_t placeOf(int x, int y, int z) const {
+    return voxelOffset(m_held.upper - m_held.lower, x - m_held.lower.x, y - m_held.lower.y,
+                       z - m_held.lower.z);
   }
 
   void requireNotCancelled() const {
@@ -177,6 +188,7 @@ private:
 
   const VoxelTest<T>& m_test;
   glm::ivec3 m_dims;
+  VoxelBox m_held;
   VoxelBox m_box;
   const Effort& m_effort;
 };
@@ -186,17 +198,38 @@ private:
 IndexBox visibleBox(const Scene& scene, const Effort& effort) {
   const Grid& grid = scene.volume->grid();
   const IndexBox cropped = croppedBox(grid, scene.crop);
+  const VolumePart* part = scene.volume->part().get();
   const std::optional<VoxelBox> found =
-      visitVoxels(*scene.volume, [&]<class T>(const StoredVoxels<T>& stored) {
-        const VoxelTest<T> test(scene, stored);
-        return Shrinking<T>(test, grid.dims, croppedVoxels(grid, scene.crop), effort).box();
-      });
+      part ? part->visible(scene) : visibleVoxels(scene, croppedVoxels(grid, scene.crop), effort);
   if (!found)
     return cropped;
   // A voxel owns half of the way to its neighbours; one more on each side.
   const glm::dvec3 centre = centreIndex(grid);
   return {glm::max(glm::dvec3(found->lower) - 1.5 - centre, cropped.lower),
           glm::min(glm::dvec3(found->upper) + 0.5 - centre, cropped.upper)};
+}
+
+std::optional<VoxelBox> visibleVoxels(const Scene& scene, const VoxelBox& within, const Effort& effort) {
+  if (isEmpty(within))
+    return std::nullopt;
+  const Volume& volume = *scene.volume;
+  const VoxelBox held = volume.part() ? volume.part()->box : allVoxels(volume.grid());
+  const auto look = [&]<class T>(const StoredVoxels<T>& stored) {
+    const VoxelTest<T> test(scene, stored);
+    return Shrinking<T>(test, volume.grid().dims, held, within, effort).box();
+  };
+  return std::visit(look, volume.stored());
+}
+
+VisibleVoxels joined(const VisibleVoxels& a, const VisibleVoxels& b) {
+  if (!a.box || !b.box)
+    return a.box ? a : b;
+  return {VoxelBox{glm::min(a.box->lower, b.box->lower), glm::max(a.box->upper, b.box->upper)}};
+}
+
+VoxelBox intersection(const VoxelBox& a, const VoxelBox& b) {
+  const glm::ivec3 lower = glm::max(a.lower, b.lower);
+  return {lower, glm::max(lower, glm::min(a.upper, b.upper))};
 }
 
 } // namespace limn

@@ -2,6 +2,7 @@
 #include "scene/light/Gradient.h"
 
 #include "scene/light/ModulusSearch.h"
+#include "scene/volume/VolumePart.h"
 
 namespace limn {
 
@@ -37,19 +38,42 @@ double gradientPercentile(const Volume& volume, double percent, const Effort& ef
 }
 
 double steepness(const Volume& volume) {
+  return steepness(volume, latticeModuli(volume, allVoxels(volume.grid())));
+}
+
+LatticeModuli latticeModuli(const Volume& volume, const VoxelBox& of) {
   constexpr int mostPerAxis = 32;
-  const glm::ivec3 dims = volume.grid().dims;
-  const glm::ivec3 stride = (dims + mostPerAxis - 1) / mostPerAxis;
-  const EligibleVoxels eligible(volume);
-  std::vector<double> moduli;
-  visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
-    const Stencil<T> stencil{volume, stored};
-    for (int k = stride.z / 2; k < dims.z; k += stride.z)
-      for (int j = stride.y / 2; j < dims.y; j += stride.y)
-        for (int i = stride.x / 2; i < dims.x; i += stride.x)
-          if (eligible.has(i, j, k))
-            moduli.push_back(stencil.modulus(i, j, k));
-  });
+  const glm::ivec3 stride = (volume.grid().dims + mostPerAxis - 1) / mostPerAxis;
+  // The lattice is the whole volume's: the first of its places at or above the lower end.
+  const glm::ivec3 steps = glm::max(of.lower - stride / 2 + stride - 1, glm::ivec3(0)) / stride;
+  const glm::ivec3 first = stride / 2 + steps * stride;
+  LatticeModuli lattice;
+  const auto look = [&](const Volume& held, const glm::ivec3& lower) {
+    const EligibleVoxels eligible(held);
+    visitVoxels(held, [&]<class T>(const StoredVoxels<T>& stored) {
+      const Stencil<T> stencil{held, stored};
+      for (int k = first.z - lower.z; k < of.upper.z - lower.z; k += stride.z)
+        for (int j = first.y - lower.y; j < of.upper.y - lower.y; j += stride.y)
+          for (int i = first.x - lower.x; i < of.upper.x - lower.x; i += stride.x)
+            if (eligible.has(i, j, k))
+              lattice.moduli.push_back(stencil.modulus(i, j, k));
+    });
+  };
+  if (volume.part())
+    look(volume.held(), volume.part()->box.lower);
+  else
+    look(volume, glm::ivec3(0));
+  return lattice;
+}
+
+LatticeModuli joined(const LatticeModuli& a, const LatticeModuli& b) {
+  LatticeModuli both = a;
+  both.moduli.insert(both.moduli.end(), b.moduli.begin(), b.moduli.end());
+  return both;
+}
+
+double steepness(const Volume& volume, LatticeModuli lattice) {
+  std::vector<double>& moduli = lattice.moduli;
   if (moduli.empty())
     return 0.0;
   const auto rank =

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 namespace limn {
 
@@ -108,6 +110,21 @@ double gradientPercentile(const Volume& volume, double percent, const Effort& ef
 /// What the field commonly changes by at most, value/mm: the 99th percentile of the gradient modulus over a
 /// lattice of at most 32 voxels along each axis. A quick look, for choosing between methods.
 double steepness(const Volume& volume);
+
+/// The moduli over the lattice, in units of `modulusUnit`, from which steepness is found.
+struct LatticeModuli {
+  std::vector<double> moduli;
+  auto fields() { return std::tie(moduli); }
+};
+
+/// Of the voxels `of`; a volume that holds a part holds their neighbours, too.
+LatticeModuli latticeModuli(const Volume& volume, const VoxelBox& of);
+
+/// Of the voxels of both, which share none.
+LatticeModuli joined(const LatticeModuli& a, const LatticeModuli& b);
+
+/// The steepness of all voxels, of which these are the moduli in any order.
+double steepness(const Volume& volume, LatticeModuli lattice);
 
 /// The moduli that lighting needs: the largest, and the one that maps to r = 1.
 struct GradientScale {

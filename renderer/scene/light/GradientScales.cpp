@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/GradientScales.h"
 
-#include "scene/light/ModulusSearch.h"
-
 namespace limn {
 
 void GradientScales::setVolume(const std::shared_ptr<const Volume>& volume) {
@@ -30,6 +28,12 @@ GradientScale GradientScales::of(const Shading& shading, bool usesRatio, const E
   if (percentile && usesRatio)
     scale.reference = m_percentiles.at(percentile->percent);
   return scale;
+}
+
+void GradientScales::know(const FoundModuli& found, std::optional<double> percent) {
+  m_largest = found.largest;
+  if (percent)
+    m_percentiles.emplace(*percent, found.percentile);
 }
 
 } // namespace limn

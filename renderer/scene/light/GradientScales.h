@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/light/Gradient.h"
+#include "scene/light/ModulusSearch.h"
 
 #include <map>
 #include <memory>
@@ -17,6 +18,9 @@ public:
 
   /// As limn::gradientScale; where nothing reads the ratio of moduli, a percentile is not measured for it.
   GradientScale of(const Shading& shading, bool usesRatio, const Effort& effort = {});
+
+  /// What is known of the volume already: with a percent, that percentile, too.
+  void know(const FoundModuli& found, std::optional<double> percent);
 
 private:
   std::shared_ptr<const Volume> m_volume;

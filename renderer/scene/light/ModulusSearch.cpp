@@ -3,38 +3,23 @@
 
 #include "scene/light/Gradient.h"
 #include "scene/volume/RowPieces.h"
+#include "scene/volume/VolumePart.h"
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <mutex>
+#include <numeric>
 #include <type_traits>
 
 namespace limn {
 namespace {
 
-// Floats that are not negative order as their bits do.
-constexpr std::uint32_t bitsOfInfinity = 0x7f800000;
-
 // By how much less than a square could be its estimate, which a dozen roundings to float part from it.
 constexpr double estimateError = 1e-5;
-
-// Moduli, as bits of floats, among which an element is looked for. They are counted in classes of 2^shift.
-struct Window {
-  std::uint32_t mostClasses;
-  std::uint32_t first = 0;
-  std::uint32_t last = bitsOfInfinity;
-
-  int shift() const {
-    int bits = 0;
-    while ((last - first) >> bits >= mostClasses)
-      ++bits;
-    return bits;
-  }
-
-  std::size_t classes() const { return ((last - first) >> shift()) + std::size_t{1}; }
-};
 
 // A square less than which no estimate of a modulus at or above `modulus` is. Squares of very small numbers
 // are none in float: there none is sure.
@@ -46,7 +31,7 @@ float asFloat(std::uint32_t bits) {
   return std::bit_cast<float>(bits);
 }
 
-// What a pass finds; moduli in units of `modulusUnit`.
+// What one thread finds; moduli in units of `modulusUnit`.
 struct Moduli {
   double largest = 0.0;
   std::uint64_t eligible = 0;
@@ -128,9 +113,11 @@ private:
 template <class T>
 class Pass {
 public:
-  // Without a window only the largest is looked for. It is `largest` at least.
-  Pass(const Stencil<T>& stencil, const Window* window, double largest, Classes& classes)
-      : m_stencil(stencil), m_eligible(stencil.volume), m_window(window), m_classes(classes) {
+  // Without a window only the largest is looked for. It is `largest` at least. Columns are half open.
+  Pass(const Stencil<T>& stencil, int first, int end, const ModulusWindow* window, double largest,
+       Classes& classes)
+      : m_stencil(stencil), m_eligible(stencil.volume), m_firstColumn(first), m_endColumn(end),
+        m_window(window), m_classes(classes) {
     m_found.largest = largest;
     if (window) {
       m_shift = window->shift();
@@ -145,8 +132,8 @@ public:
     const RowEstimate<T> estimate(m_stencil, j, k);
     const bool isSafe = estimate.isSafe();
     float squares[EligibleVoxels::run];
-    for (int x = 0; x < m_stencil.dims.x; x += EligibleVoxels::run) {
-      const int count = std::min(EligibleVoxels::run, m_stencil.dims.x - x);
+    for (int x = m_firstColumn; x < m_endColumn; x += EligibleVoxels::run) {
+      const int count = std::min(EligibleVoxels::run, m_endColumn - x);
       const std::uint64_t eligible = m_eligible.from(x, j, k, count);
       m_found.eligible += static_cast<std::uint64_t>(std::popcount(eligible));
       estimate.squares(x, count, squares);
@@ -190,7 +177,8 @@ private:
 
   const Stencil<T>& m_stencil;
   EligibleVoxels m_eligible;
-  const Window* m_window;
+  int m_firstColumn, m_endColumn;
+  const ModulusWindow* m_window;
   Classes& m_classes;
   int m_shift = 0;
   // Squares: from which on a modulus could be in the window, behind it, or the largest.
@@ -201,46 +189,50 @@ private:
 };
 
 template <class T>
-Moduli passOver(const Stencil<T>& stencil, const Window* window, double largest, Classes& classes,
-                const Effort& effort) {
-  const RowPieces rows(stencil.dims);
-  Moduli all;
+ModulusCounts counted(const Stencil<T>& stencil, const VoxelBox& of, const ModulusWindow* window,
+                      double known, const Effort& effort) {
+  const RowPieces rows(of.upper - of.lower);
+  ModulusCounts all;
+  all.largest = known;
+  Classes classes(window ? window->classes() : 0);
   std::mutex mutex;
   shareOut(rows.pieces(), effort, [&](Pieces& pieces) {
-    Pass<T> pass(stencil, window, largest, classes);
+    Pass<T> pass(stencil, of.lower.x, of.upper.x, window, known, classes);
     for (int piece = pieces.next(); piece >= 0; piece = pieces.next())
-      rows.forEachRow(piece, [&pass](int j, int k) { pass.row(j, k); });
+      rows.forEachRow(piece, [&](int j, int k) { pass.row(of.lower.y + j, of.lower.z + k); });
+    const Moduli& found = pass.found();
     const std::lock_guard lock(mutex);
-    all.largest = std::max(all.largest, pass.found().largest);
-    all.eligible += pass.found().eligible;
-    all.above += pass.found().above;
-    all.zeros += pass.found().zeros;
+    all.largest = std::max(all.largest, found.largest);
+    all.eligible += found.eligible;
+    all.above += found.above;
+    if (window && window->first == 0)
+      classes.front() += found.zeros;
   });
-  if (window && window->first == 0)
-    classes.front() += all.zeros;
+  all.classes.assign(classes.begin(), classes.end());
   return all;
 }
 
-// Moduli of some voxels, each from another part of the volume.
+// Of so many voxels a part takes its share of the sample, in pieces of work.
+constexpr std::size_t mostSampled = 1 << 17;
+constexpr std::size_t sampledPerPiece = 1 << 12;
+
 template <class T>
-std::vector<float> sampleOf(const Stencil<T>& stencil, const Effort& effort) {
-  constexpr std::size_t most = 1 << 17;
-  constexpr std::size_t perPiece = 1 << 12;
-  const std::size_t voxels = stencil.stored.size();
-  if (voxels < 4 * most)
+std::vector<float> sampleOf(const Stencil<T>& stencil, const VoxelBox& of, int pieces, const Effort& effort) {
+  const glm::ivec3 size = of.upper - of.lower;
+  const std::size_t most = static_cast<std::size_t>(pieces) * sampledPerPiece;
+  const std::size_t part = static_cast<std::size_t>(size.x) * size.y * size.z / most;
+  if (part == 0)
     return {};
-  const std::size_t part = voxels / most;
   const EligibleVoxels eligible(stencil.volume);
   std::vector<float> sample(most, -1.0f);
-  const glm::ivec3 dims = stencil.dims;
-  forEachPiece(most / perPiece, {effort.threads, effort.isCancelled, {}}, [&](int piece) {
+  forEachPiece(pieces, {effort.threads, effort.isCancelled, {}}, [&](int piece) {
     std::uint32_t random = 2654435761u * static_cast<std::uint32_t>(piece + 1);
-    for (std::size_t n = piece * perPiece; n < (piece + 1) * perPiece; ++n) {
+    for (std::size_t n = piece * sampledPerPiece; n < (piece + 1) * sampledPerPiece; ++n) {
       random = 1664525u * random + 1013904223u;
       const std::size_t at = n * part + (random >> 8) % part;
-      const int i = static_cast<int>(at % dims.x);
-      const int j = static_cast<int>(at / dims.x % dims.y);
-      const int k = static_cast<int>(at / dims.x / dims.y);
+      const int i = of.lower.x + static_cast<int>(at % size.x);
+      const int j = of.lower.y + static_cast<int>(at / size.x % size.y);
+      const int k = of.lower.z + static_cast<int>(at / size.x / size.y);
       if (eligible.has(i, j, k))
         sample[n] = static_cast<float>(stencil.modulus(i, j, k));
     }
@@ -250,8 +242,8 @@ std::vector<float> sampleOf(const Stencil<T>& stencil, const Effort& effort) {
 }
 
 // Where the percentile most likely lies.
-Window likelyWindow(std::vector<float> sample, double percent, std::size_t voxels) {
-  Window window{static_cast<std::uint32_t>(std::clamp<std::size_t>(voxels, 1 << 10, 1 << 20))};
+ModulusWindow likelyWindow(std::vector<float> sample, double percent, std::size_t voxels) {
+  ModulusWindow window{static_cast<std::uint32_t>(std::clamp<std::size_t>(voxels, 1 << 10, 1 << 20))};
   if (sample.size() < 1024)
     return window;
   const auto bitsAt = [&sample](double rank) {
@@ -273,10 +265,8 @@ Window likelyWindow(std::vector<float> sample, double percent, std::size_t voxel
 
 // Narrows the window to the class that holds the element of a rank (from 1) among `eligible`, or moves it to
 // where it must be. True once it holds one number.
-bool narrow(Window& window, const Moduli& found, const Classes& classes, std::uint64_t rank) {
-  std::uint64_t inside = 0;
-  for (const auto& count : classes)
-    inside += count;
+bool narrow(ModulusWindow& window, const ModulusCounts& found, std::uint64_t rank) {
+  const std::uint64_t inside = std::accumulate(found.classes.begin(), found.classes.end(), std::uint64_t{0});
   const std::uint64_t below = found.eligible - found.above - inside;
   if (rank <= below) {
     window = {window.mostClasses, 0, window.first - 1};
@@ -284,54 +274,108 @@ bool narrow(Window& window, const Moduli& found, const Classes& classes, std::ui
   }
   rank -= below;
   if (rank > inside) {
-    window = {window.mostClasses, window.last + 1, bitsOfInfinity};
+    window = {window.mostClasses, window.last + 1, ModulusWindow::bitsOfInfinity};
     return false;
   }
   std::uint32_t bin = 0;
-  while (rank > classes[bin])
-    rank -= classes[bin++];
+  while (rank > found.classes[bin])
+    rank -= found.classes[bin++];
   const int shift = window.shift();
   window.first += bin << shift;
   window.last = std::min(window.last, window.first + ((1u << shift) - 1));
   return shift == 0;
 }
 
-template <class T>
-FoundModuli found(const Stencil<T>& stencil, std::optional<double> percent, const Effort& effort) {
-  const std::vector<float> sample = sampleOf(stencil, effort);
+// In units of `modulusUnit`.
+FoundModuli found(const ModulusLooks& looks, std::size_t voxels, std::optional<double> percent) {
+  const std::vector<float> sample = voxels < 4 * mostSampled ? std::vector<float>() : looks.sample().moduli;
   const double sampled = sample.empty() ? 0.0 : *std::max_element(sample.begin(), sample.end());
   // Less than the modulus that was rounded to this float.
   const double known = sampled > 1e-30 ? sampled * (1.0 - 1e-6) : 0.0;
-  if (!percent) {
-    Classes none;
-    return {passOver(stencil, nullptr, known, none, effort).largest, 0.0};
-  }
-  Window window = likelyWindow(sample, *percent, stencil.stored.size());
+  if (!percent)
+    return {looks.count(std::nullopt, known).largest, 0.0};
+  ModulusWindow window = likelyWindow(sample, *percent, voxels);
   for (;;) {
-    Classes classes(window.classes());
-    const Moduli moduli = passOver(stencil, &window, known, classes, effort);
-    if (moduli.eligible == 0)
+    const ModulusCounts counts = looks.count(window, known);
+    if (counts.eligible == 0)
       return {};
-    const double wanted = std::ceil(*percent / 100.0 * static_cast<double>(moduli.eligible));
+    const double wanted = std::ceil(*percent / 100.0 * static_cast<double>(counts.eligible));
     const auto rank =
-        static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(moduli.eligible)));
-    if (narrow(window, moduli, classes, rank))
-      return {moduli.largest, asFloat(window.first)};
+        static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(counts.eligible)));
+    if (narrow(window, counts, rank))
+      return {counts.largest, asFloat(window.first)};
   }
+}
+
+// Calls `function(stencil, box)` with what is held and the voxels `of` in it.
+template <class Function>
+auto withStencil(const Volume& volume, const VoxelBox& of, const Function& function) {
+  const auto look = [&](const Volume& held, const VoxelBox& box) {
+    return visitVoxels(held, [&]<class T>(const StoredVoxels<T>& stored) {
+      return function(Stencil<T>{held, stored}, box);
+    });
+  };
+  return volume.part() ? look(volume.held(), movedInto(of, volume.part()->box)) : look(volume, of);
 }
 
 } // namespace
 
-FoundModuli findModuli(const Volume& volume, std::optional<double> percent, const Effort& effort) {
-  const bool wantsLargest = percent && *percent >= 100.0;
-  FoundModuli result = visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
-    return found(Stencil<T>{volume, stored}, wantsLargest ? std::nullopt : percent, effort);
+int ModulusWindow::shift() const {
+  int bits = 0;
+  while ((last - first) >> bits >= mostClasses)
+    ++bits;
+  return bits;
+}
+
+ModulusCounts joined(const ModulusCounts& a, const ModulusCounts& b) {
+  ModulusCounts both{std::max(a.largest, b.largest), a.eligible + b.eligible, a.above + b.above, a.classes};
+  std::transform(b.classes.begin(), b.classes.end(), both.classes.begin(), both.classes.begin(),
+                 std::plus<>());
+  return both;
+}
+
+ModulusSample joined(const ModulusSample& a, const ModulusSample& b) {
+  ModulusSample both = a;
+  both.moduli.insert(both.moduli.end(), b.moduli.begin(), b.moduli.end());
+  return both;
+}
+
+ModulusSample sampledModuli(const Volume& volume, const VoxelBox& of, const Effort& effort) {
+  if (isEmpty(of))
+    return {};
+  const glm::dvec3 share = glm::dvec3(of.upper - of.lower) / glm::dvec3(volume.grid().dims);
+  const double pieces = share.x * share.y * share.z * (mostSampled / sampledPerPiece);
+  return withStencil(volume, of, [&](const auto& stencil, const VoxelBox& box) {
+    return ModulusSample{sampleOf(stencil, box, std::max(1, static_cast<int>(pieces)), effort)};
   });
+}
+
+ModulusCounts countedModuli(const Volume& volume, const VoxelBox& of,
+                            const std::optional<ModulusWindow>& window, double known, const Effort& effort) {
+  if (isEmpty(of))
+    return {known, 0, 0, std::vector<std::uint64_t>(window ? window->classes() : 0)};
+  return withStencil(volume, of, [&](const auto& stencil, const VoxelBox& box) {
+    return counted(stencil, box, window ? &*window : nullptr, known, effort);
+  });
+}
+
+FoundModuli findModuliBy(const ModulusLooks& looks, const Volume& volume, std::optional<double> percent) {
+  const bool wantsLargest = percent && *percent >= 100.0;
+  FoundModuli result = found(looks, volume.voxelCount(), wantsLargest ? std::nullopt : percent);
   if (wantsLargest)
     result.percentile = result.largest;
   result.largest *= modulusUnit(volume);
   result.percentile *= modulusUnit(volume);
   return result;
+}
+
+FoundModuli findModuli(const Volume& volume, std::optional<double> percent, const Effort& effort) {
+  const VoxelBox all = allVoxels(volume.grid());
+  return findModuliBy({[&] { return sampledModuli(volume, all, effort); },
+                       [&](const std::optional<ModulusWindow>& window, double known) {
+                         return countedModuli(volume, all, window, known, effort);
+                       }},
+                      volume, percent);
 }
 
 } // namespace limn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Histogram.h"
 
+#include "scene/volume/VolumePart.h"
+
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -14,9 +16,10 @@ namespace {
 
 // The scalar distance between neighbouring stored values, 0 for floating-point data.
 double quantumOf(const Volume& volume) {
-  return visitVoxels(volume, [&]<class T>(const StoredVoxels<T>&) {
+  const auto quantum = [&]<class T>(const StoredVoxels<T>&) {
     return std::is_integral_v<T> ? std::abs(volume.rescale().slope) : 0.0;
-  });
+  };
+  return std::visit(quantum, volume.stored());
 }
 
 } // namespace
@@ -50,6 +53,10 @@ Histogram histogramOf(const Volume& volume, int mostBins, const Effort& effort) 
     histogram.counts[binOf(known.first + static_cast<int>(i))] += known.counts[i];
   if (!known.counts.empty())
     return histogram;
+  if (volume.part()) {
+    histogram.counts = volume.part()->binCounts(volume, mostBins).counts;
+    return histogram;
+  }
   const VoxelMask& invalid = volume.invalidMask();
   std::mutex mutex;
   visitVoxels(volume, [&](const auto& stored) {

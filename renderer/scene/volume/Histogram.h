@@ -18,7 +18,8 @@ struct Histogram {
 
 /// Counts every valid voxel of `volume` once, in at most `mostBins` > 0 bins from the lowest to the highest
 /// scalar. Bins of integer data are centred on values and hold equally many of them each, so that no comb
-/// appears; a constant volume has one bin. Costs a pass over voxels of more than 16 bits, of others none.
+/// appears; a constant volume has one bin. Costs a pass over voxels of more than 16 bits, of others none; of
+/// a volume in parts (VolumePart.h) each process counts its own.
 Histogram histogramOf(const Volume& volume, int mostBins = 1024, const Effort& effort = {});
 
 /// The bins of histogramOf, empty.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Volume.h"
 
+#include "scene/volume/VolumePart.h"
+
 #include <array>
 #include <cassert>
 #include <cctype>
@@ -60,16 +62,27 @@ struct ValidVoxels {
   StoredCounts counts; ///< of the valid
 };
 
-// Of scalars, from those of stored values.
-ValueRange rangeOf(const ValidVoxels& voxels, const Rescale& rescale) {
-  const double a = rescale.slope * voxels.smallest + rescale.intercept;
-  const double b = rescale.slope * voxels.largest + rescale.intercept;
+// Of scalars, from the extremes of stored values.
+ValueRange rangeOf(double smallest, double largest, const Rescale& rescale) {
+  const double a = rescale.slope * smallest + rescale.intercept;
+  const double b = rescale.slope * largest + rescale.intercept;
   const ValueRange range = rescale.slope >= 0.0 ? ValueRange{a, b} : ValueRange{b, a};
   if (!(range.lowest >= -largestScalar && range.highest <= largestScalar))
     throw Error(Error::Kind::input,
                 Message::tr("The volume's values are not finite or beyond 1e300 after rescaling; its slope, "
                             "its intercept or its voxels are damaged."));
   return range;
+}
+
+void requireValid(std::size_t invalid, std::size_t voxels) {
+  if (invalid == voxels)
+    throw Error(Error::Kind::input,
+                Message::tr("The volume holds no valid voxel: every value is NaN, infinite or declared "
+                            "padding; check that the right series was chosen."));
+}
+
+std::size_t voxelsIn(const glm::ivec3& dims) {
+  return static_cast<std::size_t>(dims.x) * dims.y * dims.z;
 }
 
 void requireUsableGrid(const Grid& grid, std::size_t voxels) {
@@ -81,7 +94,7 @@ void requireUsableGrid(const Grid& grid, std::size_t voxels) {
           Error::Kind::input,
           Message::tr("The volume's voxel spacing is not a positive number; give it with --spacing X,Y,Z."));
   }
-  const auto expected = static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z;
+  const std::size_t expected = voxelsIn(grid.dims);
   if (expected != voxels)
     throw Error(Error::Kind::input, Message::tr("The volume has %1 voxels where its dimensions ask for %2; "
                                                 "the file is truncated or its header is wrong.")
@@ -223,10 +236,7 @@ ValidVoxels sanitised(StoredVoxels<T>& stored, const Rescale& rescale,
     extremes = extremesOf<T>(countsOfAll(found, effort), padding, result.counts);
   else
     extremes = extremesOf(found, padding, effort);
-  if (extremes.invalid == stored.size())
-    throw Error(Error::Kind::input,
-                Message::tr("The volume holds no valid voxel: every value is NaN, infinite or declared "
-                            "padding; check that the right series was chosen."));
+  requireValid(extremes.invalid, stored.size());
   result.smallest = static_cast<double>(extremes.smallest);
   result.largest = static_cast<double>(extremes.largest);
   result.invalidVoxels = extremes.invalid;
@@ -269,10 +279,39 @@ Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<Padd
   ValidVoxels valid =
       std::visit([&](auto& voxels) { return sanitised(voxels, m_rescale, padding, effort, m_room); }, stored);
   m_stored = std::make_shared<const VoxelArray>(std::move(stored));
-  m_range = rangeOf(valid, m_rescale);
+  m_range = rangeOf(valid.smallest, valid.largest, m_rescale);
   m_invalidVoxels = valid.invalidVoxels;
   m_invalid = std::move(valid.invalid);
   m_counts = std::move(valid.counts);
+}
+
+Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, VolumeInfo info, const VoxelFacts& facts,
+               std::shared_ptr<const VolumePart> part, const Effort& effort, std::shared_ptr<Room> room)
+    : m_grid(grid), m_rescale(rescale), m_info(std::move(info)), m_room(std::move(room)),
+      m_part(std::move(part)) {
+  const auto voxels = std::visit([](const auto& array) { return array.size(); }, stored);
+  requireUsableGrid(partOf(m_grid, m_part->box), voxels);
+  requireValid(facts.invalid, voxelsIn(m_grid.dims));
+  m_range = rangeOf(facts.smallest, facts.largest, m_rescale);
+  m_invalidVoxels = facts.invalid;
+  m_counts = facts.counts;
+  if (m_invalidVoxels > 0)
+    std::visit(
+        [&]<class T>(StoredVoxels<T>& array) {
+          const auto replacement = static_cast<T>(m_rescale.slope >= 0.0 ? facts.smallest : facts.largest);
+          m_invalid = replaceInvalid(array.writable(m_room), std::nullopt, replacement, effort, m_room);
+        },
+        stored);
+  m_stored = std::make_shared<const VoxelArray>(std::move(stored));
+}
+
+Volume Volume::held() const {
+  Volume held = *this;
+  if (m_part) {
+    held.m_grid = partOf(m_grid, m_part->box);
+    held.m_part = nullptr;
+  }
+  return held;
 }
 
 Volume Volume::placed(const Grid& grid, VolumeInfo info) const {
@@ -284,10 +323,11 @@ Volume Volume::placed(const Grid& grid, VolumeInfo info) const {
 }
 
 std::size_t Volume::voxelCount() const {
-  return std::visit([](const auto& voxels) { return voxels.size(); }, *m_stored);
+  return voxelsIn(m_grid.dims);
 }
 
 double Volume::value(const glm::ivec3& index) const {
+  assert(!m_part);
   const std::size_t offset = voxelOffset(m_grid.dims, index.x, index.y, index.z);
   return std::visit(
       [&](const auto& voxels) {

@@ -8,6 +8,7 @@
 #include "scene/volume/Grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -177,6 +178,9 @@ struct VolumeInfo {
   PatientLabel patient;
 };
 
+struct VoxelFacts; // scene/volume/VolumePart.h
+struct VolumePart;
+
 /// A grid of scalars, immutable once made. Every voxel is finite: invalid ones were replaced by the smallest
 /// valid value (DEFINITION section 1).
 class Volume {
@@ -189,7 +193,20 @@ public:
   Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding, VolumeInfo info,
          const Effort& effort = {}, std::shared_ptr<Room> room = {});
 
+  /// One of which `stored` is a part alone, the voxels of `part->box`, made valid likewise. `facts` are those
+  /// of all voxels: what the volume tells of itself is the same whatever part is held. Throws as above.
+  Volume(Grid grid, VoxelArray stored, Rescale rescale, VolumeInfo info, const VoxelFacts& facts,
+         std::shared_ptr<const VolumePart> part, const Effort& effort = {}, std::shared_ptr<Room> room = {});
+
   const Grid& grid() const { return m_grid; }
+
+  /// Null where all voxels are held, as a rule. Where they are not, voxels are found through this alone.
+  const std::shared_ptr<const VolumePart>& part() const { return m_part; }
+
+  /// What is held, as a volume of its own whose range is the whole's, in its place in the world; the volume
+  /// itself where all is held.
+  Volume held() const;
+
   const VoxelArray& stored() const { return *m_stored; }
 
   /// Whether both show the same voxels, wherever they lie.
@@ -209,7 +226,8 @@ public:
   /// Set where the file's value was invalid; empty where all are valid.
   const VoxelMask& invalidMask() const { return m_invalid; }
 
-  /// Of voxels stored in 8 or 16 bits, counted by the pass that found their range; empty otherwise.
+  /// Of voxels stored in 8 or 16 bits, counted by the pass that found their range; empty otherwise. Of all,
+  /// like range and number of invalid ones, also where a part is held.
   const StoredCounts& storedCounts() const { return m_counts; }
 
   /// Where all that is made of this volume and grows with its voxels belongs; null: in memory.
@@ -232,6 +250,7 @@ private:
   VoxelMask m_invalid;
   StoredCounts m_counts;
   std::shared_ptr<Room> m_room;
+  std::shared_ptr<const VolumePart> m_part;
 };
 
 /// Position of voxel (i, j, k) in the stored array.
@@ -245,6 +264,7 @@ std::string voxelTypeName(const VoxelArray& stored);
 /// Calls `function(const StoredVoxels<T>& stored)` with the array in its own type.
 template <class Function>
 decltype(auto) visitVoxels(const Volume& volume, Function&& function) {
+  assert(!volume.part()); // its array does not fill its grid
   return std::visit(std::forward<Function>(function), volume.stored());
 }
 

@@ -38,16 +38,29 @@ TEST_F(CanvasFixture, arrowsMoveByOneUnitOrAHundredthShiftTimesTenAltATenth) {
   }
 }
 
-TEST_F(CanvasFixture, eachKeyPressIsAGestureAndAKeyHeldDownIsOne) {
+TEST_F(CanvasFixture, arrowsAlongOneAxisAreOneGestureUntilSomethingElseHappens) {
+  const auto idOf = [&](Qt::Key key) {
+    const std::size_t before = m_edits.size();
+    QTest::keyClick(&m_canvas, key);
+    EXPECT_EQ(m_edits.size(), before + 1);
+    return m_edits.back().second.id;
+  };
   m_canvas.selectPoints({2});
-  QTest::keyClick(&m_canvas, Qt::Key_Right);
-  QTest::keyClick(&m_canvas, Qt::Key_Right);
-  ASSERT_EQ(m_edits.size(), 2u);
-  EXPECT_NE(m_edits[0].second.id, m_edits[1].second.id);
+  const auto first = idOf(Qt::Key_Right);
+  EXPECT_EQ(idOf(Qt::Key_Right), first);
   QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, QString(), true);
   QApplication::sendEvent(&m_canvas, &repeat);
-  ASSERT_EQ(m_edits.size(), 3u);
-  EXPECT_EQ(m_edits[2].second.id, m_edits[1].second.id);
+  EXPECT_EQ(m_edits.back().second.id, first);
+  EXPECT_EQ(idOf(Qt::Key_Left), first);
+  const auto upwards = idOf(Qt::Key_Up);
+  EXPECT_NE(upwards, first) << "another axis";
+  EXPECT_EQ(idOf(Qt::Key_Down), upwards);
+  m_canvas.selectPoints({1});
+  const auto other = idOf(Qt::Key_Up);
+  EXPECT_NE(other, upwards) << "another point";
+  m_canvas.setTransferFunction(sampleFunction()); // as undo does
+  m_canvas.selectPoints({1});
+  EXPECT_NE(idOf(Qt::Key_Up), other) << "something else in between";
 }
 
 TEST_F(CanvasFixture, deleteRemovesTheSelectionAndOnePointAlwaysStays) {

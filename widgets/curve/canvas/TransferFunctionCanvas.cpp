@@ -384,11 +384,14 @@ void TransferFunctionCanvas::doKey(CurveKey key, const QKeyEvent& event) {
 }
 
 void TransferFunctionCanvas::nudge(const QKeyEvent& event) {
-  // A key held down is one gesture.
-  if (!event.isAutoRepeat())
-    m_keyGestureId = nextGestureId();
+  // Keys are one gesture like a drag, until another point is in hand or something else has changed the curve.
   const QPointF arrow = arrowOf(event);
-  apply(nudged(m_plot, arrow.x(), arrow.y(), shownDecimals()), m_keyGestureId);
+  const bool isAcross = arrow.x() != 0.0;
+  const bool goesOn = m_nudged.gestureId != 0 && isAcross == m_nudged.isAcross &&
+                      m_plot.function == m_nudged.function && m_plot.selected == m_nudged.selected;
+  const std::uint64_t gesture = goesOn ? m_nudged.gestureId : nextGestureId();
+  apply(nudged(m_plot, arrow.x(), arrow.y(), shownDecimals()), gesture);
+  m_nudged = {gesture, isAcross, m_plot.function, m_plot.selected};
 }
 
 void TransferFunctionCanvas::keyReleaseEvent(QKeyEvent* event) {

@@ -146,7 +146,13 @@ private:
   std::optional<double> m_hoveredValue;
   std::optional<std::size_t>
       m_addedByPress; ///< so that a double click on the curve does not also open details
-  std::uint64_t m_keyGestureId = 0;
+  // What the last arrow key left; the next one along the same axis goes on from it as one gesture.
+  struct Nudged {
+    std::uint64_t gestureId = 0;
+    bool isAcross = false;
+    TransferFunction function;
+    PointIndices selected;
+  } m_nudged;
   bool m_spaceHeld = false;
 };
 

@@ -9,9 +9,9 @@
 
 namespace limn {
 
-/// Keeps the camera fitted to what is visible (DEFINITION section 8). Pictures that change their shape show
-/// as much as before; a picture that was framed is framed anew when crop or kept region change, once no
-/// button is held. A camera that came with its scene stays until something is done.
+/// Keeps the camera fitted to what is visible (DEFINITION section 8): pictures that change their shape show
+/// as much as before. A camera that came with its scene stays until something is done, and no edit of curve,
+/// crop or kept region moves it: who works must not lose what is under the pointer.
 class CameraFit : public QObject {
   Q_OBJECT
 
@@ -34,18 +34,11 @@ public:
 signals:
   void cameraEdited(const limn::Camera& camera);
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
-  bool isFramedNow();
-  void frameAnew();
-
   Scene m_scene;
   std::optional<IndexBox> m_box; ///< of the scene; none: not looked for yet
   double m_aspect = 1.0;
   std::optional<double> m_settledAspect; ///< to which the camera belongs
-  bool m_isDue = false;                  ///< to be framed when no button is held
 };
 
 } // namespace limn

@@ -4,10 +4,16 @@
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
+#include "scene/basics/Descriptor.h"
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 
 namespace limn {
 namespace {
@@ -78,6 +84,21 @@ RoomVector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, c
   }
   reportOrStop(progress, 1.0, Message::tr("Reading voxels"));
   return voxels;
+}
+
+// So many bytes from a place in a file on.
+void readAt(const fs::path& path, const Descriptor& file, std::uint64_t from, unsigned char* to,
+            std::size_t bytes) {
+  while (bytes > 0) {
+    const ssize_t got = ::pread(file.number(), to, bytes, static_cast<off_t>(from));
+    if (got < 0 && errno == EINTR)
+      continue;
+    if (got <= 0)
+      failReading(path, Message::tr("its voxels end early"), copyAgain);
+    from += static_cast<std::uint64_t>(got);
+    to += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
 }
 
 // Of the voxels as they are kept: colours are one value then.
@@ -262,16 +283,41 @@ bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const Me
     using Stored = decltype(value);
     if constexpr (std::is_same_v<Stored, Kept<Stored>>)
       if (location.encoding == Encoding::raw && layout.components == 1 &&
-          bytesKept(layout) > budget.voxelBytes() && (isNative || sizeof(Stored) == 1) &&
+          bytesKept(layout) > budget.unmappedBytes() && (isNative || sizeof(Stored) == 1) &&
           offset % alignof(Stored) == 0) {
         parts.room = std::make_shared<Room>();
         const auto bytes = parts.room->mapped(location.file, offset, bytesOf(layout));
         const auto* first = reinterpret_cast<const Stored*>(bytes.get());
         parts.stored = StoredVoxels<Stored>(std::span(first, layout.count), bytes);
+        parts.mapped = ByteLocation{location.file, offset};
         return true;
       }
     return false;
   });
+}
+
+VoxelArray readBox(const ByteLocation& mapped, const VoxelArray& all, const glm::ivec3& dims,
+                   const VoxelBox& box, const std::shared_ptr<Room>& room) {
+  const Descriptor file(::open(mapped.file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0)
+    failReading(mapped.file, std::strerror(errno), Message::tr("check the name and the right to read it"));
+  const auto read = [&]<class T>(const StoredVoxels<T>&) -> VoxelArray {
+    const glm::ivec3 size = box.upper - box.lower;
+    RoomVector<T> voxels(static_cast<std::size_t>(size.x) * size.y * size.z, room);
+    // What lies together in the file is read together.
+    const bool isRowWhole = size.x == dims.x;
+    const int rowsTogether = isRowWhole ? size.y : 1;
+    T* to = voxels.data();
+    for (int z = box.lower.z; z < box.upper.z; ++z)
+      for (int y = box.lower.y; y < box.upper.y; y += rowsTogether) {
+        const std::size_t count = static_cast<std::size_t>(size.x) * rowsTogether;
+        const std::uint64_t from = mapped.offset + sizeof(T) * voxelOffset(dims, box.lower.x, y, z);
+        readAt(mapped.file, file, from, reinterpret_cast<unsigned char*>(to), count * sizeof(T));
+        to += count;
+      }
+    return StoredVoxels<T>(std::move(voxels));
+  };
+  return std::visit(read, all);
 }
 
 void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -22,7 +23,8 @@ struct VolumeParts {
   VoxelArray stored;
   Rescale rescale;
   VolumeInfo info;
-  std::shared_ptr<Room> room; ///< where `stored` lies; null: in memory
+  std::shared_ptr<Room> room;         ///< where `stored` lies; null: in memory
+  std::optional<ByteLocation> mapped; ///< where the first of them lies in a file, where they were mapped
 };
 
 /// The number types that files store; 64-bit integers become double.
@@ -80,6 +82,12 @@ void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const M
 /// Returns whether it did.
 bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
                VolumeParts& parts);
+
+/// The voxels of a box, read from where others of the same type are mapped, without a look at those around
+/// it; in `room`, or in memory where there is none. Throws Error, naming the file, where it became shorter;
+/// what Room does.
+VoxelArray readBox(const ByteLocation& mapped, const VoxelArray& all, const glm::ivec3& dims,
+                   const VoxelBox& box, const std::shared_ptr<Room>& room);
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);

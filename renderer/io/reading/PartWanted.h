@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/basics/MemoryBudget.h"
+#include "scene/volume/VolumePart.h"
+
+#include <functional>
+
+namespace limn {
+
+/// Which voxels of a volume one of several processes holds, and how it learns what others found of theirs.
+struct PartWanted {
+  struct Share {
+    VoxelBox
+        held; ///< what is read, where it fits into `memory`; otherwise all stay where they are on the disk
+    VoxelBox own; ///< within it; of all processes each voxel is one's own
+  };
+  std::function<Share(const Grid& grid)> share;
+  MemoryBudget memory;
+
+  /// What all processes found of their own voxels, given what this one did; called once. May throw.
+  std::function<VoxelFacts(const VoxelFacts& own)> joined;
+
+  /// Handed on to the volume (VolumePart).
+  std::function<BinCounts(const Volume&, int mostBins)> binCounts;
+  std::function<std::optional<VoxelBox>(const Scene&)> visible;
+};
+
+} // namespace limn
