@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/CameraController.h"
 
+#include "app/picture/TurnCentre.h"
 #include "app/window/WindowContext.h"
 #include "scene/framing/Framing.h"
 #include "widgets/Gesture.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
+
+#include <QStatusBar>
 
 namespace limn {
+namespace {
+
+constexpr int saidForMs = 6000;
+
+} // namespace
 
 CameraController::CameraController(WindowContext& context) : QObject(&context.window), m_context(context) {
   addActions();
   connect(&context.view, &CompareView::cameraEdited, this, &CameraController::move);
   connect(&context.view, &CompareView::cameraFitted, this,
           [this](const Camera& camera) { m_context.document.fitCamera(camera); });
+  connect(&context.view.input(), &ViewInput::turnAboutRequested, this, &CameraController::turnAboutSeen);
+  connect(&context.view.input(), &ViewInput::cameraReset, this,
+          [this] { m_context.view.setTurnsAbout(std::nullopt); });
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
 
@@ -45,6 +57,21 @@ void CameraController::addActions() {
   showSteps();
 }
 
+void CameraController::turnAbout(const std::optional<glm::dvec3>& worldMm) {
+  m_context.view.setTurnsAbout(worldMm);
+  m_context.window.statusBar()->showMessage(
+      worldMm ? tr("Turns go about what is seen there. R resets the camera and ends that.")
+              : tr("Turns go about the middle of the view."),
+      saidForMs);
+}
+
+void CameraController::turnAboutSeen(const Ray& ray, int side) {
+  if (const TurnCentre centre = turnCentreAlong(m_context.view, ray, side); centre.placeMm)
+    turnAbout(centre.placeMm);
+  else
+    m_context.window.statusBar()->showMessage(centre.reason, saidForMs);
+}
+
 SeenFrom CameraController::now() const {
   return {m_context.session.scene().camera, m_context.view.pictureAspect()};
 }
@@ -72,6 +99,7 @@ void CameraController::showScene(const Scene& scene) {
     return;
   m_volume = scene.volume;
   m_history.clear();
+  m_context.view.setTurnsAbout(std::nullopt);
   showSteps();
 }
 

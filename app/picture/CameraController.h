@@ -16,15 +16,20 @@ struct Scene;
 struct WindowContext;
 
 /// From where the picture is seen: follows the gestures of the view, goes back to the camera before the last
-/// of them and forward again, and chooses between a vanishing point and parallel rays. No undo steps.
+/// of them and forward again, has turns go about a place that was pointed at until the camera is reset, and
+/// chooses between a vanishing point and parallel rays. No undo steps.
 class CameraController : public QObject {
   Q_OBJECT
 
 public:
   explicit CameraController(WindowContext& context);
 
+  /// From now on turns go about this place, world mm, or about the camera's target; says so.
+  void turnAbout(const std::optional<glm::dvec3>& worldMm);
+
 private:
   void addActions();
+  void turnAboutSeen(const Ray& ray, int side);
   void move(const Camera& camera, std::uint64_t gesture);
   /// Goes to what the history gave; nothing where it gave nothing.
   void goTo(const std::optional<SeenFrom>& there);

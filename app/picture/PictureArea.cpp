@@ -73,7 +73,7 @@ void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
 PictureArea::PictureArea(WindowContext& context)
     : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
       m_status(*context.window.statusBar()), m_camera(context), m_comparison(context), m_engines(context),
-      m_regions(context), m_orientation(context), m_planes(context) {
+      m_regions(context), m_orientation(context), m_planes(context), m_menu(context) {
   addTools();
   addCopying();
   const CompareView* view = &context.view;
@@ -87,6 +87,8 @@ PictureArea::PictureArea(WindowContext& context)
   connect(&m_planes, &PlaneController::probed, this, [this](const std::optional<Probe>& probe) {
     m_status.showProbe(probe, m_context.session.scene().volume.get());
   });
+  connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
+  connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {
     m_context.view.setScene(scene); // ends a preview
     m_context.view.setPreview({});

@@ -5,6 +5,7 @@
 #include "app/picture/ComparisonController.h"
 #include "app/picture/EngineController.h"
 #include "app/picture/OrientationController.h"
+#include "app/picture/PictureMenu.h"
 #include "app/picture/PlaneController.h"
 #include "app/picture/RegionController.h"
 
@@ -70,6 +71,7 @@ private:
   RegionController m_regions;
   OrientationController m_orientation;
   PlaneController m_planes;
+  PictureMenu m_menu; ///< of what those before it offer
 };
 
 } // namespace limn

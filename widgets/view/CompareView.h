@@ -89,6 +89,13 @@ public:
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
+  /// Turns go about this place of the world from now on, which is marked while one lasts; nothing: about the
+  /// camera's target, as at first.
+  void setTurnsAbout(const std::optional<glm::dvec3>& worldMm) {
+    set(m_order.comparison.turnsAboutMm, worldMm);
+  }
+  const std::optional<glm::dvec3>& turnsAbout() const { return m_order.comparison.turnsAboutMm; }
+
   /// What reads pointer and keys.
   const ViewInput& input() const { return *m_input; }
 
@@ -182,6 +189,7 @@ protected:
   void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
   template <class T>

@@ -78,6 +78,7 @@ ViewCommand commandOf(const QKeyEvent& event);
 struct ViewFrame {
   std::function<IndexBox()> visibleBox;
   double aspect = 1.0;
+  std::optional<glm::dvec3> turnsAbout = {}; ///< world; absent: the target
 };
 
 /// The camera that a command asks for, of this volume; nothing where the command moves none.
@@ -109,6 +110,8 @@ public:
   void doubleClick(const QMouseEvent& event);
   void turnWheel(QWheelEvent& event);
   void leave();
+  /// As a right click there does, logical pixels.
+  void askForMenu(const QPointF& point);
   /// False where the command asks nothing of this view. `timestampMs` is when its key was pressed: presses in
   /// a row are one gesture. Without, it is a gesture of its own.
   bool obey(const ViewCommand& command, std::optional<std::uint64_t> timestampMs = {});
@@ -123,6 +126,7 @@ public:
   /// What the pointer is over, or holds.
   Hovered hovered() const;
   std::optional<CropFace> heldFace() const;
+  bool isTurning() const; ///< by a drag that has moved
   const std::optional<ReadValue>& reading() const { return m_read; }
 
   /// The gradient moduli with which a side was lit.
@@ -137,6 +141,11 @@ signals:
   void probed(const std::optional<limn::Probe>& probe);
   /// The ray that is probed, whatever it meets, of the picture of a side.
   void rayRead(const limn::Ray& ray, int side);
+  /// What is seen along this ray of the picture of a side shall be the centre of turns.
+  void turnAboutRequested(const limn::Ray& ray, int side);
+  void cameraReset();
+  /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
+  void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
   void pinRequested(double value);
   void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
@@ -154,6 +163,7 @@ private:
   void hover(const QMouseEvent& event);
   void uncut(const Scene& shown, CropFace face);
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
+  void obeyClick(ViewClick click, const QPointF& point);
   void readRayAt(const OverlaySource& source, const QPointF& point);
   void showProbe(const std::optional<Probe>& probe, const QPointF& point);
 
