@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/CameraController.h"
 
-#include "app/picture/TurnCentre.h"
 #include "app/window/WindowContext.h"
+#include "reference/ProfileAlong.h"
 #include "scene/framing/Framing.h"
 #include "widgets/Gesture.h"
 #include "widgets/view/CompareView.h"
@@ -16,6 +16,21 @@ namespace {
 constexpr int saidForMs = 6000;
 
 } // namespace
+
+TurnCentre turnCentreAlong(const CompareView& view, const Ray& ray, int side) {
+  const Scene scene = view.sceneOfSide(side);
+  if (scene.projection == Projection::average)
+    return {{},
+            QObject::tr("In an average every depth counts alike, so that there is no place to turn about.")};
+  const std::optional<RayProfile> profile = profileAlong(scene, view.input().scaleOfSide(side), ray);
+  if (const auto depth = profile ? halfLightDepth(*profile) : std::nullopt)
+    return {placeAt(*profile, *depth), {}};
+  return {{}, noPlaceText()};
+}
+
+QString noPlaceText() {
+  return QObject::tr("Nothing is seen there.");
+}
 
 CameraController::CameraController(WindowContext& context) : QObject(&context.window), m_context(context) {
   addActions();

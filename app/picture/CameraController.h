@@ -4,16 +4,31 @@
 #include "widgets/view/gestures/CameraHistory.h"
 
 #include <QObject>
+#include <QString>
 
 #include <memory>
+#include <optional>
 
 class QAction;
 
 namespace limn {
 
+class CompareView;
 class Volume;
 struct Scene;
 struct WindowContext;
+
+/// A place about which a picture can be turned, or why there is none.
+struct TurnCentre {
+  std::optional<glm::dvec3> placeMm; ///< world
+  QString reason;                    ///< one sentence where there is no place
+};
+
+/// Where half of what a ray of the picture of `side` gives is gathered (halfLightDepth): what is seen there.
+TurnCentre turnCentreAlong(const CompareView& view, const Ray& ray, int side);
+
+/// That nothing is seen where something was pointed at.
+QString noPlaceText();
 
 /// From where the picture is seen: follows the gestures of the view, goes back to the camera before the last
 /// of them and forward again, has turns go about a place that was pointed at until the camera is reset, and

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/PictureMenu.h"
 
-#include "app/picture/TurnCentre.h"
+#include "app/picture/CameraController.h"
 #include "app/window/WindowContext.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"

@@ -256,7 +256,8 @@ TEST_F(PicturesWithoutWindow, theSearchForStepsFindsWhatTheCommandLineFinds) {
   const auto screen = makeGlScreen();
   const auto sheet = screen->makeSheet();
   constexpr glm::ivec2 size{160, 120};
-  StepSearch search(scenes, size, 1.0, screen->stripMs(), StepControl::local);
+  StepSearch search(scenes, size, 1.0, screen->stripMs(), StepControl::local,
+                    engine->facts(scenes.front()).filterBits);
   while (search.step(*engine, *sheet, 5.0) != RestTurn::finished) {
   }
   RayCaster caster;
