@@ -1728,8 +1728,8 @@
         <translation>um das drehen, was dort zu sehen ist, bis R</translation>
     </message>
     <message>
-        <source>Right click</source>
-        <translation>Rechtsklick</translation>
+        <source>Right click, Menu key</source>
+        <translation>Rechtsklick, Menütaste</translation>
     </message>
     <message>
         <source>what can be done with what is seen there</source>

@@ -52,7 +52,7 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("Shift+click"),
        QObject::tr("keep that value: buttons make its tissue more or less opaque")},
       {QObject::tr("Shift+middle click"), QObject::tr("turn about what is seen there, until R")},
-      {QObject::tr("Right click"), QObject::tr("what can be done with what is seen there")},
+      {QObject::tr("Right click, Menu key"), QObject::tr("what can be done with what is seen there")},
       {keys({"A", "P", "L", "S", "I"}), QObject::tr("look from front, back, left, above, below")},
       {keys({"End", "PgDown", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
       {QObject::tr("R"), QObject::tr("reset the camera")},
