@@ -137,7 +137,9 @@ OrientationController::OrientationController(WindowContext& context)
       actions.add(QStringLiteral("setOrientation"),
                   {.text = tr("Set &orientation…"),
                    .toolTip = tr("Says which side is left where the volume's file does not.")});
-  menu->addActions({reset, m_setOrientation});
+  menu->addActions({reset, &actions.find("cameraBack"), &actions.find("cameraForward")});
+  menu->addSeparator();
+  menu->addAction(m_setOrientation);
   m_setOrientation->setEnabled(false);
   QToolButton* button = actions.makeMenuButton({}, QToolButton::InstantPopup);
   button->setText(tr("Look from"));

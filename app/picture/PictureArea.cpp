@@ -72,14 +72,11 @@ void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
 
 PictureArea::PictureArea(WindowContext& context)
     : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
-      m_status(*context.window.statusBar()), m_comparison(context), m_engines(context), m_regions(context),
-      m_orientation(context), m_planes(context) {
+      m_status(*context.window.statusBar()), m_camera(context), m_comparison(context), m_engines(context),
+      m_regions(context), m_orientation(context), m_planes(context), m_menu(context) {
   addTools();
-  addCamera();
+  addCopying();
   const CompareView* view = &context.view;
-  connect(view, &CompareView::cameraEdited, &context.session, &Session::setCamera);
-  connect(view, &CompareView::cameraFitted, this,
-          [this](const Camera& camera) { m_context.document.fitCamera(camera); });
   connect(view, &CompareView::windowLevelEdited, &context.session, &Session::setTransferFunction);
   connect(view, &CompareView::cropEdited, &context.session, &Session::setCrop);
   connect(view, &CompareView::told, this, [this](const ViewNews& news) { showState(news.state); });
@@ -90,6 +87,8 @@ PictureArea::PictureArea(WindowContext& context)
   connect(&m_planes, &PlaneController::probed, this, [this](const std::optional<Probe>& probe) {
     m_status.showProbe(probe, m_context.session.scene().volume.get());
   });
+  connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
+  connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {
     m_context.view.setScene(scene); // ends a preview
     m_context.view.setPreview({});
@@ -125,19 +124,7 @@ void PictureArea::addTools() {
           [this](ViewTool tool) { checkOnly(*m_tools, static_cast<int>(tool)); });
 }
 
-void PictureArea::addCamera() {
-  const QAction* parallel =
-      m_context.actions.add(QStringLiteral("orthographic"),
-                            {.text = tr("&Orthographic"),
-                             .place = {Menu::view, 2, 6},
-                             .toolTip = tr("Parallel rays: sizes can be compared everywhere in the picture."),
-                             .isCheckable = true,
-                             .needsVolume = true});
-  connect(parallel, &QAction::triggered, this, [this](bool isChosen) {
-    m_context.session.setCamera(
-        withProjection(m_context.session.scene().camera,
-                       isChosen ? Camera::Projection::orthographic : Camera::Projection::perspective));
-  });
+void PictureArea::addCopying() {
   const QAction* copy = m_context.actions.add(QStringLiteral("copyPicture"), {.text = tr("&Copy picture"),
                                                                               .place = {Menu::edit, 2, 1},
                                                                               .shortcut = tr("Ctrl+Shift+C"),
@@ -155,8 +142,6 @@ void PictureArea::copyPicture() {
 
 void PictureArea::showScene(const Scene& scene) {
   m_comparison.show();
-  m_context.actions.find("orthographic")
-      .setChecked(scene.camera.projection == Camera::Projection::orthographic);
   m_context.actions.setVolumeOpen(scene.volume != nullptr);
 }
 

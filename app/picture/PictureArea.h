@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/picture/CameraController.h"
 #include "app/picture/ComparisonController.h"
 #include "app/picture/EngineController.h"
 #include "app/picture/OrientationController.h"
+#include "app/picture/PictureMenu.h"
 #include "app/picture/PlaneController.h"
 #include "app/picture/RegionController.h"
 
@@ -55,7 +57,7 @@ public:
 
 private:
   void addTools();
-  void addCamera();
+  void addCopying();
   void copyPicture();
   void showScene(const Scene& scene);
   void showState(const PictureState& state);
@@ -63,11 +65,13 @@ private:
   WindowContext& m_context;
   QActionGroup* m_tools; ///< data: ViewTool as int
   StatusTexts m_status;
+  CameraController m_camera;
   ComparisonController m_comparison;
   EngineController m_engines;
   RegionController m_regions;
   OrientationController m_orientation;
   PlaneController m_planes;
+  PictureMenu m_menu; ///< of what those before it offer
 };
 
 } // namespace limn

@@ -1719,6 +1719,30 @@
         <source>&lt; %1</source>
         <translation>&lt; %1</translation>
     </message>
+    <message>
+        <source>Shift+middle click</source>
+        <translation>Umschalt+Mittelklick</translation>
+    </message>
+    <message>
+        <source>turn about what is seen there, until R</source>
+        <translation>um das drehen, was dort zu sehen ist, bis R</translation>
+    </message>
+    <message>
+        <source>Right click, Menu key</source>
+        <translation>Rechtsklick, Menütaste</translation>
+    </message>
+    <message>
+        <source>what can be done with what is seen there</source>
+        <translation>was sich mit dem tun lässt, was dort zu sehen ist</translation>
+    </message>
+    <message>
+        <source>In an average every depth counts alike, so that there is no place to turn about.</source>
+        <translation>In einem Mittelwert zählt jede Tiefe gleich viel, sodass es keine Stelle gibt, um die gedreht werden könnte.</translation>
+    </message>
+    <message>
+        <source>Nothing is seen there.</source>
+        <translation>Dort ist nichts zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -1906,6 +1930,41 @@
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CameraController</name>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Orthografisch</translation>
+    </message>
+    <message>
+        <source>Parallel rays: sizes can be compared everywhere in the picture.</source>
+        <translation>Parallele Strahlen: Größen lassen sich überall im Bild vergleichen.</translation>
+    </message>
+    <message>
+        <source>Camera back</source>
+        <translation>Kamera zurück</translation>
+    </message>
+    <message>
+        <source>Looks again from where it was before the last turn, move, zoom or view.</source>
+        <translation>Blickt wieder von dort, wo sie vor dem letzten Drehen, Verschieben, Zoomen oder Blick stand.</translation>
+    </message>
+    <message>
+        <source>Camera forward</source>
+        <translation>Kamera vor</translation>
+    </message>
+    <message>
+        <source>Looks from where it was before &quot;Camera back&quot; was chosen.</source>
+        <translation>Blickt von dort, wo sie stand, bevor „Kamera zurück“ gewählt wurde.</translation>
+    </message>
+    <message>
+        <source>Turns go about what is seen there. R resets the camera and ends that.</source>
+        <translation>Gedreht wird um das, was dort zu sehen ist. R setzt die Kamera zurück und beendet das.</translation>
+    </message>
+    <message>
+        <source>Turns go about the middle of the view.</source>
+        <translation>Gedreht wird um die Bildmitte.</translation>
     </message>
 </context>
 <context>
@@ -7533,14 +7592,6 @@
         <translation>nach rechts wird das Fenster breiter, nach oben seine Lage höher</translation>
     </message>
     <message>
-        <source>&amp;Orthographic</source>
-        <translation>&amp;Orthografisch</translation>
-    </message>
-    <message>
-        <source>Parallel rays: sizes can be compared everywhere in the picture.</source>
-        <translation>Parallele Strahlen: Größen lassen sich überall im Bild vergleichen.</translation>
-    </message>
-    <message>
         <source>&amp;Copy picture</source>
         <translation>Bild &amp;kopieren</translation>
     </message>
@@ -7551,6 +7602,57 @@
     <message>
         <source>The picture is still being drawn; copy it in a moment.</source>
         <translation>Das Bild wird noch gezeichnet; kopieren Sie es in einem Augenblick.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PictureMenu</name>
+    <message>
+        <source>Turn about this</source>
+        <translation>Um diese Stelle drehen</translation>
+    </message>
+    <message>
+        <source>Turns go about what is seen here until the camera is reset (R). Shift+middle click does the same.</source>
+        <translation>Gedreht wird um das, was hier zu sehen ist, bis die Kamera zurückgesetzt wird (R). Umschalt+Mittelklick tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>Turn about the middle</source>
+        <translation>Um die Mitte drehen</translation>
+    </message>
+    <message>
+        <source>Turns go about the middle of the view again.</source>
+        <translation>Gedreht wird wieder um die Bildmitte.</translation>
+    </message>
+    <message>
+        <source>Turns go about the middle of the view already.</source>
+        <translation>Gedreht wird bereits um die Bildmitte.</translation>
+    </message>
+    <message>
+        <source>Copy value: %1</source>
+        <translation>Wert kopieren: %1</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Wert kopieren</translation>
+    </message>
+    <message>
+        <source>Puts the value that is seen here on the clipboard, with its unit.</source>
+        <translation>Legt den Wert, der hier zu sehen ist, mit seiner Einheit in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Go there in slices</source>
+        <translation>In den Schnitten dorthin gehen</translation>
+    </message>
+    <message>
+        <source>There are no slices beside the picture; View ▸ Slices shows them.</source>
+        <translation>Neben dem Bild stehen keine Schnitte; Ansicht ▸ Schnitte zeigt sie.</translation>
+    </message>
+    <message>
+        <source>Moves the crosshair to what is seen here. Shift+click does the same.</source>
+        <translation>Setzt das Fadenkreuz auf das, was hier zu sehen ist. Umschalt+Klick tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Blick von</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "widgets/view/panels/FocusRing.h"
 #include "widgets/view/panels/PanelStack.h"
 
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
 
@@ -46,6 +47,7 @@ void CompareView::push() {
   m_order.labelOpacity = m_labels->opacity();
   m_order.hovered = m_input->hovered();
   m_order.heldFace = m_input->heldFace();
+  m_order.isTurning = m_input->isTurning();
   m_order.read = m_input->reading();
   m_order.coveredBelow = m_panels->coveredBelow();
   m_order.isSeen = m_isShown && scene().volume;
@@ -306,7 +308,7 @@ void CompareView::wheelEvent(QWheelEvent* event) {
 }
 
 void CompareView::keyPressEvent(QKeyEvent* event) {
-  if (!m_input->obey(commandOf(*event)))
+  if (!m_input->obey(commandOf(*event), event->timestamp()))
     QWidget::keyPressEvent(event);
   push();
 }
@@ -335,6 +337,12 @@ void CompareView::leaveEvent(QEvent* event) {
 void CompareView::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
   setSwapped(false);
+}
+
+// A right button that is pressed may be dragged, so that its menu comes with the release (ViewInput).
+void CompareView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Keyboard)
+    m_input->askForMenu(underMouse() ? QPointF(mapFromGlobal(QCursor::pos())) : logicalRect(0).center());
 }
 
 } // namespace limn

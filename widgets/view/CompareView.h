@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -88,6 +89,13 @@ public:
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
+  /// Turns go about this place of the world from now on, which is marked while one lasts; nothing: about the
+  /// camera's target, as at first.
+  void setTurnsAbout(const std::optional<glm::dvec3>& worldMm) {
+    set(m_order.comparison.turnsAboutMm, worldMm);
+  }
+  const std::optional<glm::dvec3>& turnsAbout() const { return m_order.comparison.turnsAboutMm; }
+
   /// What reads pointer and keys.
   const ViewInput& input() const { return *m_input; }
 
@@ -139,7 +147,8 @@ public slots:
   void measureEffects();
 
 signals:
-  void cameraEdited(const limn::Camera& camera);
+  /// By the gesture of this id: what one drag, or one run of notches or key presses, asks for has one id.
+  void cameraEdited(const limn::Camera& camera, std::uint64_t gesture);
   /// The same, but nobody asked: the pictures changed their shape, or what is visible.
   void cameraFitted(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
@@ -180,6 +189,7 @@ protected:
   void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
   template <class T>

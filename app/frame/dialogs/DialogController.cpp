@@ -51,6 +51,8 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("Shift+move"), QObject::tr("value under the pointer; View ▸ Ray: along the ray below it")},
       {QObject::tr("Shift+click"),
        QObject::tr("keep that value: buttons make its tissue more or less opaque")},
+      {QObject::tr("Shift+middle click"), QObject::tr("turn about what is seen there, until R")},
+      {QObject::tr("Right click, Menu key"), QObject::tr("what can be done with what is seen there")},
       {keys({"A", "P", "L", "S", "I"}), QObject::tr("look from front, back, left, above, below")},
       {keys({"End", "PgDown", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
       {QObject::tr("R"), QObject::tr("reset the camera")},
@@ -109,7 +111,7 @@ QList<HelpRow> menuRows(const ActionList& actions) {
   QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
   for (const char* name :
        {"openFile", "openFolder", "saveSession", "savePicture", "saveFigure", "copyPicture", "undo", "redo",
-        "findPreset", "settings", "guide", "closeVolume", "quit"}) {
+        "cameraBack", "cameraForward", "findPreset", "settings", "guide", "closeVolume", "quit"}) {
     const QAction& action = actions.find(name);
     // Undo also says what it would undo.
     QString does = action.objectName() == QLatin1String("undo")   ? QObject::tr("Undo")

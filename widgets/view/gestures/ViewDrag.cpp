@@ -36,6 +36,16 @@ DragKind dragOfTool(ViewTool tool) {
 
 constexpr double clickSlack = 3.0; // a click may tremble by this many logical pixels
 
+ViewClick clickOf(const Press& press) {
+  if (press.button == Qt::RightButton && press.modifiers == Qt::NoModifier)
+    return ViewClick::menu;
+  if (press.modifiers != Qt::ShiftModifier)
+    return ViewClick::none;
+  return press.button == Qt::LeftButton     ? ViewClick::pin
+         : press.button == Qt::MiddleButton ? ViewClick::turnAbout
+                                            : ViewClick::none;
+}
+
 QString textOf(const ViewDrag& drag) {
   if (drag.kind == DragKind::cropFace)
     return QObject::tr("move crop face: %1").arg(cropFaceName(*drag.before.volume, drag.face));
@@ -77,13 +87,13 @@ DragKind dragKind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewT
 }
 
 Camera dragged(const Camera& camera, DragKind kind, const QPointF& from, const QPointF& to,
-               const QRectF& side) {
+               const QRectF& side, const std::optional<glm::dvec3>& turnsAbout) {
   const double height = std::max(1.0, side.height());
   const QPointF moved = to - from;
   switch (kind) {
   case DragKind::rotate: {
     const double perPixel = std::numbers::pi / height;
-    return orbited(camera, -moved.x() * perPixel, -moved.y() * perPixel);
+    return orbitedAbout(camera, -moved.x() * perPixel, -moved.y() * perPixel, turnsAbout);
   }
   case DragKind::pan:
     return panned(camera, moved.x() / height, -moved.y() / height);
@@ -99,6 +109,22 @@ Camera dragged(const Camera& camera, DragKind kind, const QPointF& from, const Q
     break;
   }
   return camera;
+}
+
+Camera orbitedAbout(const Camera& camera, double yaw, double pitch,
+                    const std::optional<glm::dvec3>& placeMm) {
+  Camera moved = orbited(camera, yaw, pitch);
+  if (!placeMm)
+    return moved;
+  const CameraBasis before = basisOf(camera);
+  const CameraBasis after = basisOf(moved);
+  const auto turned = [&](const glm::dvec3& arm) {
+    return after.right * glm::dot(before.right, arm) + after.up * glm::dot(before.up, arm) +
+           after.forward * glm::dot(before.forward, arm);
+  };
+  moved.position = *placeMm + turned(camera.position - *placeMm);
+  moved.target = *placeMm + turned(camera.target - *placeMm);
+  return moved;
 }
 
 Camera wheelZoomed(const Camera& camera, int angleDelta) {
@@ -153,6 +179,7 @@ ViewDrag dragFrom(const Press& press, const Comparison& comparison, const ViewGe
   drag.picture = pictureRect(geometry, standingAt(geometry, press.point));
   drag.viewWidth = std::max(1, geometry.size.width());
   drag.before = comparison.scene;
+  drag.turnsAbout = comparison.turnsAboutMm;
   if (handle) {
     drag.kind = DragKind::cropFace;
     drag.face = handle->face;
@@ -162,7 +189,7 @@ ViewDrag dragFrom(const Press& press, const Comparison& comparison, const ViewGe
     drag.kind = isLeft && isOnWipeBorder(geometry, press.point)
                     ? DragKind::wipe
                     : dragKind(press.button, press.modifiers, tool);
-    drag.mayPin = isLeft && press.modifiers == Qt::ShiftModifier;
+    drag.click = clickOf(press);
   }
   drag.gesture = {nextGestureId(), textOf(drag)};
   return drag;
@@ -172,9 +199,9 @@ ViewEdit editAt(ViewDrag& drag, const Scene& shown, const QPointF& point) {
   if (drag.kind == DragKind::wipe)
     return WipeTo{point.x() / drag.viewWidth};
   const QPointF moved = point - drag.first;
-  if (drag.mayPin && std::hypot(moved.x(), moved.y()) <= clickSlack)
+  if (drag.click != ViewClick::none && std::hypot(moved.x(), moved.y()) <= clickSlack)
     return {};
-  drag.mayPin = false;
+  drag.click = ViewClick::none;
   const TransferFunction& function = drag.before.transferFunction;
   switch (drag.kind) {
   case DragKind::cropFace:
@@ -184,7 +211,8 @@ ViewEdit editAt(ViewDrag& drag, const Scene& shown, const QPointF& point) {
   case DragKind::windowLevel:
     return unlessShown(windowLevelDragged(function, shown.volume->range(), moved), shown.transferFunction);
   default:
-    return unlessShown(dragged(shown.camera, drag.kind, std::exchange(drag.last, point), point, drag.picture),
+    return unlessShown(dragged(shown.camera, drag.kind, std::exchange(drag.last, point), point, drag.picture,
+                               drag.turnsAbout),
                        shown.camera);
   }
 }

@@ -34,8 +34,13 @@ DragKind dragKind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewT
 /// down). Rotation is a half turn per picture height about the picture's own axes; panning keeps the target
 /// plane under the pointer; zooming is e² per picture height, up is nearer; rolling follows the pointer
 /// around the picture's centre. Kinds that are no camera movement leave it as it is.
+/// Rotation goes about `turnsAbout`, world mm, where there is one, and otherwise about the target.
 Camera dragged(const Camera& camera, DragKind kind, const QPointF& from, const QPointF& to,
-               const QRectF& side);
+               const QRectF& side, const std::optional<glm::dvec3>& turnsAbout = {});
+
+/// As `orbited` turns, but about a place of the world instead of the target: that place keeps its pixel, and
+/// the target turns about it, too. Without a place: `orbited`.
+Camera orbitedAbout(const Camera& camera, double yaw, double pitch, const std::optional<glm::dvec3>& placeMm);
 
 /// The camera after the wheel turned by `angleDelta` (eighths of a degree, as Qt counts; a notch is 120):
 /// a fifth nearer per notch away from the user.
@@ -75,17 +80,21 @@ struct WipeTo {
 /// What a gesture asks to be shown instead of what is; nothing where it changes nothing.
 using ViewEdit = std::variant<std::monostate, Camera, TransferFunction, CropBox, WipeTo>;
 
+/// What a press asks for that is released where it began.
+enum class ViewClick { none, pin, turnAbout, menu };
+
 /// A pressed button until its release; places in logical pixels.
 struct ViewDrag {
   DragKind kind = DragKind::none;
   Qt::MouseButton button = Qt::NoButton;
-  bool mayPin = false; ///< a Shift+click that has not moved yet
+  ViewClick click = ViewClick::none; ///< until it moves
   QPointF first, last;
-  QRectF picture;       ///< in which it began
-  double viewWidth = 1; ///< ≥ 1
-  Scene before;         ///< what was shown when it began
-  CropFace face;        ///< of the crop box, where that is dragged
-  QPointF grip;         ///< from the handle's centre to the pointer
+  QRectF picture;                       ///< in which it began
+  double viewWidth = 1;                 ///< ≥ 1
+  Scene before;                         ///< what was shown when it began
+  CropFace face;                        ///< of the crop box, where that is dragged
+  QPointF grip;                         ///< from the handle's centre to the pointer
+  std::optional<glm::dvec3> turnsAbout; ///< world; absent: the target
   Gesture gesture;
 };
 

@@ -25,6 +25,7 @@ using namespace viewcommand;
 
 constexpr double keyTurnDeg = 5.0; // of an arrow key
 constexpr int wheelNotch = 120;
+constexpr int ofTheWheel = -1; // among the causes of gestures, which are kinds of commands otherwise
 
 // Slicer's keys: a keypad key arrives as a digit or, with the number lock off, as a cursor key.
 ViewCommand standardViewOf(int key, bool keypad, bool shift) {
@@ -65,6 +66,15 @@ const KeyCommand symbolCommands[] = {{Qt::Key_Left, Rotate{-1, 0}}, {Qt::Key_Rig
 ViewCommand commandIn(std::span<const KeyCommand> commands, int key) {
   const auto found = std::ranges::find(commands, key, &KeyCommand::first);
   return found == commands.end() ? std::monostate{} : found->second;
+}
+
+// Turned and zoomed in small steps; a standard view is one in itself.
+bool isRepeatable(const ViewCommand& command) {
+  return std::holds_alternative<Rotate>(command) || std::holds_alternative<Zoom>(command);
+}
+
+int sideAt(const OverlaySource& source, const QPointF& point) {
+  return sideShownAt(source.comparison, positionAt(source.geometry, point));
 }
 
 constexpr int cursorSize = 24; // logical pixels
@@ -120,7 +130,7 @@ std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& came
     return fitted(firstView(camera, grid, volume.info().orientationKnown));
   if (const auto* turn = std::get_if<Rotate>(&command)) {
     const double step = keyTurnDeg * std::numbers::pi / 180.0;
-    return orbited(camera, -turn->right * step, -turn->down * step);
+    return orbitedAbout(camera, -turn->right * step, -turn->down * step, frame.turnsAbout);
   }
   if (const auto* zoom = std::get_if<Zoom>(&command))
     return wheelZoomed(camera, zoom->notches * wheelNotch);
@@ -156,6 +166,10 @@ std::optional<CropFace> ViewInput::heldFace() const {
   return m_drag && m_drag->kind == DragKind::cropFace ? std::optional(m_drag->face) : std::nullopt;
 }
 
+bool ViewInput::isTurning() const {
+  return m_drag && m_drag->kind == DragKind::rotate && m_drag->last != m_drag->first;
+}
+
 void ViewInput::forget() {
   m_drag.reset();
   m_read.reset();
@@ -180,7 +194,7 @@ void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
 
 void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
   if (const auto* camera = std::get_if<Camera>(&edit))
-    emit cameraEdited(*camera);
+    emit cameraEdited(*camera, gesture.id);
   else if (const auto* function = std::get_if<TransferFunction>(&edit))
     emit functionEdited(*function, gesture);
   else if (const auto* crop = std::get_if<CropBox>(&edit))
@@ -225,17 +239,40 @@ void ViewInput::move(const QMouseEvent& event) {
 void ViewInput::release(const QMouseEvent& event) {
   if (!m_drag || event.button() != m_drag->button)
     return;
-  const bool pins = m_drag->mayPin;
+  const ViewClick click = m_drag->click;
   const bool crops = m_drag->kind == DragKind::cropFace;
   m_drag.reset();
   if (crops)
     hover(event); // its handle may have left the pointer
-  if (!pins)
-    return;
-  if (const std::optional<Probe> probe = probeAt(m_facts.shown(), event.position())) {
-    emit pinRequested(probe->value);
-    emit placePinned(probe->positionMm);
+  obeyClick(click, event.position());
+}
+
+void ViewInput::obeyClick(ViewClick click, const QPointF& point) {
+  const OverlaySource source = m_facts.shown();
+  switch (click) {
+  case ViewClick::none:
+    break;
+  case ViewClick::pin:
+    if (const std::optional<Probe> probe = probeAt(source, point)) {
+      emit pinRequested(probe->value);
+      emit placePinned(probe->positionMm);
+    }
+    break;
+  case ViewClick::turnAbout:
+    if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+      emit turnAboutRequested(*ray, sideAt(source, point));
+    break;
+  case ViewClick::menu:
+    askForMenu(point);
+    break;
   }
+}
+
+void ViewInput::askForMenu(const QPointF& point) {
+  const OverlaySource source = m_facts.shown();
+  if (source.comparison.scene.volume)
+    emit menuRequested(rayUnder(source.geometry, source.comparison.scene.camera, point),
+                       sideAt(source, point), point.toPoint());
 }
 
 // Esc puts back what the drag has changed; the gesture's id lets undo see that nothing is left of it.
@@ -273,7 +310,8 @@ void ViewInput::turnWheel(QWheelEvent& event) {
   if (!event.isAccepted())
     return;
   const QRectF side = pictureRect(source.geometry, positionAt(source.geometry, event.position()));
-  emit cameraEdited(wheelZoomed(shown.camera, turn, event.position(), side));
+  emit cameraEdited(wheelZoomed(shown.camera, turn, event.position(), side),
+                    m_runs.idOf(ofTheWheel, event.timestamp()));
 }
 
 void ViewInput::hover(const QMouseEvent& event) {
@@ -303,7 +341,7 @@ void ViewInput::hover(const QMouseEvent& event) {
 
 void ViewInput::readRayAt(const OverlaySource& source, const QPointF& point) {
   if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
-    emit rayRead(*ray, sideShownAt(source.comparison, positionAt(source.geometry, point)));
+    emit rayRead(*ray, sideAt(source, point));
 }
 
 std::optional<Probe> ViewInput::probeAt(const OverlaySource& source, const QPointF& point) const {
@@ -311,7 +349,7 @@ std::optional<Probe> ViewInput::probeAt(const OverlaySource& source, const QPoin
   const std::optional<Ray> ray = rayUnder(source.geometry, comparison.scene.camera, point);
   if (!ray)
     return std::nullopt;
-  const int side = sideShownAt(comparison, positionAt(source.geometry, point));
+  const int side = sideAt(source, point);
   return probeAlong(sceneOfSide(comparison, side), m_facts.scaleOfSide(side), *ray);
 }
 
@@ -332,15 +370,19 @@ void ViewInput::leave() {
   showCursor(std::nullopt);
 }
 
-bool ViewInput::obey(const ViewCommand& command) {
+bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> timestampMs) {
   using namespace viewcommand;
   const OverlaySource source = m_facts.shown();
   const Scene& shown = source.comparison.scene;
   if (!shown.volume)
     return false;
-  const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry)};
+  const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry), source.comparison.turnsAboutMm};
+  if (std::holds_alternative<Reset>(command))
+    emit cameraReset();
   if (const auto camera = cameraAfter(command, shown.camera, *shown.volume, frame))
-    emit cameraEdited(*camera);
+    emit cameraEdited(*camera, timestampMs && isRepeatable(command)
+                                   ? m_runs.idOf(static_cast<int>(command.index()), *timestampMs)
+                                   : nextGestureId());
   else if (const auto* use = std::get_if<UseTool>(&command))
     setTool(use->tool);
   else if (const auto* preset = std::get_if<WindowPreset>(&command))

@@ -3,6 +3,7 @@
 
 #include "scene/framing/Framing.h"
 #include "scene/light/Gradient.h"
+#include "widgets/view/gestures/CameraHistory.h"
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/overlay/ViewOrder.h"
@@ -77,6 +78,7 @@ ViewCommand commandOf(const QKeyEvent& event);
 struct ViewFrame {
   std::function<IndexBox()> visibleBox;
   double aspect = 1.0;
+  std::optional<glm::dvec3> turnsAbout = {}; ///< world; absent: the target
 };
 
 /// The camera that a command asks for, of this volume; nothing where the command moves none.
@@ -108,8 +110,11 @@ public:
   void doubleClick(const QMouseEvent& event);
   void turnWheel(QWheelEvent& event);
   void leave();
-  /// False where the command asks nothing of this view.
-  bool obey(const ViewCommand& command);
+  /// As a right click there does, logical pixels.
+  void askForMenu(const QPointF& point);
+  /// False where the command asks nothing of this view. `timestampMs` is when its key was pressed: presses in
+  /// a row are one gesture. Without, it is a gesture of its own.
+  bool obey(const ViewCommand& command, std::optional<std::uint64_t> timestampMs = {});
 
   void stopReading(); ///< the value under the pointer
   void forgetFace() { m_hovered.face.reset(); }
@@ -121,19 +126,26 @@ public:
   /// What the pointer is over, or holds.
   Hovered hovered() const;
   std::optional<CropFace> heldFace() const;
+  bool isTurning() const; ///< by a drag that has moved
   const std::optional<ReadValue>& reading() const { return m_read; }
 
   /// The gradient moduli with which a side was lit.
   GradientScale scaleOfSide(int side) const { return m_facts.scaleOfSide(side); }
 
 signals:
-  void cameraEdited(const limn::Camera& camera);
+  /// By the gesture of this id.
+  void cameraEdited(const limn::Camera& camera, std::uint64_t gesture);
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void wipeEdited(double fraction);
   void probed(const std::optional<limn::Probe>& probe);
   /// The ray that is probed, whatever it meets, of the picture of a side.
   void rayRead(const limn::Ray& ray, int side);
+  /// What is seen along this ray of the picture of a side shall be the centre of turns.
+  void turnAboutRequested(const limn::Ray& ray, int side);
+  void cameraReset();
+  /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
+  void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
   void pinRequested(double value);
   void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
@@ -151,6 +163,7 @@ private:
   void hover(const QMouseEvent& event);
   void uncut(const Scene& shown, CropFace face);
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
+  void obeyClick(ViewClick click, const QPointF& point);
   void readRayAt(const OverlaySource& source, const QPointF& point);
   void showProbe(const std::optional<Probe>& probe, const QPointF& point);
 
@@ -159,6 +172,7 @@ private:
   ViewTool m_tool = ViewTool::rotate;
   std::optional<ViewDrag> m_drag;
   Hovered m_hovered;
+  GestureRuns m_runs;              ///< of wheel and keys
   std::optional<ReadValue> m_read; ///< under the pointer, while Shift is held
 };
 

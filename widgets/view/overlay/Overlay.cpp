@@ -14,14 +14,14 @@
 #include <cmath>
 
 namespace limn {
-namespace {
 
-// A value with as many digits as its range makes sensible.
 QString readingText(double value, const Volume& volume) {
   const double span = volume.range().highest - volume.range().lowest;
   const int digits = span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;
   return valueText(value, QString::fromStdString(volume.info().unit), digits);
 }
+
+namespace {
 
 std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   if (!source.volume().info().spacingKnown)
@@ -244,6 +244,8 @@ Overlay overlayOf(const OverlaySource& source) {
     overlay.notes.push_back(previewNoteOf(source, overlay, plates));
   overlay.marks = marksOf(source, source.comparison.markMm);
   overlay.halves = marksOf(source, source.comparison.halfMm);
+  if (source.isTurning)
+    overlay.centres = marksOf(source, source.comparison.turnsAboutMm);
   if (source.read)
     overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
   overlay.progress = progressOf(source.state);
@@ -260,6 +262,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
     paintMark(painter, mark);
   for (const QPointF& half : overlay.halves)
     paintHalfMark(painter, half);
+  for (const QPointF& centre : overlay.centres)
+    paintTurnMark(painter, centre);
   if (overlay.border)
     paintWipeBorder(painter, overlay.border->x, overlay.view, overlay.border->isHovered);
   paintTitles(painter, overlay);

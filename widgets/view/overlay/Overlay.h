@@ -40,8 +40,12 @@ struct Overlay {
   std::optional<Reading> reading;
   std::vector<QPointF> marks;   ///< where a marked place is seen in each picture that shows it
   std::vector<QPointF> halves;  ///< the same of where half of a ray's light is gathered
+  std::vector<QPointF> centres; ///< the same of the place about which the pictures are turned
   std::vector<double> progress; ///< each 0..1
 };
+
+/// A value of a volume with its unit and as many digits as the volume's range makes sensible.
+QString readingText(double value, const Volume& volume);
 
 /// Lays everything out; nothing is painted yet.
 Overlay overlayOf(const OverlaySource& source);

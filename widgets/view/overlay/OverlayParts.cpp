@@ -269,6 +269,23 @@ void paintHalfMark(QPainter& painter, const QPointF& point) {
   painter.restore();
 }
 
+void paintTurnMark(QPainter& painter, const QPointF& point) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double reach = 2.5 * unit;
+  const QRectF ring(point - QPointF(reach, reach), QSizeF(2.0 * reach, 2.0 * reach));
+  const QPointF tip = point + QPointF(reach, 0.0); // where the arc ends
+  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0, 180), 3.5), std::pair(markColor, 1.5)}) {
+    painter.setPen(QPen(color, width));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawArc(ring, 0, 300 * 16); // sixteenths of a degree
+    painter.drawPolyline(QPolygonF({tip - QPointF(unit, unit), tip, tip + QPointF(unit, -unit)}));
+    painter.setBrush(color);
+    painter.drawEllipse(point, 0.5 * unit, 0.5 * unit);
+  }
+  painter.restore();
+}
+
 void paintNote(QPainter& painter, const Note& note) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

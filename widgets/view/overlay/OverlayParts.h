@@ -79,6 +79,8 @@ void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hover
 void paintMark(QPainter& painter, const QPointF& point);
 /// Marks where half of a ray's light is gathered: a diamond with "½" beside it.
 void paintHalfMark(QPainter& painter, const QPointF& point);
+/// Marks the place about which a picture is turned: a dot in a ring that is open as an arrow is.
+void paintTurnMark(QPainter& painter, const QPointF& point);
 /// Marks the probed point and tells its value.
 void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view);
 void paintNote(QPainter& painter, const Note& note);

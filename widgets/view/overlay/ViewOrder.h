@@ -37,9 +37,10 @@ struct Comparison {
   std::optional<ComparedLook> look;
   double wipe = 0.5; ///< where the border of the wipe lies, as a fraction of the width, 0..1
   bool isSwapped = false;
-  std::optional<glm::dvec3> markMm; ///< a place that is marked in the pictures, world
-  std::optional<glm::dvec3> halfMm; ///< where half of a ray's light is gathered, world; marked, too
-  std::string preview;              ///< the preset that the scene is a preview of; empty: none
+  std::optional<glm::dvec3> markMm;       ///< a place that is marked in the pictures, world
+  std::optional<glm::dvec3> halfMm;       ///< where half of a ray's light is gathered, world; marked, too
+  std::optional<glm::dvec3> turnsAboutMm; ///< about which turns go, world; absent: the camera's target
+  std::string preview;                    ///< the preset that the scene is a preview of; empty: none
   bool operator==(const Comparison&) const = default;
 };
 
@@ -107,6 +108,7 @@ struct ViewOrder {
   Hovered hovered;
   bool hasCropBox = false; ///< with a handle on each face
   std::optional<CropFace> heldFace;
+  bool isTurning = false; ///< by a drag
   std::optional<ReadValue> read;
   double coveredBelow = 0.0; ///< by a panel over the pictures' lower edge, logical pixels
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
+#include "widgets/view/overlay/ViewGeometry.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,6 +55,30 @@ TEST(CameraGesture, draggingAroundAndBackReturns) {
   Camera camera = dragged(front, DragKind::rotate, {0, 0}, {30, 0}, dragPlace);
   camera = dragged(camera, DragKind::rotate, {30, 0}, {0, 0}, dragPlace);
   expectNear(camera.position, front.position, 1e-9);
+}
+
+// A place that is turned about keeps its pixel and its distance, whatever is turned; without one nothing is
+// new.
+TEST(CameraGesture, aTurnAboutAPlaceKeepsThatPlaceUnderItsPixel) {
+  const glm::dvec3 place(12, -30, 7);
+  for (const auto projection : {Camera::Projection::perspective, Camera::Projection::orthographic}) {
+    Camera before = orbited(front, 0.4, -0.2);
+    before.projection = projection;
+    const Camera after = dragged(before, DragKind::rotate, {100, 100}, {170, 60}, dragPlace, place);
+    const auto was = pixelOf(viewProjection(before, dragPlace), place);
+    const auto is = pixelOf(viewProjection(after, dragPlace), place);
+    ASSERT_TRUE(was && is);
+    // Rounding of sums of hundreds of millimetres, in pixels of about a millimetre.
+    EXPECT_NEAR(is->x(), was->x(), 1e-9);
+    EXPECT_NEAR(is->y(), was->y(), 1e-9);
+    EXPECT_NEAR(glm::length(after.position - place), glm::length(before.position - place), 1e-9);
+    EXPECT_NEAR(glm::length(after.position - after.target), 100.0, 1e-9);
+    const Camera plain = dragged(before, DragKind::rotate, {100, 100}, {170, 60}, dragPlace);
+    expectNear(basisOf(after).forward, basisOf(plain).forward, 1e-12);
+    expectNear(basisOf(after).up, basisOf(plain).up, 1e-12);
+    EXPECT_EQ(plain.target, before.target);
+  }
+  expectNear(orbitedAbout(front, 0.3, 0.2, front.target).position, orbited(front, 0.3, 0.2).position, 1e-9);
 }
 
 TEST(CameraGesture, panningKeepsThePointOfTheTargetPlaneUnderThePointer) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 // A drag as a value: what a press begins, what a move makes of it, what Esc puts back.
 
 namespace limn {
@@ -106,9 +108,31 @@ TEST(ViewDrag, withShiftIsAClickUntilItMoves) {
   const Comparison comparison = shown();
   ViewDrag drag = dragOf(comparison, {Qt::LeftButton, Qt::ShiftModifier, {200, 120}});
   EXPECT_EQ(editAt(drag, comparison.scene, {202, 121}), ViewEdit());
-  EXPECT_TRUE(drag.mayPin);
+  EXPECT_EQ(drag.click, ViewClick::pin);
   EXPECT_TRUE(std::holds_alternative<Camera>(editAt(drag, comparison.scene, {210, 120})));
-  EXPECT_FALSE(drag.mayPin);
+  EXPECT_EQ(drag.click, ViewClick::none);
+}
+
+TEST(ViewDrag, theRightAndWithShiftTheMiddleButtonAreClicksUntilTheyMove) {
+  Comparison comparison = shown();
+  comparison.turnsAboutMm = glm::dvec3(1, 2, 3);
+  for (const auto& [button, modifiers, click] :
+       {std::tuple(Qt::RightButton, Qt::KeyboardModifiers(Qt::NoModifier), ViewClick::menu),
+        std::tuple(Qt::MiddleButton, Qt::KeyboardModifiers(Qt::ShiftModifier), ViewClick::turnAbout)}) {
+    ViewDrag drag = dragOf(comparison, {button, modifiers, {200, 120}});
+    EXPECT_EQ(drag.turnsAbout, comparison.turnsAboutMm);
+    EXPECT_EQ(editAt(drag, comparison.scene, {198, 121}), ViewEdit());
+    EXPECT_EQ(drag.click, click);
+    const ViewEdit edit = editAt(drag, comparison.scene, {200, 130});
+    // What trembled is part of the drag that it became.
+    EXPECT_EQ(edit,
+              ViewEdit(dragged(comparison.scene.camera, drag.kind, {200, 120}, {200, 130}, drag.picture)));
+    EXPECT_EQ(drag.click, ViewClick::none);
+  }
+  for (const Press& press : {Press{Qt::MiddleButton, Qt::NoModifier, {200, 120}},
+                             Press{Qt::LeftButton, Qt::NoModifier, {200, 120}},
+                             Press{Qt::RightButton, Qt::ShiftModifier, {200, 120}}})
+    EXPECT_EQ(dragOf(comparison, press).click, ViewClick::none);
 }
 
 TEST(ViewDrag, knowsThePictureInWhichItBegan) {

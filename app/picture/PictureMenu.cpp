@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/PictureMenu.h"
+
+#include "app/picture/CameraController.h"
+#include "app/window/WindowContext.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
+#include "widgets/view/overlay/Overlay.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+
+namespace limn {
+namespace {
+
+QAction* addEntry(QMenu& menu, const char* name, const QString& text, const QString& tip, bool isEnabled) {
+  QAction* entry = menu.addAction(text);
+  entry->setObjectName(QLatin1String(name));
+  entry->setToolTip(tip);
+  entry->setEnabled(isEnabled);
+  return entry;
+}
+
+} // namespace
+
+PictureMenu::PictureMenu(WindowContext& context) : QObject(&context.window), m_context(context) {
+  connect(&context.view.input(), &ViewInput::menuRequested, this, &PictureMenu::open);
+}
+
+void PictureMenu::open(const std::optional<Ray>& ray, int side, const QPoint& at) {
+  auto* menu = new QMenu(&m_context.view);
+  menu->setObjectName(QStringLiteral("pictureMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  addTurns(*menu, ray, side);
+  menu->addSeparator();
+  addPlace(*menu,
+           ray ? probeAlong(m_context.view.sceneOfSide(side), m_context.view.input().scaleOfSide(side), *ray)
+               : std::nullopt);
+  menu->addSeparator();
+  addViews(*menu);
+  menu->popup(m_context.view.mapToGlobal(at));
+}
+
+void PictureMenu::addTurns(QMenu& menu, const std::optional<Ray>& ray, int side) {
+  const TurnCentre centre = ray ? turnCentreAlong(m_context.view, *ray, side) : TurnCentre{{}, noPlaceText()};
+  const QAction* about =
+      addEntry(menu, "turnAbout", tr("Turn about this"),
+               centre.placeMm ? tr("Turns go about what is seen here until the camera is reset (R). "
+                                   "Shift+middle click does the same.")
+                              : centre.reason,
+               centre.placeMm.has_value());
+  const bool hasCentre = m_context.view.turnsAbout().has_value();
+  const QAction* freely = addEntry(menu, "turnAboutMiddle", tr("Turn about the middle"),
+                                   hasCentre ? tr("Turns go about the middle of the view again.")
+                                             : tr("Turns go about the middle of the view already."),
+                                   hasCentre);
+  connect(about, &QAction::triggered, this, [this, centre] { emit turnAboutChosen(centre.placeMm); });
+  connect(freely, &QAction::triggered, this, [this] { emit turnAboutChosen(std::nullopt); });
+}
+
+void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
+  const Scene& scene = m_context.view.scene();
+  const QString value = probe && scene.volume ? readingText(probe->value, *scene.volume) : QString();
+  const QAction* copy = addEntry(
+      menu, "copyValue", probe ? tr("Copy value: %1").arg(value) : tr("Copy value"),
+      probe ? tr("Puts the value that is seen here on the clipboard, with its unit.") : noPlaceText(),
+      probe.has_value());
+  const bool hasSlices = m_context.session.planes().layout != PlaneLayout::pictureOnly;
+  const QAction* go =
+      addEntry(menu, "goInSlices", tr("Go there in slices"),
+               !hasSlices ? tr("There are no slices beside the picture; View ▸ Slices shows them.")
+               : probe    ? tr("Moves the crosshair to what is seen here. Shift+click does the same.")
+                          : noPlaceText(),
+               probe && hasSlices);
+  connect(copy, &QAction::triggered, this, [value] { QApplication::clipboard()->setText(value); });
+  connect(go, &QAction::triggered, this, [this, probe] { emit placeChosen(probe->positionMm); });
+}
+
+void PictureMenu::addViews(QMenu& menu) {
+  const ActionList& actions = m_context.actions;
+  QMenu* from = menu.addMenu(tr("Look from"));
+  from->addActions(actions.find("view-anterior").actionGroup()->actions());
+  menu.addActions({&actions.find("resetCamera"), &actions.find("cameraBack")});
+}
+
+} // namespace limn

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/view/Camera.h"
+#include "widgets/view/gestures/Probe.h"
+
+#include <QObject>
+
+#include <optional>
+
+class QMenu;
+class QPoint;
+
+namespace limn {
+
+struct WindowContext;
+
+/// What can be done with what is seen in the picture, on a right click there: turn about it, copy its value,
+/// go there in the slices, look from elsewhere. What cannot be done is shown out of use, and says why.
+class PictureMenu : public QObject {
+  Q_OBJECT
+
+public:
+  /// Actions of cameras and views (CameraController, OrientationController) must have been registered.
+  explicit PictureMenu(WindowContext& context);
+
+signals:
+  /// World mm; nothing: about the camera's target again.
+  void turnAboutChosen(const std::optional<glm::dvec3>& worldMm);
+  void placeChosen(const glm::dvec3& worldMm);
+
+private:
+  void open(const std::optional<Ray>& ray, int side, const QPoint& at);
+  void addTurns(QMenu& menu, const std::optional<Ray>& ray, int side);
+  void addPlace(QMenu& menu, const std::optional<Probe>& probe);
+  void addViews(QMenu& menu);
+
+  WindowContext& m_context;
+};
+
+} // namespace limn
