@@ -323,10 +323,12 @@ std::string coarseNote(const Figure& figure) {
          " of 255 levels from the exact one; --tolerance 0.5 draws it to that, and takes longer.";
 }
 
-void tell(const MadeFigure& made, const Plan& plan, const std::string& file, double ms) {
+void tell(const MadeFigure& made, const Plan& plan, const std::string& file, double ms,
+          bool isWithinTolerance) {
   for (const std::string& sentence : plan.notes)
     note(sentence);
-  if (const std::string sentence = coarseNote(made.figure); !sentence.empty())
+  // Who asked for a tolerance has what was asked for.
+  if (const std::string sentence = coarseNote(made.figure); !isWithinTolerance && !sentence.empty())
     note(sentence);
   for (const std::string& sentence : made.notes)
     note(sentence);
@@ -365,7 +367,7 @@ void runFigure(const FigureRequest& request) {
   writeFigure(request.out, made, figureDescription(made.figure, volumes, named));
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   if (!request.scene.source.quiet)
-    tell(made, plan, request.out, ms.count());
+    tell(made, plan, request.out, ms.count(), request.scene.toleranceLevels > 0.0);
 }
 
 } // namespace

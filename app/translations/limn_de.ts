@@ -1299,7 +1299,7 @@
     </message>
     <message>
         <source>99.9 % of pixels within %1 of 255 levels of the exact picture (95 % sure).</source>
-        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher).</translation>
+        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher).</translation>
     </message>
     <message>
         <source>Estimated within %1 of 255 levels of the exact picture.</source>
