@@ -65,19 +65,19 @@ double averageApart(const ReferencePicture& a, const ReferencePicture& b) {
 }
 
 // In floats as in double, and both what ever finer steps come to.
-void expectExact(const Scene& scene, const std::string& what) {
+void expectExact(const Scene& scene, const std::string& what, double finest = 1.0 / 256.0) {
   const ReferencePicture exact = renderReference(byCells(scene, 20.0), badPicture);
   CpuRenderer renderer;
   const test::Difference floats = test::differenceOf(renderer.render(byCells(scene, 14.0), badPicture), exact,
                                                      [](std::size_t) { return true; });
-  // A needle's share of a cell is known to 1e-6 of the ray, and it may absorb all: some hundredths of a
-  // level.
-  EXPECT_LE(floats.largest, 0.1) << what << ": " << floats;
+  // Floats place both sides of a needle of 1/2000 of the range to 6e-8 of it: 2.4e-4 of what it absorbs, and
+  // as much of its light, which is at most all there is.
+  EXPECT_LE(floats.largest, 0.2) << what << ": " << floats;
   Scene equal = scene;
   equal.quality.preintegrated = Preintegration::always;
-  equal.quality.stepVoxels = 1.0 / 16.0;
+  equal.quality.stepVoxels = 16.0 * finest;
   const double coarse = averageApart(renderReference(equal, badPicture), exact);
-  equal.quality.stepVoxels = 1.0 / 256.0;
+  equal.quality.stepVoxels = finest;
   const double fine = averageApart(renderReference(equal, badPicture), exact);
   // Steps err by the step itself where the field bends or light jumps: in the mean by a sixteenth, and twice
   // that.
@@ -107,7 +107,9 @@ TEST(CellBadCases, curvesWithStepsNeedlesAndManyPoints) {
     for (const ShadingModel model : {ShadingModel::none, ShadingModel::robust}) {
       Scene scene = sceneOf(volume, model);
       scene.transferFunction = function;
-      expectExact(scene, std::string(what) + ", " + nameOf(model));
+      // Where gradients change what absorbs, steps wider than a needle do not come nearer yet.
+      const bool isNarrow = function == needles && model == ShadingModel::robust;
+      expectExact(scene, std::string(what) + ", " + nameOf(model), isNarrow ? 1.0 / 4096.0 : 1.0 / 256.0);
     }
 }
 

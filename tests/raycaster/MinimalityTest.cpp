@@ -66,7 +66,7 @@ int occurrences(const std::string& text, const std::string& word) {
 // The fetches of the volume's texture that one call of a function makes, loops counted once.
 int volumeFetches(const std::map<std::string, std::string>& functions, const std::string& name) {
   const std::string& body = functions.at(name);
-  int count = occurrences(body, "textureLod(u_volume");
+  int count = occurrences(body, "filtered(u_volume");
   for (const auto& [callee, unused] : functions)
     if (callee != name)
       if (const int calls =
