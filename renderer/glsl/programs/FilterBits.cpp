@@ -32,6 +32,7 @@ Scene ramp() {
 int filterBits(const Decisions& decisions) {
   constexpr int places = 1 << mostFilterBits;
   std::vector<glm::vec4> arguments;
+  arguments.reserve(places);
   for (int i = 0; i < places; ++i)
     arguments.emplace_back((static_cast<float>(i) + 0.5f) / places - 0.5f, 0.0f, 0.0f, 0.0f);
   GLint framebuffer = 0;

@@ -5,50 +5,13 @@
 
 #include <array>
 #include <cassert>
-#include <cctype>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <mutex>
 #include <type_traits>
 
 namespace limn {
 namespace {
-
-using Words = std::initializer_list<const char*>;
-
-// A word that hints begins so, or is it where it is short: "ct" must not be found in "sector".
-bool isAny(const std::string& word, const Words& words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view known) {
-    return known.size() > 4 ? word.starts_with(known) : word == known;
-  });
-}
-
-void readWord(const std::string& word, ScanHints& hints) {
-  using BodyPart = ScanHints::BodyPart;
-  using Weighting = ScanHints::Weighting;
-  if (isAny(word, {"ct", "cta", "ctpa", "ccta", "hrct"}))
-    hints.modality = "CT";
-  if (isAny(word, {"mr", "mri", "mra", "mrv", "tof", "mprage", "flair", "spgr"}))
-    hints.modality = "MR";
-  if (isAny(word, {"pt", "pet", "suv"}))
-    hints.modality = "PT";
-  if (isAny(word, {"cta", "ctpa", "ccta", "mra", "mrv", "tof", "angio", "angiography", "avm", "vessel",
-                   "aneurysm"}))
-    hints.isAngiography = true;
-  if (isAny(word, {"head", "brain", "skull", "cranium", "cerebr", "neuro"}))
-    hints.bodyPart = BodyPart::head;
-  if (isAny(word, {"chest", "thorax", "lung", "lungs", "hrct"}))
-    hints.bodyPart = BodyPart::chest;
-  if (isAny(word, {"abdomen", "abdominal", "liver", "pelvis"}))
-    hints.bodyPart = BodyPart::abdomen;
-  if (isAny(word, {"t1", "t1w", "mprage", "spgr"}))
-    hints.weighting = Weighting::t1;
-  if (isAny(word, {"t2", "t2w", "flair"}))
-    hints.weighting = Weighting::t2;
-  if (isAny(word, {"pd", "pdw"}))
-    hints.weighting = Weighting::pd;
-}
 
 // Differences, sums and gradients of scalars must be numbers, too.
 constexpr double largestScalar = 1e300;
@@ -248,29 +211,6 @@ ValidVoxels sanitised(StoredVoxels<T>& stored, const Rescale& rescale,
 }
 
 } // namespace
-
-ScanHints withHintsOf(ScanHints hints, std::string_view text) {
-  std::string word;
-  const auto end = [&] {
-    readWord(word, hints);
-    word.clear();
-  };
-  for (const char letter : text)
-    if (std::isalnum(static_cast<unsigned char>(letter)))
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    else
-      end();
-  end();
-  return hints;
-}
-
-ScanHints::Weighting weightingBy(double repetitionMs, double echoMs) {
-  if (repetitionMs < 1000.0)
-    return echoMs < 40.0 ? ScanHints::Weighting::t1 : ScanHints::Weighting::unknown;
-  if (repetitionMs < 1800.0)
-    return ScanHints::Weighting::unknown;
-  return echoMs < 40.0 ? ScanHints::Weighting::pd : ScanHints::Weighting::t2;
-}
 
 Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding,
                VolumeInfo info, const Effort& effort, std::shared_ptr<Room> room)
