@@ -175,7 +175,7 @@ void addRows(QGridLayout& grid, const QList<HelpRow>& rows) {
 QGridLayout* columnOf(const QList<QList<HelpRow>>& groups) {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(20);
-  grid->setVerticalSpacing(3);
+  grid->setVerticalSpacing(2);
   grid->setColumnStretch(1, 1);
   for (const QList<HelpRow>& rows : groups)
     addRows(*grid, rows);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/volume/ScanHints.h"
+#include "scene/volume/Volume.h"
+
+// What words in a description or a name tell of a scan; the hints themselves are a volume's (Volume.h).
 
 #include <algorithm>
 #include <cctype>

@@ -89,16 +89,23 @@ TEST_P(Framing, whatIsVisibleFillsThePictures) {
   ASSERT_TRUE(rest()); // from now on the camera follows the pictures' shape
   expectFramed("as it is opened");
 
+  // No edit moves the camera; R frames what is left.
   CropBox half;
   half.upper = {0.5, 1.0, 0.7};
+  const Camera before = scene().camera;
   session().setCrop(half, {nextGestureId(), QStringLiteral("crop")});
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(scene().camera, before) << "with a crop";
+  window->view().resetCamera();
   expectFramed("with a crop");
   session().setCrop({}, {nextGestureId(), QStringLiteral("crop")});
+  window->view().resetCamera();
   expectFramed("without the crop again");
 
   press("bodyOnly");
   RegionController& controller = *window->findChild<RegionController*>();
   ASSERT_TRUE(test::waitUntil([&] { return !controller.isBusy(); }));
+  window->view().resetCamera();
   expectFramed("with the other region");
 
   press("pictureAndCurveOnly");
