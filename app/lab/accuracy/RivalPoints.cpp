@@ -2,7 +2,6 @@
 #include "app/lab/accuracy/RivalPoints.h"
 
 #include "app/lab/bench/Bench.h"
-#include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "scene/PictureFigures.h"
 #include "scene/basics/Error.h"
@@ -14,12 +13,6 @@ namespace {
 
 constexpr double rivalSteps[] = {2.0, 1.0, 0.5, 0.25};
 const char* const rivals[] = {"vtk-gpu", "vtk-fixedpoint"};
-
-BytePicture savedBy(Contender& contender) {
-  const ScratchFolder folder;
-  contender.save(folder.path() / "picture.png");
-  return readBytes(folder.path() / "picture.png");
-}
 
 // Of colours over the background, where either picture shows something.
 ImageError errorOf(const BytePicture& picture, const PrecisePixels& exact, const glm::dvec3& background) {
@@ -43,7 +36,7 @@ MeasuredPoint measured(Contender& contender, const Scene& scene, const PrecisePi
   std::vector<double> ms;
   for (int i = 0; i < frames; ++i)
     ms.push_back(contender.draw(scene).ms);
-  const BytePicture picture = savedBy(contender);
+  const BytePicture picture = pictureOf(contender);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   if (picture.size != size)
     throw Error(Error::Kind::other, "The picture of " + contender.program() + " has another size.");

@@ -24,17 +24,17 @@ Scene exactly(Scene scene) {
   return scene;
 }
 
-BytePicture pictureOf(Contender& contender) {
-  const ScratchFolder folder;
-  contender.save(folder.path() / "picture.png");
-  return readBytes(folder.path() / "picture.png");
-}
-
 bool isOfLimn(const Contender& contender) {
   return contender.program() == "limn-gl" || contender.program() == "limn-cpu";
 }
 
 } // namespace
+
+BytePicture pictureOf(Contender& contender) {
+  const ScratchFolder folder;
+  contender.save(folder.path() / "picture.png");
+  return readBytes(folder.path() / "picture.png");
+}
 
 PictureErrors::PictureErrors(const Scene& scene, const std::vector<std::unique_ptr<Contender>>& contenders,
                              int threads)

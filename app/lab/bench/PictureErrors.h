@@ -3,13 +3,16 @@
 
 #include "accuracy/times/Timing.h"
 #include "app/lab/bench/Contender.h"
+#include "io/ImageFile.h"
 
 namespace limn {
 
+/// The picture that a contender drew last, 8 bits over the scene's background. Throws what `save` throws.
+BytePicture pictureOf(Contender& contender);
+
 /// How far the pictures of contenders lie from the exact one of a scene as they light it: the CPU engine's,
-/// with error-controlled steps of fineness 9 where the projection integrates and steps of 1/16 voxel
-/// elsewhere, no early termination. On the shared heads that is within 0.05 level of the converged picture in
-/// double.
+/// cell by cell with fineness 9, and exact where the projection does not integrate; no early termination. On
+/// the shared heads that is within 0.05 level of the converged picture in double.
 class PictureErrors {
 public:
   /// Draws the exact pictures of the first view for those contenders on `threads` (0: all).
