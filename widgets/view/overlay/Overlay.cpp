@@ -248,6 +248,7 @@ Overlay overlayOf(const OverlaySource& source) {
     overlay.centres = marksOf(source, source.comparison.turnsAboutMm);
   if (source.read)
     overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
+  overlay.cutLine = source.cutLine;
   overlay.progress = progressOf(source.state);
   return overlay;
 }
@@ -258,6 +259,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   if (overlay.gap)
     painter.fillRect(*overlay.gap, QColor(70, 76, 88));
   paintCropBoxes(painter, overlay);
+  if (overlay.cutLine)
+    paintCutLine(painter, *overlay.cutLine);
   for (const QPointF& mark : overlay.marks)
     paintMark(painter, mark);
   for (const QPointF& half : overlay.halves)
