@@ -10,6 +10,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
+#include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/CutBar.h"
 
 #include <QStatusBar>
@@ -61,14 +62,13 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
   return deepest;
 }
 
-// "226 – 3071 HU · 812 ml · mean 640"
+// "226 – 3071 HU · 812 ml · mean 640 HU"
 QString pieceText(const ConnectedPiece& piece, const SetFigures& figures, const Volume& volume) {
-  const QString unit = QString::fromStdString(volume.info().unit);
-  const int decimals = unit.isEmpty() ? 2 : 0;
   return CutController::tr("%1 – %2 · %3 ml · mean %4")
-      .arg(valueText(piece.range.x, {}, decimals), valueText(piece.range.y, unit, decimals),
+      .arg(valueText(piece.range.x, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
+           readingText(piece.range.y, volume),
            plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
-           valueText(figures.mean, unit, decimals));
+           readingText(figures.mean, volume));
 }
 
 } // namespace

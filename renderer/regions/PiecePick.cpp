@@ -10,7 +10,8 @@ namespace limn {
 namespace {
 
 constexpr double leastShown = 0.02; // as for what is visible (DEFINITION section 8)
-constexpr int reachVoxels = 3;
+constexpr double leastOfSeed = 0.5; // of its opacity, which belongs to a piece
+constexpr int reachVoxels = 2;
 constexpr double notchShare = 0.02; // of the range of values
 
 // Ranges in ascending order; those that touch become one.
@@ -37,15 +38,14 @@ private:
   std::vector<glm::dvec2> m_all;
 };
 
-// The part of the line between two points that is shown.
-void addShown(const ControlPoint& from, const ControlPoint& to, Ranges& ranges) {
-  const bool begins = from.opacity >= leastShown, ends = to.opacity >= leastShown;
+// The part of the line between two points that is opaque enough.
+void addPart(const ControlPoint& from, const ControlPoint& to, double least, Ranges& ranges) {
+  const bool begins = from.opacity >= least, ends = to.opacity >= least;
   if (!begins && !ends)
     return;
-  const double crossing =
-      begins && ends
-          ? 0.0
-          : from.value + (leastShown - from.opacity) / (to.opacity - from.opacity) * (to.value - from.value);
+  const double crossing = begins && ends ? 0.0
+                                         : from.value + (least - from.opacity) / (to.opacity - from.opacity) *
+                                                            (to.value - from.value);
   ranges.add(begins ? from.value : crossing, ends ? to.value : crossing);
 }
 
@@ -64,17 +64,17 @@ struct Sums {
 
 } // namespace
 
-std::optional<glm::dvec2> shownRangeAround(const TransferFunction& function, const ValueRange& values,
-                                           double value) {
+std::optional<glm::dvec2> rangeAround(const TransferFunction& function, const ValueRange& values,
+                                      double value, double least) {
   const std::vector<ControlPoint>& points = function.points;
   if (points.empty())
     return std::nullopt;
   Ranges ranges;
-  if (points.front().opacity >= leastShown)
+  if (points.front().opacity >= least)
     ranges.add(std::min(values.lowest, points.front().value), points.front().value);
   for (std::size_t n = 0; n + 1 < points.size(); ++n)
-    addShown(points[n], points[n + 1], ranges);
-  if (points.back().opacity >= leastShown)
+    addPart(points[n], points[n + 1], least, ranges);
+  if (points.back().opacity >= least)
     ranges.add(points.back().value, std::max(values.highest, points.back().value));
   return ranges.nearestTo(value);
 }
@@ -82,13 +82,9 @@ std::optional<glm::dvec2> shownRangeAround(const TransferFunction& function, con
 std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worldMm) {
   const Volume& volume = *scene.volume;
   const Grid& grid = volume.grid();
-  const glm::dvec3 index = worldToIndex(grid, worldMm);
-  const auto range = shownRangeAround(scene.transferFunction, volume.range(), valueAt(volume, index));
-  if (!range)
-    return std::nullopt;
-  const glm::ivec3 middle(glm::floor(index + 0.5));
-  std::optional<glm::ivec3> nearest;
-  double least = std::numeric_limits<double>::infinity();
+  const glm::ivec3 middle(glm::floor(worldToIndex(grid, worldMm) + 0.5));
+  glm::ivec3 seed(0);
+  double most = 0.0, seedValue = 0.0;
   for (int z = -reachVoxels; z <= reachVoxels; ++z)
     for (int y = -reachVoxels; y <= reachVoxels; ++y)
       for (int x = -reachVoxels; x <= reachVoxels; ++x) {
@@ -97,15 +93,17 @@ std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worl
             glm::any(glm::greaterThanEqual(voxel, grid.dims)) || !isKept(scene.keep, voxel))
           continue;
         const double value = valueAt(volume, glm::dvec3(voxel));
-        const double away = glm::length((glm::dvec3(voxel) - index) * grid.spacingMm);
-        if (value >= range->x && value <= range->y && away < least) {
-          least = away;
-          nearest = voxel;
-        }
+        const double opacity = classify(scene.transferFunction, value).opacity;
+        if (opacity <= most)
+          continue;
+        most = opacity;
+        seed = voxel;
+        seedValue = value;
       }
-  if (!nearest)
+  if (most < leastShown)
     return std::nullopt;
-  return ConnectedPiece{indexToWorld(grid, glm::dvec3(*nearest)), *range, 1, false};
+  const auto range = rangeAround(scene.transferFunction, volume.range(), seedValue, leastOfSeed * most);
+  return ConnectedPiece{indexToWorld(grid, glm::dvec3(seed)), *range, 1, false};
 }
 
 ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches) {

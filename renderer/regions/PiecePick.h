@@ -8,15 +8,15 @@
 
 namespace limn {
 
-/// The range of values that a curve shows without a gap around `value`: opacities of at least 0.02. Around a
-/// value that it does not show, the nearest such range; nothing where it shows none. Ends beyond the
-/// outermost point are those of the volume's values.
-std::optional<glm::dvec2> shownRangeAround(const TransferFunction& function, const ValueRange& values,
-                                           double value);
+/// The range of values without a gap around `value` to which a curve gives an opacity of at least `least` >
+/// 0. Around a value to which it gives less, the nearest such range; nothing where there is none. Ends beyond
+/// the outermost point are those of the volume's values.
+std::optional<glm::dvec2> rangeAround(const TransferFunction& function, const ValueRange& values,
+                                      double value, double least);
 
-/// The piece that is meant where a place is pointed at: its seed is the nearest voxel within three that is
-/// kept and whose value the curve shows, its range what the curve shows around that value. Nothing where
-/// there is none.
+/// The piece that is meant where a place is pointed at: its seed is the most opaque voxel within two that is
+/// kept, its range the values around that voxel's with at least half of its opacity, so that bone under a
+/// thin veil of skin is bone. Nothing where no voxel there has an opacity of 0.02.
 std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worldMm);
 
 /// The same piece with a range that is narrower by so many notches, each a fiftieth of the volume's range, or

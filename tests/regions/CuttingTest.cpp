@@ -287,17 +287,39 @@ TEST(Cuts, addOneLabelToThoseOfASegmentationAndLeaveTheirWeights) {
 TEST(PiecePick, takesTheRangeThatTheCurveShowsAroundTheValue) {
   const ValueRange values{-1000.0, 3000.0};
   const TransferFunction bone{1.0, {{200.0, {}, 0.0}, {300.0, {}, 0.2}, {1000.0, {}, 0.9}}};
-  EXPECT_EQ(shownRangeAround(bone, values, 700.0), glm::dvec2(210.0, 3000.0));
-  EXPECT_EQ(shownRangeAround(bone, values, -50.0), glm::dvec2(210.0, 3000.0)) << "the nearest one";
+  EXPECT_EQ(rangeAround(bone, values, 700.0, 0.02), glm::dvec2(210.0, 3000.0));
+  EXPECT_EQ(rangeAround(bone, values, -50.0, 0.02), glm::dvec2(210.0, 3000.0)) << "the nearest one";
+  EXPECT_EQ(rangeAround(bone, values, 700.0, 0.1), glm::dvec2(250.0, 3000.0));
   const TransferFunction bands{
       1.0,
       {{0.0, {}, 0.0}, {10.0, {}, 0.2}, {20.0, {}, 0.0}, {40.0, {}, 0.0}, {50.0, {}, 0.4}, {60.0, {}, 0.0}}};
-  const auto second = shownRangeAround(bands, values, 48.0);
+  const auto second = rangeAround(bands, values, 48.0, 0.02);
   ASSERT_TRUE(second);
   EXPECT_DOUBLE_EQ(second->x, 40.5);
   EXPECT_DOUBLE_EQ(second->y, 59.5);
-  EXPECT_FALSE(shownRangeAround({}, values, 0.0));
-  EXPECT_FALSE(shownRangeAround({1.0, {{0.0, {}, 0.0}}}, values, 0.0));
+  EXPECT_FALSE(rangeAround({}, values, 0.0, 0.02));
+  EXPECT_FALSE(rangeAround({1.0, {{0.0, {}, 0.0}}}, values, 0.0, 0.02));
+}
+
+TEST(PiecePick, pointsAtTheMostOpaqueVoxelNearBy) {
+  Grid grid;
+  grid.dims = {9, 9, 9};
+  std::vector<std::int16_t> stored(729, 40); // a veil around a bone of one voxel
+  stored[voxelOffset(grid.dims, 4, 4, 4)] = 800;
+  Scene scene;
+  scene.volume =
+      std::make_shared<const Volume>(grid, std::move(stored), Rescale{}, std::nullopt, VolumeInfo{});
+  scene.transferFunction = {1.0, {{0.0, {}, 0.05}, {200.0, {}, 0.05}, {800.0, {}, 0.9}}};
+  const auto bone = pieceAt(scene, {5.2, 4.6, 3.0});
+  ASSERT_TRUE(bone);
+  EXPECT_EQ(bone->seedMm, glm::dvec3(4.0));
+  EXPECT_NEAR(bone->range.x, 200.0 + 600.0 * (0.45 - 0.05) / 0.85, 1e-9) << "half of its opacity";
+  const auto veil = pieceAt(scene, {8.0, 8.0, 8.0});
+  ASSERT_TRUE(veil);
+  EXPECT_EQ(veil->range.x, 0.0);
+  EXPECT_FALSE(pieceAt(scene, {30.0, 4.0, 4.0})) << "beside the volume";
+  scene.transferFunction = {1.0, {{0.0, {}, 0.0}, {300.0, {}, 0.0}, {800.0, {}, 0.9}}};
+  EXPECT_FALSE(pieceAt(scene, {8.0, 8.0, 8.0})) << "nothing is seen there";
 }
 
 TEST(PiecePick, narrowsTheEndThatIsNotTheVolumesAndKeepsTheSeed) {

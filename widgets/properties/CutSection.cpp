@@ -28,14 +28,15 @@ QString summaryOf(const std::vector<Cut>& cuts) {
 
 } // namespace
 
-QString cutText(const Cut& cut, const QString& unit) {
+QString cutText(const Cut& cut, const Volume& volume) {
   if (const auto* scissors = std::get_if<Scissors>(&cut.how)) {
     const QString where =
         scissors->removesInside ? CutSection::tr("Scissors, inside") : CutSection::tr("Scissors, outside");
     return scissors->depthMm ? CutSection::tr("%1, what is seen").arg(where) : where;
   }
   const auto& piece = std::get<ConnectedPiece>(cut.how);
-  const int decimals = unit.isEmpty() ? 2 : 0;
+  const QString unit = QString::fromStdString(volume.info().unit);
+  const int decimals = decimalsOfSpan(volume.range().highest - volume.range().lowest);
   const QString range = CutSection::tr("%1 – %2").arg(valueText(piece.range.x, {}, decimals),
                                                       valueText(piece.range.y, unit, decimals));
   return piece.isKeptAlone ? CutSection::tr("Piece %1, alone").arg(range)
@@ -86,14 +87,13 @@ CutSection::CutSection(QWidget* parent)
 
 void CutSection::setScene(const Scene& scene) {
   const bool hadCuts = !m_cuts.empty();
-  const QString unit = scene.volume ? QString::fromStdString(scene.volume->info().unit) : QString();
   m_scissors->setEnabled(scene.volume != nullptr);
   m_piece->setEnabled(scene.volume != nullptr);
   if (!hadCuts && !scene.keep.cuts.empty())
     setFolded(false);
-  const bool isOther = m_cuts != scene.keep.cuts || m_unit != unit;
-  m_cuts = scene.keep.cuts;
-  m_unit = unit;
+  const bool isOther = m_cuts != scene.keep.cuts || m_volume != scene.volume;
+  m_cuts = scene.volume ? scene.keep.cuts : std::vector<Cut>();
+  m_volume = scene.volume;
   if (isOther || m_cuts.empty())
     showCuts();
 }
@@ -103,7 +103,7 @@ void CutSection::showCuts() {
   const QSignalBlocker blocker(m_list);
   m_list->clear();
   for (std::size_t n = 0; n < m_cuts.size(); ++n) {
-    auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(cutText(m_cuts[n], m_unit)), m_list);
+    auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(cutText(m_cuts[n], *m_volume)), m_list);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(m_cuts[n].isOn ? Qt::Checked : Qt::Unchecked);
   }

@@ -5,6 +5,7 @@
 #include "scene/regions/Cut.h"
 #include "widgets/controls/FoldingSection.h"
 
+#include <memory>
 #include <vector>
 
 class QListWidget;
@@ -34,7 +35,7 @@ private:
   void remove();
 
   std::vector<Cut> m_cuts;
-  QString m_unit; ///< of values
+  std::shared_ptr<const Volume> m_volume;
   QListWidget* m_list;
   QPushButton* m_scissors;
   QPushButton* m_piece;
@@ -43,7 +44,7 @@ private:
   QPushButton* m_delete;
 };
 
-/// What a list of cuts says of one: "Scissors, inside", "Piece 226 – 3071 HU, hidden".
-QString cutText(const Cut& cut, const QString& unit);
+/// What a list of cuts says of one of a volume: "Scissors, inside", "Piece 226 – 3071 HU, hidden".
+QString cutText(const Cut& cut, const Volume& volume);
 
 } // namespace limn

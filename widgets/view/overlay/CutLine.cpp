@@ -12,7 +12,7 @@ namespace limn {
 namespace {
 
 constexpr double leastStep = 2.0;     // logical pixels between corners of a line drawn in one go
-constexpr double tremble = 5.0;    // what moved less is a click
+constexpr double tremble = 5.0;       // what moved less is a click
 constexpr double closingReach = 10.0; // a click this near to the first corner closes the line
 
 const QColor lineColor(255, 196, 64);

@@ -16,9 +16,8 @@
 namespace limn {
 
 QString readingText(double value, const Volume& volume) {
-  const double span = volume.range().highest - volume.range().lowest;
-  const int digits = span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;
-  return valueText(value, QString::fromStdString(volume.info().unit), digits);
+  return valueText(value, QString::fromStdString(volume.info().unit),
+                   decimalsOfSpan(volume.range().highest - volume.range().lowest));
 }
 
 namespace {

@@ -192,6 +192,8 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
 QString regionText(const Region& region) {
   if (!isRestricting(region))
     return {};
+  if (region.isCut && region.kind == Region::Kind::body)
+    return QObject::tr("Body only, cut by hand");
   QStringList notes;
   const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(ownLabels(region));
   const auto weighed =
