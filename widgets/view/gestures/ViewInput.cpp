@@ -119,7 +119,7 @@ std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& came
                                   const ViewFrame& frame) {
   const Grid& grid = volume.grid();
   const auto fitted = [&](const Camera& placed) {
-    return framed(placed, grid, frame.visibleBox(), frame.aspect);
+    return framed(placed, grid, frame.visible(), frame.aspect);
   };
   const auto from = [&](StandardView view) { return fitted(standardView(camera, grid, view)); };
   if (const auto* look = std::get_if<LookFrom>(&command))
@@ -376,7 +376,7 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
   const Scene& shown = source.comparison.scene;
   if (!shown.volume)
     return false;
-  const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry), source.comparison.turnsAboutMm};
+  const ViewFrame frame{m_facts.visible, pictureAspect(source.geometry), source.comparison.turnsAboutMm};
   if (std::holds_alternative<Reset>(command))
     emit cameraReset();
   if (const auto camera = cameraAfter(command, shown.camera, *shown.volume, frame))
