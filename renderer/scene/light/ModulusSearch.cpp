@@ -344,7 +344,8 @@ ModulusSample sampledModuli(const Volume& volume, const VoxelBox& of, const Effo
   if (isEmpty(of))
     return {};
   const glm::dvec3 share = glm::dvec3(of.upper - of.lower) / glm::dvec3(volume.grid().dims);
-  const double pieces = share.x * share.y * share.z * (mostSampled / sampledPerPiece);
+  constexpr double most = static_cast<double>(mostSampled) / sampledPerPiece;
+  const double pieces = share.x * share.y * share.z * most;
   return withStencil(volume, of, [&](const auto& stencil, const VoxelBox& box) {
     return ModulusSample{sampleOf(stencil, box, std::max(1, static_cast<int>(pieces)), effort)};
   });
