@@ -6,6 +6,7 @@
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/properties/CutSection.h"
 #include "widgets/properties/LabelSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
@@ -62,6 +63,14 @@ void MainWindow::connectPictureAndPanels() {
           &ComparisonController::compareWith);
   connect(properties->labelSection(), &LabelSection::openRequested, &m_picture.regions(),
           &RegionController::askForLabels);
+  connect(properties->labelSection(), &LabelSection::keepEdited, &m_picture.regions(),
+          &RegionController::setKeep);
+  connect(properties->cutSection(), &CutSection::cutsEdited, &m_picture.regions(),
+          &RegionController::setCuts);
+  connect(properties->cutSection(), &CutSection::scissorsRequested, &m_context.view,
+          [this] { m_context.view.setTool(ViewTool::scissors); });
+  connect(properties->cutSection(), &CutSection::pieceRequested, &m_context.view,
+          [this] { m_context.view.setTool(ViewTool::piece); });
   connect(planes, &PlaneController::valueMarked, curve, &TransferFunctionEditor::setMark);
   connect(planes, &PlaneController::valuePinned, curve, &TransferFunctionEditor::setPinnedValue);
   connect(&m_panels.ray(), &RayController::placeChosen, planes, &PlaneController::goTo);

@@ -83,6 +83,10 @@ QString valueText(double value, const QString& unit, int decimals) {
   return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
 }
 
+int decimalsOfSpan(double span) {
+  return span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;
+}
+
 int decimalsFor(double step) {
   if (!(step > 0.0) || !std::isfinite(step))
     return 0;

@@ -274,7 +274,6 @@ void Panels::connectProperties() {
   connect(panel, &PropertiesPanel::isovalueEdited, session, &Session::setIsovalue);
   connect(panel, &PropertiesPanel::fogEdited, session, &Session::setFog);
   connect(panel, &PropertiesPanel::cropEdited, session, &Session::setCrop);
-  connect(panel->labelSection(), &LabelSection::keepEdited, session, &Session::setKeep);
   connect(panel, &PropertiesPanel::projectionEdited, this,
           [this](Projection projection, const Gesture& gesture) {
             m_context.session.edit(

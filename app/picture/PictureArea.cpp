@@ -73,7 +73,7 @@ void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
 PictureArea::PictureArea(WindowContext& context)
     : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
       m_status(*context.window.statusBar()), m_camera(context), m_comparison(context), m_engines(context),
-      m_regions(context), m_orientation(context), m_planes(context), m_menu(context) {
+      m_regions(context), m_cuts(context), m_orientation(context), m_planes(context), m_menu(context) {
   addTools();
   addCopying();
   const CompareView* view = &context.view;
@@ -89,6 +89,8 @@ PictureArea::PictureArea(WindowContext& context)
   });
   connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
   connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
+  connect(&m_menu, &PictureMenu::pieceChosen, &m_cuts, &CutController::pick);
+  connect(&m_cuts, &CutController::cutWanted, &m_regions, &RegionController::addCut);
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {
     m_context.view.setScene(scene); // ends a preview
     m_context.view.setPreview({});
@@ -116,6 +118,9 @@ void PictureArea::addTools() {
   add(ViewTool::zoom, "zoom", tr("Zoom"), tr("Z"), tr("up is nearer"));
   add(ViewTool::windowLevel, "window-level", tr("Window/level"), tr("W"),
       tr("right widens the window, up raises its level"));
+  add(ViewTool::scissors, "scissors", tr("Scissors"), tr("X"), tr("draw around what shall be cut away"));
+  add(ViewTool::piece, "piece", tr("Piece"), tr("K"),
+      tr("a click picks what hangs together, a drag rotates"));
   checkOnly(*m_tools, static_cast<int>(ViewTool::rotate));
   connect(m_tools, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     m_context.view.setTool(static_cast<ViewTool>(chosen->data().toInt()));

@@ -3,6 +3,7 @@
 
 #include "app/picture/CameraController.h"
 #include "app/picture/ComparisonController.h"
+#include "app/picture/CutController.h"
 #include "app/picture/EngineController.h"
 #include "app/picture/OrientationController.h"
 #include "app/picture/PictureMenu.h"
@@ -69,6 +70,7 @@ private:
   ComparisonController m_comparison;
   EngineController m_engines;
   RegionController m_regions;
+  CutController m_cuts;
   OrientationController m_orientation;
   PlaneController m_planes;
   PictureMenu m_menu; ///< of what those before it offer

@@ -35,9 +35,12 @@ void PictureMenu::open(const std::optional<Ray>& ray, int side, const QPoint& at
   menu->setToolTipsVisible(true);
   addTurns(*menu, ray, side);
   menu->addSeparator();
-  addPlace(*menu,
-           ray ? probeAlong(m_context.view.sceneOfSide(side), m_context.view.input().scaleOfSide(side), *ray)
-               : std::nullopt);
+  const std::optional<Probe> probe =
+      ray ? probeAlong(m_context.view.sceneOfSide(side), m_context.view.input().scaleOfSide(side), *ray)
+          : std::nullopt;
+  addPlace(*menu, probe);
+  menu->addSeparator();
+  addPiece(*menu, ray, side, probe.has_value());
   menu->addSeparator();
   addViews(*menu);
   menu->popup(m_context.view.mapToGlobal(at));
@@ -76,6 +79,13 @@ void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
                probe && hasSlices);
   connect(copy, &QAction::triggered, this, [value] { QApplication::clipboard()->setText(value); });
   connect(go, &QAction::triggered, this, [this, probe] { emit placeChosen(probe->positionMm); });
+}
+
+void PictureMenu::addPiece(QMenu& menu, const std::optional<Ray>& ray, int side, bool isSeen) {
+  const QAction* pick = addEntry(
+      menu, "pickPiece", tr("Pick this piece"),
+      isSeen ? tr("Lights up what hangs together here, to be hidden or kept alone.") : noPlaceText(), isSeen);
+  connect(pick, &QAction::triggered, this, [this, ray, side] { emit pieceChosen(*ray, side); });
 }
 
 void PictureMenu::addViews(QMenu& menu) {

@@ -27,12 +27,15 @@ public:
 signals:
   /// World mm; nothing: about the camera's target again.
   void turnAboutChosen(const std::optional<glm::dvec3>& worldMm);
+  /// What hangs together with what is seen along a ray of the picture of a side.
+  void pieceChosen(const limn::Ray& ray, int side);
   void placeChosen(const glm::dvec3& worldMm);
 
 private:
   void open(const std::optional<Ray>& ray, int side, const QPoint& at);
   void addTurns(QMenu& menu, const std::optional<Ray>& ray, int side);
   void addPlace(QMenu& menu, const std::optional<Probe>& probe);
+  void addPiece(QMenu& menu, const std::optional<Ray>& ray, int side, bool isSeen);
   void addViews(QMenu& menu);
 
   WindowContext& m_context;

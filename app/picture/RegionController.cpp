@@ -4,6 +4,7 @@
 #include "app/asking/FileDialogs.h"
 #include "app/window/WindowContext.h"
 #include "io/labels/LabelReader.h"
+#include "regions/Cutting.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
@@ -12,16 +13,35 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
-// Labels stay open, each shown wholly; a body goes.
-Region shownWholly(Region region) {
-  if (region.kind != Region::Kind::labels)
-    return {};
-  std::fill(region.weights.begin(), region.weights.end(), 1.0);
-  return region;
+// Labels stay open, each shown wholly, and cuts in their list, each off; a body goes.
+Region shownWholly(const Region& region) {
+  Region whole;
+  if (region.kind == Region::Kind::labels) {
+    whole = withoutCuts(region);
+    std::fill(whole.weights.begin(), whole.weights.end(), 1.0);
+  }
+  whole.cuts = region.cuts;
+  for (Cut& cut : whole.cuts)
+    cut.isOn = false;
+  return whole;
 }
+
+// What was cut before stays cut when other things are kept.
+FoundRegion cutAgain(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
+                     const Progress& progress) {
+  FoundRegion cut = cutIn(volume, found.region, cuts, progress);
+  if (!found.remark.empty())
+    cut.remark = found.remark;
+  return cut;
+}
+
+// What is worked at for less is not said: a bar that flashes tells nobody anything.
+constexpr int worthSayingMs = 300;
 
 } // namespace
 
@@ -45,8 +65,10 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
   connect(&context.view, &CompareView::everythingRequested, this, &RegionController::showEverything);
   connect(&context.view, &CompareView::loadingCancelled, this, &RegionController::cancel);
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
-  connect(&m_work, &BackgroundWork::progressed, this,
-          [this](double done) { m_context.view.setLoading(done, m_doing); });
+  connect(&m_work, &BackgroundWork::progressed, this, [this](double done) {
+    if (m_doingFor.elapsed() >= worthSayingMs)
+      m_context.view.setLoading(done, m_doing);
+  });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
     end();
     m_context.showError(sentence);
@@ -65,19 +87,52 @@ void RegionController::askForLabels() {
 }
 
 void RegionController::openLabels(const QString& path) {
-  start(tr("Opening labels"), tr("open labels"), [path](const Volume& volume, const Progress& progress) {
-    return FoundRegion{readLabels(path.toStdString(), gridOfFile(volume), progress), {}};
-  });
+  start(tr("Opening labels"), {nextGestureId(), tr("open labels")},
+        [path](const Volume& volume, const Progress& progress) {
+          return FoundRegion{readLabels(path.toStdString(), gridOfFile(volume), progress), {}, false};
+        });
 }
 
 void RegionController::setBodyOnly(bool isOn) {
-  const QString gesture = tr("body only");
+  const Gesture gesture{nextGestureId(), tr("body only")};
   if (!isOn)
     showEverything();
   else if (m_body.kind == Region::Kind::body)
-    keep({m_body, {}}, gesture);
+    cut(m_body, m_context.session.scene().keep.cuts, gesture);
   else
     start(tr("Looking for the body"), gesture, bodyOf);
+}
+
+void RegionController::setKeep(const Region& region, const Gesture& gesture) {
+  if (needsCutting(region))
+    cut(region, region.cuts, gesture);
+  else
+    m_context.session.setKeep(region, gesture);
+}
+
+void RegionController::setCuts(const std::vector<Cut>& cuts, const QString& gesture) {
+  cut(m_context.session.scene().keep, cuts, {nextGestureId(), gesture});
+}
+
+void RegionController::addCut(const Cut& cut, const QString& gesture) {
+  std::vector<Cut> cuts = m_cutsWanted.value_or(m_context.session.scene().keep.cuts);
+  cuts.push_back(cut);
+  setCuts(cuts, gesture);
+}
+
+// A region with these cuts, which a thread makes where any is on.
+void RegionController::cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture) {
+  if (std::none_of(cuts.begin(), cuts.end(), [](const Cut& cut) { return cut.isOn; })) {
+    cancel();
+    Region uncut = withoutCuts(region);
+    uncut.cuts = cuts;
+    keep({uncut, {}}, gesture);
+    return;
+  }
+  start(tr("Cutting"), gesture, [region, cuts](const Volume& volume, const Progress& progress) {
+    return cutIn(volume, region, cuts, progress);
+  });
+  m_cutsWanted = cuts;
 }
 
 void RegionController::showEverything() {
@@ -93,21 +148,24 @@ void RegionController::showScene(const Scene& scene) {
     m_body = {};
   }
   if (scene.keep.kind == Region::Kind::body)
-    m_body = scene.keep;
+    m_body = withoutCuts(scene.keep);
   m_bodyOnly->setChecked(scene.keep.kind == Region::Kind::body);
 }
 
-void RegionController::start(const QString& what, const QString& gesture, Work work) {
+void RegionController::start(const QString& what, const Gesture& gesture, Work work) {
   cancel();
   if (!m_volume)
     return;
   m_doing = what;
-  m_context.view.setLoading(-1.0, what);
-  m_work.start([this, volume = m_volume, gesture,
+  m_doingFor.start();
+  m_work.start([this, volume = m_volume, gesture, cuts = m_context.session.scene().keep.cuts,
                 work = std::move(work)](const Effort& effort) -> BackgroundWork::Deliver {
     const Progress progress{[&effort](double done, const Message&) { effort.report(done); },
                             effort.isCancelled};
-    return [this, found = work(*volume, progress), gesture] {
+    FoundRegion found = work(*volume, progress);
+    if (found.region.cuts.empty() && !cuts.empty())
+      found = cutAgain(*volume, found, cuts, progress);
+    return [this, found, gesture] {
       end();
       keep(found, gesture);
     };
@@ -126,13 +184,17 @@ void RegionController::tellReplaced(const Region& before, const Region& now) {
               : tr("Body only stands in the place of the labels: one of the two decides what is kept."),
       {}, {wasBody ? tr("Body only again") : tr("Labels again"), [this, before, gesture] {
              m_context.messages.hide();
-             m_context.session.setKeep(before, {nextGestureId(), gesture});
+             setKeep(before, {nextGestureId(), gesture});
            }});
 }
 
-void RegionController::keep(const FoundRegion& found, const QString& gesture) {
+void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
   const Region before = m_context.session.scene().keep;
-  m_context.session.setKeep(found.region, {nextGestureId(), gesture});
+  if (found.takesNothing && found.region.cuts.size() > before.cuts.size()) {
+    m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
+    return;
+  }
+  m_context.session.setKeep(found.region, gesture);
   tellReplaced(before, found.region);
   if (!found.remark.empty() && isRestricting(found.region))
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
@@ -150,6 +212,7 @@ void RegionController::cancel() {
 }
 
 void RegionController::end() {
+  m_cutsWanted.reset();
   m_context.view.clearLoading();
   // A box that was checked for what did not come of it.
   m_bodyOnly->setChecked(m_context.session.scene().keep.kind == Region::Kind::body);

@@ -3,13 +3,17 @@
 
 #include "app/core/sources/KeptRegion.h"
 #include "scene/Scene.h"
+#include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 class QAction;
 
@@ -17,8 +21,9 @@ namespace limn {
 
 struct WindowContext;
 
-/// What is kept of the volume: the body, which it finds, or the labels of a segmentation, which it reads, on
-/// a thread of its own, one at a time. What it makes becomes an undo step. Another volume ends its work.
+/// What is kept of the volume: the body, which it finds, or the labels of a segmentation, which it reads, and
+/// what of these is cut away by hand, on a thread of its own, one at a time. What it makes becomes an undo
+/// step. Another volume ends its work.
 class RegionController : public QObject {
   Q_OBJECT
 
@@ -32,7 +37,13 @@ public slots:
   void askForLabels();
   void openLabels(const QString& path);
   void setBodyOnly(bool isOn);
-  /// Takes back what labels or Body only hide; a crop stays.
+  /// What is kept shall be this: of other labels that pieces hang on, those are found anew.
+  void setKeep(const limn::Region& region, const limn::Gesture& gesture);
+  /// The list of cuts shall be this.
+  void setCuts(const std::vector<limn::Cut>& cuts, const QString& gesture);
+  /// One cut more, behind those there are or that are being made.
+  void addCut(const limn::Cut& cut, const QString& gesture);
+  /// Takes back what labels, cuts or Body only hide; a crop stays, and cuts stay in their list.
   void showEverything();
   void cancel();
   void showScene(const limn::Scene& scene);
@@ -40,8 +51,9 @@ public slots:
 private:
   using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
 
-  void start(const QString& what, const QString& gesture, Work work);
-  void keep(const FoundRegion& found, const QString& gesture);
+  void start(const QString& what, const Gesture& gesture, Work work);
+  void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
+  void keep(const FoundRegion& found, const Gesture& gesture);
   void tellReplaced(const Region& before, const Region& now);
   void end();
 
@@ -50,6 +62,8 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
   Region m_body;                          ///< of it, where it is known
   QString m_doing;                        ///< what is worked at, in words
+  QElapsedTimer m_doingFor;
+  std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
   BackgroundWork m_work;
 };
 

@@ -97,7 +97,7 @@ std::string withKeep(const std::string& keep) {
 TEST(SceneFile, whatIsKeptIsReadBack) {
   EXPECT_EQ(parseScene(withKeep(R"("all")"), "t").keep, KeptPart{});
   EXPECT_EQ(parseScene(withKeep(R"("body")"), "t").keep.kind, Region::Kind::body);
-  const KeptPart labels{Region::Kind::labels, "a/seg.nrrd", {{-2, 1.0}, {3, 0.0}, {4, 0.25}}};
+  const KeptPart labels{Region::Kind::labels, "a/seg.nrrd", {{-2, 1.0}, {3, 0.0}, {4, 0.25}}, {}};
   EXPECT_EQ(
       parseScene(withKeep(R"({"labels": "a/seg.nrrd", "weights": {"3": 0, "4": 0.25, "-2": 1}})"), "t").keep,
       labels);
@@ -108,23 +108,60 @@ TEST(SceneFile, whatIsKeptIsReadBack) {
                 std::make_shared<const LabelMap>(glm::ivec3(1), std::vector<std::uint8_t>{0},
                                                  std::vector<Label>{{0, "", {}}, {3, "", {}}, {7, "", {}}}),
                 {1.0, 0.1, 1.0}};
-  const KeptPart written{Region::Kind::labels, "seg.nrrd", {{3, 0.1}}};
+  const KeptPart written{Region::Kind::labels, "seg.nrrd", {{3, 0.1}}, {}};
   EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, written);
   scene.keep = bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1});
-  EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, (KeptPart{Region::Kind::body, "", {}}));
+  EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, (KeptPart{Region::Kind::body, "", {}, {}}));
+}
+
+TEST(SceneFile, cutsAreReadBackInTheirOrderBesideWhatTheyCut) {
+  Camera camera;
+  camera.projection = Camera::Projection::orthographic;
+  camera.position = {1.0, -200.5, 3.0};
+  camera.heightMm = 123.25;
+  const Scissors scissors{camera, 1.5, {{0.1, 0.2}, {0.5, -0.25}, {-0.75, 0.0}}, false, glm::dvec2(10, 250)};
+  const Scissors inside{camera, 0.75, {{0, 0}, {1, 0}, {0, 1}}, true, {}};
+  const ConnectedPiece piece{{4.5, 5.0, -6.0}, {226.0, 3071.0}, 2, true};
+  const std::vector<Cut> cuts{{scissors, true}, {piece, false}, {inside, true}};
+  for (const Region::Kind kind : {Region::Kind::all, Region::Kind::body, Region::Kind::labels}) {
+    Scene scene;
+    scene.keep.kind = kind;
+    scene.keep.source = kind == Region::Kind::labels ? "seg.nrrd" : "";
+    scene.keep.cuts = cuts;
+    const KeptPart read = parseScene(sceneToJson(scene, "v"), "t").keep;
+    EXPECT_EQ(read, (KeptPart{kind, scene.keep.source, {}, cuts}));
+  }
+  // What a person leaves out: the whole depth, hidden, grown by one voxel, on.
+  const KeptPart typed = parseScene(withKeep(R"(["body", {"piece": {"seed_mm": [1, 2, 3], "range": [5, 9]}},
+                                                {"scissors": {"camera": {}, "polygon": [[0,0],[1,0],[0,1]]}}])"),
+                                    "t")
+                             .keep;
+  EXPECT_EQ(typed.kind, Region::Kind::body);
+  ASSERT_EQ(typed.cuts.size(), 2u);
+  EXPECT_EQ(typed.cuts[0], (Cut{ConnectedPiece{{1, 2, 3}, {5, 9}, 1, false}, true}));
+  EXPECT_EQ(typed.cuts[1], (Cut{Scissors{Camera(), 1.0, {{0, 0}, {1, 0}, {0, 1}}, true, {}}, true}));
 }
 
 TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
-  for (const auto& [keep, named] :
-       std::map<std::string, std::string>{{R"("head")", "\"body\""},
-                                          {R"(3)", "keep"},
-                                          {R"({"weights": {}})", "keep.labels"},
-                                          {R"({"labels": ""})", "keep.labels"},
-                                          {R"({"labels": "s", "weights": {"3": 1.5}})", "keep.weights.3"},
-                                          {R"({"labels": "s", "weights": {"3": "half"}})", "keep.weights.3"},
-                                          {R"({"labels": "s", "weights": {"bone": 1}})", "keep.weights.bone"},
-                                          {R"({"labels": "s", "weights": [1]})", "keep.weights"},
-                                          {R"({"labels": "s", "wieghts": {}})", "keep.wieghts"}}) {
+  for (const auto& [keep, named] : std::map<std::string, std::string>{
+           {R"("head")", "\"body\""},
+           {R"(3)", "keep"},
+           {R"({"weights": {}})", "keep.labels"},
+           {R"({"labels": ""})", "keep.labels"},
+           {R"({"labels": "s", "weights": {"3": 1.5}})", "keep.weights.3"},
+           {R"({"labels": "s", "weights": {"3": "half"}})", "keep.weights.3"},
+           {R"({"labels": "s", "weights": {"bone": 1}})", "keep.weights.bone"},
+           {R"({"labels": "s", "weights": [1]})", "keep.weights"},
+           {R"(["body", {"labels": "s"}])", "two things"},
+           {R"(["head"])", "keep"},
+           {R"([{}])", "keep[0].scissors"},
+           {R"([{"scissors": {"polygon": [[0,0],[1,0],[0,1]]}}])", "camera"},
+           {R"([{"scissors": {"camera": {}, "polygon": [[0,0],[1,0]]}}])", "keep[0].scissors.polygon"},
+           {R"([{"scissors": {"camera": {}, "polygon": [[0,0],[1,0],[0]]}}])", "keep[0].scissors.polygon"},
+           {R"(["body", {"piece": {"range": [0, 1]}}])", "keep[1].piece.seed_mm"},
+           {R"([{"piece": {"seed_mm": [0,0,0]}}])", "keep[0].piece.range"},
+           {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "do": "eat"}}])", "hide, only"},
+           {R"({"labels": "s", "wieghts": {}})", "keep.wieghts"}}) {
     const std::string refusal = refusalOf(withKeep(keep));
     EXPECT_NE(refusal.find(named), std::string::npos) << keep << ": " << refusal;
   }

@@ -65,13 +65,20 @@ public:
   }
 };
 
+// Of the segmentation's own labels: what was cut away by hand is none of them.
+std::vector<double> ownWeights(const Region& region) {
+  std::vector<double> weights = region.weights;
+  weights.resize(ownLabels(region));
+  return weights;
+}
+
 QString summaryOf(const Region& region) {
   if (region.kind != Region::Kind::labels)
     return LabelSection::tr("none");
-  const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
-                                     [](double weight) { return weight != 1.0; });
-  return weighed == 0 ? LabelSection::tr("%1 shown").arg(region.weights.size())
-                      : LabelSection::tr("%1 of %2 hidden or faded").arg(weighed).arg(region.weights.size());
+  const std::vector<double> own = ownWeights(region);
+  const auto weighed = std::count_if(own.begin(), own.end(), [](double weight) { return weight != 1.0; });
+  return weighed == 0 ? LabelSection::tr("%1 shown").arg(own.size())
+                      : LabelSection::tr("%1 of %2 hidden or faded").arg(weighed).arg(own.size());
 }
 
 QString weightGestureText(const Label& label, double weight) {
@@ -106,7 +113,7 @@ void LabelTable::setRegion(const Region& region) {
 
 int LabelTable::rowCount(const QModelIndex& parent) const {
   const bool hasLabels = m_region.kind == Region::Kind::labels && m_region.labels && !parent.isValid();
-  return hasLabels ? static_cast<int>(m_region.weights.size()) : 0;
+  return hasLabels ? static_cast<int>(ownLabels(m_region)) : 0;
 }
 
 int LabelTable::columnCount(const QModelIndex& parent) const {
@@ -209,7 +216,7 @@ LabelSection::LabelSection(QWidget* parent)
   connect(m_open, &QAbstractButton::clicked, this, &LabelSection::openRequested);
   connect(m_showAll, &QAbstractButton::clicked, this, [this] {
     Region all = m_labels->region();
-    std::fill(all.weights.begin(), all.weights.end(), 1.0);
+    std::fill_n(all.weights.begin(), ownLabels(all), 1.0);
     emit keepEdited(all, {nextGestureId(), tr("show all labels")});
   });
   setScene({});
@@ -227,7 +234,8 @@ void LabelSection::setScene(const Scene& scene) {
                             std::min(rows, mostRowsShown) * m_table->sizeHintForRow(0));
   m_open->setEnabled(scene.volume != nullptr);
   m_showAll->setVisible(rows > 0);
-  m_showAll->setEnabled(isRestricting(scene.keep));
+  m_showAll->setEnabled(rows > 0 &&
+                        ownWeights(scene.keep) != std::vector<double>(ownLabels(scene.keep), 1.0));
   setSummary(summaryOf(scene.keep));
 }
 

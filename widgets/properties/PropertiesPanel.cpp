@@ -3,6 +3,7 @@
 
 #include "widgets/controls/NumberSliders.h"
 #include "widgets/properties/CropSection.h"
+#include "widgets/properties/CutSection.h"
 #include "widgets/properties/FogSection.h"
 #include "widgets/properties/LabelSection.h"
 #include "widgets/properties/ProjectionSection.h"
@@ -95,9 +96,10 @@ ValueSlider* QualitySection::addNumber(ValueSlider* slider, double Quality::*mem
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : SectionPanel(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
       m_sections({m_model, new GradientSection, new LightSection}), m_use(m_sections.size()),
-      m_crop(new CropSection), m_labels(new LabelSection), m_fog(new FogSection),
+      m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection), m_fog(new FogSection),
       m_quality(new QualitySection) {
-  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_labels, m_fog, m_quality});
+  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_cuts, m_labels, m_fog,
+         m_quality});
   // What is needed most stands open; the rest waits folded.
   m_sections[1]->setFolded(true);
   foldUnused();
@@ -127,6 +129,7 @@ void PropertiesPanel::setScene(const Scene& scene) {
   setQuality(scene.quality);
   m_projection->setScene(scene);
   m_crop->setScene(scene);
+  m_cuts->setScene(scene);
   m_labels->setScene(scene);
   m_fog->setScene(scene);
   if (otherProjection)
@@ -175,6 +178,7 @@ void PropertiesPanel::setUnused(std::size_t section, const QString& reason) {
 
 void PropertiesPanel::foldUnused() {
   m_crop->setFolded(m_scene.crop == CropBox{});
+  m_cuts->setFolded(m_scene.keep.cuts.empty());
   m_labels->setFolded(m_scene.keep.kind != Region::Kind::labels);
   m_fog->setFolded(m_scene.fog.mode == Fog::Mode::none);
 }

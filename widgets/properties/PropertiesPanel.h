@@ -11,6 +11,7 @@ namespace limn {
 
 class ChoiceRow;
 class CropSection;
+class CutSection;
 class FogSection;
 class LabelSection;
 class ModelSection;
@@ -62,6 +63,7 @@ public:
   void setModelsShown(const std::vector<ShadingModel>& models);
 
   CropSection* cropSection() const { return m_crop; }
+  CutSection* cutSection() const { return m_cuts; }
   LabelSection* labelSection() const { return m_labels; }
 
   QSize sizeHint() const override { return {320, 600}; }
@@ -93,6 +95,7 @@ private:
   };
   std::vector<Use> m_use;
   CropSection* m_crop;
+  CutSection* m_cuts;
   LabelSection* m_labels;
   FogSection* m_fog;
   QualitySection* m_quality;

@@ -49,6 +49,7 @@ void CompareView::push() {
   m_order.heldFace = m_input->heldFace();
   m_order.isTurning = m_input->isTurning();
   m_order.read = m_input->reading();
+  m_order.cutLine = m_input->cutLine();
   m_order.coveredBelow = m_panels->coveredBelow();
   m_order.isSeen = m_isShown && scene().volume;
   m_engines->show(m_order);
@@ -110,6 +111,8 @@ void CompareView::setScene(const Scene& scene) {
   m_fit->setScene(scene);
   if (scene.volume != before.volume)
     m_input->forget();
+  if (scene.camera != before.camera)
+    m_input->forgetLine(); // it was drawn on another picture
   push();
   if (scene.shading != before.shading)
     m_labels->wake();
@@ -164,6 +167,16 @@ void CompareView::showPreparing(double fraction) {
 
 void CompareView::setTool(ViewTool tool) {
   m_input->setTool(tool);
+  push();
+}
+
+void CompareView::setLinesRemoveInside(bool isInside) {
+  m_input->setLinesRemoveInside(isInside);
+  push();
+}
+
+void CompareView::setWheelIsForPiece(bool isForPiece) {
+  m_input->setWheelIsForPiece(isForPiece);
 }
 
 ViewTool CompareView::tool() const {

@@ -96,6 +96,11 @@ public:
   }
   const std::optional<glm::dvec3>& turnsAbout() const { return m_order.comparison.turnsAboutMm; }
 
+  /// Whether lines of the scissors take away what they go around, or all else; at first the former.
+  void setLinesRemoveInside(bool isInside);
+  /// Whether the wheel changes the range of a piece that was picked; at first it zooms.
+  void setWheelIsForPiece(bool isForPiece);
+
   /// What reads pointer and keys.
   const ViewInput& input() const { return *m_input; }
 

@@ -3,9 +3,12 @@
 
 #include "io/labels/LabelReader.h"
 #include "regions/Body.h"
+#include "regions/Cutting.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/volume/Orientation.h"
 #include "scene/volume/VolumePart.h"
+
+#include <algorithm>
 
 namespace limn {
 namespace {
@@ -41,14 +44,44 @@ Region sureBodyOf(const Volume& volume, const Progress& progress) {
 }
 
 FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress) {
-  if (part.kind == Region::Kind::all)
-    return {};
+  FoundRegion found;
   if (part.kind == Region::Kind::body)
-    return bodyOf(volume, progress);
-  Region region = readLabels(part.labels, gridOfFile(volume), progress);
-  region.weights = weightsOf(region.labels->labels(), part.weights,
-                             std::filesystem::path(part.labels).filename().string());
-  return {std::move(region), {}};
+    found = bodyOf(volume, progress);
+  if (part.kind == Region::Kind::labels) {
+    found.region = readLabels(part.labels, gridOfFile(volume), progress);
+    found.region.weights = weightsOf(found.region.labels->labels(), part.weights,
+                                     std::filesystem::path(part.labels).filename().string());
+  }
+  if (part.cuts.empty())
+    return found;
+  FoundRegion cut = cutIn(volume, found.region, part.cuts, progress);
+  if (!found.remark.empty())
+    cut.remark = found.remark;
+  return cut;
+}
+
+FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
+                  const Progress& progress) {
+  const Effort effort = effortOf(progress, Message::tr("Cutting"));
+  const bool needsAll = volume.part() && std::any_of(cuts.begin(), cuts.end(), [](const Cut& cut) {
+                          return std::holds_alternative<ConnectedPiece>(cut.how);
+                        });
+  CutRegion made = needsAll ? cutRegion(*reread(volume, allVoxels(volume.grid())), region, cuts, effort)
+                            : cutRegion(volume, region, cuts, effort);
+  FoundRegion found{std::move(made.region), {}};
+  for (std::size_t n = 0; n < cuts.size() && found.remark.empty(); ++n)
+    if (cuts[n].isOn && n >= region.cuts.size() && made.taken[n] == 0)
+      found.remark =
+          std::holds_alternative<ConnectedPiece>(cuts[n].how)
+              ? Message::tr("Cut %1 finds no piece: nothing in its range of values is left at its "
+                            "place.")
+                    .arg(n + 1)
+              : Message::tr("Cut %1 takes nothing away: its line goes around nothing that is left.")
+                    .arg(n + 1);
+  found.takesNothing = !found.remark.empty() && made.taken.back() == 0;
+  if (made.left == 0)
+    found.remark = Message::tr("The cuts take everything away.");
+  return found;
 }
 
 } // namespace limn

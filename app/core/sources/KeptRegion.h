@@ -13,6 +13,7 @@ namespace limn {
 struct FoundRegion {
   Region region;
   Message remark;
+  bool takesNothing = false; ///< the last of its cuts, as the remark says
 };
 
 /// The body of a volume, asked for: everything where there is none. Throws Cancelled.
@@ -20,6 +21,11 @@ FoundRegion bodyOf(const Volume& volume, const Progress& progress = {});
 
 /// The body of a CT volume, unasked: everything where it is not sure or there is nothing to hide.
 Region sureBodyOf(const Volume& volume, const Progress& progress = {});
+
+/// A region with other cuts in the place of its own (regions/Cutting.h), and which of those it did not have
+/// takes nothing away. Throws Error (input), Cancelled.
+FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
+                  const Progress& progress = {});
 
 /// What a scene asks to be kept of its volume; the label map is read from where the scene says. Throws Error
 /// (input) where it cannot be read or lacks a label that has a weight; Cancelled.

@@ -11,6 +11,12 @@
 namespace limn {
 namespace {
 
+constexpr std::size_t mostCorners = 100000; // a line drawn for minutes has some thousands
+constexpr int mostGrown = 100;
+
+constexpr Words<bool, 2> removeWords{{"outside", "inside"}};
+constexpr Words<bool, 2> pieceWords{{"hide", "only"}};
+
 int labelNamed(const JsonFields& weights, const std::string& key) {
   int value = 0;
   const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), value);
@@ -22,9 +28,9 @@ int labelNamed(const JsonFields& weights, const std::string& key) {
 } // namespace
 
 KeptPart keptPartOf(const Region& region) {
-  KeptPart part{region.kind, region.kind == Region::Kind::labels ? region.source : std::string(), {}};
+  KeptPart part{region.kind, region.kind == Region::Kind::labels ? region.source : "", {}, region.cuts};
   if (region.kind == Region::Kind::labels && region.labels)
-    for (std::size_t place = 0; place < region.weights.size(); ++place)
+    for (std::size_t place = 0; place < ownLabels(region); ++place)
       if (region.weights[place] != 1.0)
         part.weights[region.labels->labels()[place].value] = region.weights[place];
   return part;
@@ -46,17 +52,10 @@ std::vector<double> weightsOf(const std::vector<Label>& labels, const std::map<i
   return inOrder;
 }
 
-KeptPart readKeptPart(JsonFields& scene) {
-  const nlohmann::json& value = scene.child("keep");
-  KeptPart part;
-  if (!value.is_object()) {
-    if (value != "all" && value != "body")
-      scene.fail("keep", Message::tr("must be \"all\", \"body\" or {\"labels\": FILE, \"weights\": {…}}"));
-    part.kind = value == "body" ? Region::Kind::body : Region::Kind::all;
-    return part;
-  }
+namespace {
+
+void readLabelsPart(JsonFields fields, KeptPart& part) {
   part.kind = Region::Kind::labels;
-  JsonFields fields = scene.object("keep");
   if (!fields.text("labels", part.labels) || part.labels.empty())
     fields.fail("labels", Message::tr("is missing; name the file of the label map"));
   if (fields.has("weights")) {
@@ -66,16 +65,154 @@ KeptPart readKeptPart(JsonFields& scene) {
     weights.finish();
   }
   fields.finish();
+}
+
+std::vector<glm::dvec2> readPolygon(JsonFields& fields) {
+  std::vector<glm::dvec2> polygon;
+  const nlohmann::json& corners = fields.child("polygon");
+  const bool isList = corners.is_array() && corners.size() >= 3 && corners.size() <= mostCorners;
+  for (const nlohmann::json& corner : corners) {
+    const bool isPlace =
+        isList && corner.is_array() && corner.size() == 2 && corner[0].is_number() && corner[1].is_number();
+    if (!isPlace)
+      fields.fail("polygon", Message::tr("must be a list of 3 to %1 places [x, y]").arg(mostCorners));
+    polygon.emplace_back(corner[0].get<double>(), corner[1].get<double>());
+  }
+  if (!isList)
+    fields.fail("polygon", Message::tr("must be a list of 3 to %1 places [x, y]").arg(mostCorners));
+  return polygon;
+}
+
+Scissors readScissors(JsonFields fields) {
+  Scissors scissors;
+  if (!fields.has("camera"))
+    fields.fail("camera", Message::tr("is missing; it is the one under which the line was drawn"));
+  scissors.camera = readCamera(fields.object("camera"));
+  fields.number("aspect", scissors.aspect, positive);
+  scissors.polygon = readPolygon(fields);
+  fields.choice("remove", scissors.removesInside, removeWords);
+  if (fields.has("depth_mm") && !fields.child("depth_mm").is_null()) {
+    glm::dvec2 depth(0.0);
+    fields.pair("depth_mm", depth.x, depth.y, notNegative);
+    scissors.depthMm = depth;
+  }
+  fields.finish();
+  return scissors;
+}
+
+ConnectedPiece readPiece(JsonFields fields) {
+  ConnectedPiece piece;
+  if (!fields.vector("seed_mm", piece.seedMm))
+    fields.fail("seed_mm", Message::tr("is missing; it is a place of the piece"));
+  if (!fields.has("range"))
+    fields.fail("range", Message::tr("is missing; it is the lowest and the highest value of the piece"));
+  if (fields.pair("range", piece.range.x, piece.range.y, anyNumber) && piece.range.x > piece.range.y)
+    fields.fail("range", Message::tr("must name the smaller number first"));
+  fields.integer("grow_voxels", piece.growVoxels, 0, mostGrown);
+  fields.choice("do", piece.isKeptAlone, pieceWords);
+  fields.finish();
+  return piece;
+}
+
+Cut readCut(JsonFields fields) {
+  Cut cut;
+  if (fields.has("scissors"))
+    cut.how = readScissors(fields.object("scissors"));
+  else if (fields.has("piece"))
+    cut.how = readPiece(fields.object("piece"));
+  else
+    fields.fail("scissors", Message::tr("is missing, and so are piece and labels; an entry is one of these"));
+  fields.boolean("on", cut.isOn);
+  fields.finish();
+  return cut;
+}
+
+// The list of what is kept and of cuts, in order.
+KeptPart readEntries(JsonFields& scene, const nlohmann::json& entries) {
+  KeptPart part;
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    const nlohmann::json& entry = entries[n];
+    const bool isLabels = entry.is_object() && entry.contains("labels");
+    if (entry == "all")
+      continue;
+    if ((isLabels || entry == "body") && part.kind != Region::Kind::all)
+      scene.fail("keep", Message::tr("names two things to be kept; the body or one segmentation can be"));
+    if (entry == "body")
+      part.kind = Region::Kind::body;
+    else if (isLabels)
+      readLabelsPart(JsonFields(entry, scene.document(), placeIn("keep", n)), part);
+    else if (entry.is_object())
+      part.cuts.push_back(readCut(JsonFields(entry, scene.document(), placeIn("keep", n))));
+    else
+      scene.fail("keep", Message::tr("has an entry that is no object, \"all\" or \"body\""));
+  }
   return part;
 }
 
-nlohmann::ordered_json keptPartJson(const KeptPart& part) {
+nlohmann::ordered_json cutJson(const Cut& cut) {
+  nlohmann::ordered_json json;
+  if (const auto* scissors = std::get_if<Scissors>(&cut.how)) {
+    nlohmann::ordered_json polygon = nlohmann::ordered_json::array();
+    for (const glm::dvec2& corner : scissors->polygon)
+      polygon.push_back({corner.x, corner.y});
+    nlohmann::ordered_json depth;
+    if (scissors->depthMm)
+      depth = {scissors->depthMm->x, scissors->depthMm->y};
+    json["scissors"] = {{"camera", cameraJson(scissors->camera)},
+                        {"aspect", scissors->aspect},
+                        {"polygon", polygon},
+                        {"remove", removeWords.of(scissors->removesInside)},
+                        {"depth_mm", depth}};
+  } else {
+    const auto& piece = std::get<ConnectedPiece>(cut.how);
+    json["piece"] = {{"seed_mm", {piece.seedMm.x, piece.seedMm.y, piece.seedMm.z}},
+                     {"range", {piece.range.x, piece.range.y}},
+                     {"grow_voxels", piece.growVoxels},
+                     {"do", pieceWords.of(piece.isKeptAlone)}};
+  }
+  if (!cut.isOn)
+    json["on"] = false;
+  return json;
+}
+
+// What is kept before the cuts.
+nlohmann::ordered_json baseJson(const KeptPart& part) {
   if (part.kind != Region::Kind::labels)
     return part.kind == Region::Kind::body ? "body" : "all";
   nlohmann::ordered_json weights = nlohmann::ordered_json::object();
   for (const auto& [value, weight] : part.weights)
     weights[std::to_string(value)] = weight;
   return {{"labels", part.labels}, {"weights", weights}};
+}
+
+} // namespace
+
+KeptPart readKeptPart(JsonFields& scene) {
+  const nlohmann::json& value = scene.child("keep");
+  KeptPart part;
+  if (value.is_array())
+    return readEntries(scene, value);
+  if (value.is_object()) {
+    readLabelsPart(scene.object("keep"), part);
+  } else {
+    if (value != "all" && value != "body")
+      scene.fail("keep", Message::tr("must be \"all\", \"body\", {\"labels\": FILE, \"weights\": {…}} or a "
+                                     "list of these and of cuts"));
+    part.kind = value == "body" ? Region::Kind::body : Region::Kind::all;
+  }
+  return part;
+}
+
+nlohmann::ordered_json keptPartJson(const KeptPart& part) {
+  const nlohmann::ordered_json base = baseJson(part);
+  if (part.cuts.empty())
+    return base;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  if (part.kind != Region::Kind::all)
+    list.push_back(base);
+  for (const Cut& cut : part.cuts)
+    list.push_back(cutJson(cut));
+  return list;
 }
 
 } // namespace limn

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace limn {
 
@@ -13,6 +14,7 @@ struct KeptPart {
   Region::Kind kind = Region::Kind::all;
   std::string labels;            ///< of kind labels: the path of the label map, as written in the file
   std::map<int, double> weights; ///< 0..1, by the labels' values; what is not named weighs 1
+  std::vector<Cut> cuts{};       ///< in order
   bool operator==(const KeptPart&) const = default;
 };
 

@@ -9,12 +9,20 @@
 
 namespace limn {
 
-inline constexpr Words<Camera::Projection, 2> cameraWords{{"perspective", "orthographic"}};
 inline constexpr Words<GradientCurve::Type, 3> gradientCurveWords{{"linear", "gamma", "log"}};
 inline constexpr Words<SpecularColor, 2> specularColorWords{{"material", "light"}};
 inline constexpr Words<Reflection, 2> reflectionWords{{"blinn", "phong"}};
 inline constexpr Words<Fog::Mode, 4> fogWords{{"none", "linear", "exp", "exp2"}};
 inline constexpr Words<Preintegration, 3> preintegrationWords{{"auto", "always", "never"}};
+
+/// The name of an item of a list in errors, counted from 0 as other readers of JSON count.
+std::string placeIn(const char* list, std::size_t index);
+
+/// A camera, where fields are absent the default's; refuses others.
+Camera readCamera(JsonFields fields);
+
+/// The fields of a camera, as readCamera reads them.
+nlohmann::ordered_json cameraJson(const Camera& camera);
 
 /// Reads every field of a scene file and refuses others.
 SceneDocument readScene(JsonFields fields);

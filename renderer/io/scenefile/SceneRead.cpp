@@ -23,23 +23,6 @@ void readRange(JsonFields& fields, const std::string& key, CoefficientRange& ran
     fields.fail(key, Message::tr("must name the smaller number first"));
 }
 
-Camera readCamera(JsonFields fields) {
-  Camera camera;
-  fields.choice("projection", camera.projection, cameraWords);
-  fields.vector("position", camera.position);
-  fields.vector("target", camera.target);
-  fields.vector("up", camera.up);
-  fields.number("fov_y_deg", camera.fovYDeg, {0.0, 170.0, true});
-  fields.number("height_mm", camera.heightMm, positive);
-  fields.finish();
-  return camera;
-}
-
-// As other readers of JSON count, from 0.
-std::string placeIn(const char* list, std::size_t index) {
-  return std::string(list).append("[").append(std::to_string(index)).append("]");
-}
-
 TransferFunction readTransferFunction(JsonFields fields) {
   TransferFunction function;
   fields.number("unit_distance_mm", function.unitDistanceMm, positive);

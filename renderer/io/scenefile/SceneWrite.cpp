@@ -17,15 +17,6 @@ Json toJson(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-Json toJson(const Camera& camera) {
-  return {{"projection", cameraWords.of(camera.projection)},
-          {"position", toJson(camera.position)},
-          {"target", toJson(camera.target)},
-          {"up", toJson(camera.up)},
-          {"fov_y_deg", camera.fovYDeg},
-          {"height_mm", camera.heightMm}};
-}
-
 Json toJson(const TransferFunction& function) {
   Json points = Json::array();
   for (const ControlPoint& point : function.points)
@@ -115,7 +106,7 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
   Json json{{"limn_scene", 1}, {"volume", document.volume}};
   if (!document.orientation.empty())
     json["orientation"] = document.orientation;
-  json.update(Json{{"camera", toJson(scene.camera)},
+  json.update(Json{{"camera", cameraJson(scene.camera)},
                    {"transfer_function", toJson(scene.transferFunction)},
                    {"shading", toJson(scene.shading)},
                    {"gradient_opacity", toJson(scene.gradientOpacity)},

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/regions/Region.h"
 
+#include "scene/basics/Effort.h"
 #include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <mutex>
 
 namespace limn {
 namespace {
@@ -14,22 +17,48 @@ void enclose(VoxelBox& box, const glm::ivec3& lower, const glm::ivec3& upper) {
   box = isFirst ? VoxelBox{lower, upper} : VoxelBox{glm::min(box.lower, lower), glm::max(box.upper, upper)};
 }
 
+// Where the run of equal places that begins at `first` ends; several at a time, as runs are long.
+template <class Place>
+int endOfRun(const Place* row, int first, int length) {
+  constexpr int atOnce = sizeof(std::uint64_t) / sizeof(Place);
+  std::uint64_t equal = 0;
+  for (int n = 0; n < atOnce; ++n)
+    equal |= static_cast<std::uint64_t>(row[first]) << n * 8 * static_cast<int>(sizeof(Place));
+  int end = first + 1;
+  for (std::uint64_t next = 0; end + atOnce <= length; end += atOnce) {
+    std::memcpy(&next, row + end, sizeof(next));
+    if (next != equal)
+      break;
+  }
+  while (end < length && row[end] == row[first])
+    ++end;
+  return end;
+}
+
 /// The smallest box around each label, run by run of each row.
 template <class Place>
 std::vector<VoxelBox> boxesAround(const StoredVoxels<Place>& places, const glm::ivec3& dims,
                                   std::size_t labels) {
   std::vector<VoxelBox> boxes(labels);
-  const Place* row = places.data();
-  for (int k = 0; k < dims.z; ++k)
-    for (int j = 0; j < dims.y; ++j, row += dims.x)
-      for (int first = 0, end = 0; first < dims.x; first = end) {
-        const Place place = row[first];
-        if (place >= labels)
-          throw Error(Error::Kind::input, Message::tr("A voxel's label is missing in the list of labels."));
-        while (end < dims.x && row[end] == place)
-          ++end;
-        enclose(boxes[place], {first, j, k}, {end, j + 1, k + 1});
+  std::mutex guard;
+  shareOut(dims.z, {}, [&](Pieces& slices) {
+    std::vector<VoxelBox> own(labels);
+    for (int k = slices.next(); k >= 0; k = slices.next())
+      for (int j = 0; j < dims.y; ++j) {
+        const Place* row = places.data() + voxelOffset(dims, 0, j, k);
+        for (int first = 0, end = 0; first < dims.x; first = end) {
+          const Place place = row[first];
+          if (place >= labels)
+            throw Error(Error::Kind::input, Message::tr("A voxel's label is missing in the list of labels."));
+          end = endOfRun(row, first, dims.x);
+          enclose(own[place], {first, j, k}, {end, j + 1, k + 1});
+        }
       }
+    const std::lock_guard lock(guard);
+    for (std::size_t n = 0; n < labels; ++n)
+      if (own[n].lower != own[n].upper)
+        enclose(boxes[n], own[n].lower, own[n].upper);
+  });
   return boxes;
 }
 
@@ -54,6 +83,17 @@ LabelMap::LabelMap(const glm::ivec3& dims, Places places, std::vector<Label> lab
 
 std::size_t LabelMap::placeAt(std::size_t voxel) const {
   return std::visit([voxel](const auto& all) -> std::size_t { return all[voxel]; }, m_places);
+}
+
+std::size_t ownLabels(const Region& region) {
+  return region.weights.size() - (region.isCut ? 1 : 0);
+}
+
+Region withoutCuts(const Region& region) {
+  Region whole{region.kind, region.source, region.isCut ? region.uncut : region.labels, region.weights};
+  if (region.isCut)
+    whole.weights.resize(whole.labels ? ownLabels(region) : 0);
+  return whole;
 }
 
 bool isRestricting(const Region& region) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/regions/Cut.h"
 #include "scene/volume/Grid.h"
 #include "scene/volume/Volume.h"
 
@@ -49,7 +50,7 @@ private:
 };
 
 /// Which part of a volume is kept (DEFINITION section 10): one weight for each label, which becomes one more
-/// factor of the opacity.
+/// factor of the opacity. What was cut away by hand (regions/Cutting.h) is one label more, the last.
 struct Region {
   enum class Kind { all, body, labels };
   Kind kind = Kind::all;
@@ -57,8 +58,19 @@ struct Region {
   std::shared_ptr<const LabelMap> labels; ///< none where all is kept; of a body: 0 falls away, 1 is kept
   std::vector<double> weights;            ///< 0..1 of each of the labels
 
+  std::vector<Cut> cuts{}; ///< in order; `labels` holds what they take away once they are made
+  bool isCut = false;      ///< the last of the labels is what the cuts take away, and weighs 0
+  std::shared_ptr<const LabelMap> uncut{}; ///< where it is: the labels before, none where all was kept
+  std::vector<bool> shownWhenCut{}; ///< which of them weighed more than nothing then; what pieces hang on
+
   bool operator==(const Region&) const = default;
 };
+
+/// How many labels a region has without the one of what is cut away.
+std::size_t ownLabels(const Region& region);
+
+/// The same as if nothing had been cut.
+Region withoutCuts(const Region& region);
 
 /// Whether the region changes a picture: some label that voxels may have weighs less than 1.
 bool isRestricting(const Region& region);

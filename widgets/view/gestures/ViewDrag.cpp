@@ -30,13 +30,19 @@ DragKind dragOfTool(ViewTool tool) {
     return DragKind::zoom;
   case ViewTool::windowLevel:
     return DragKind::windowLevel;
+  case ViewTool::piece:
+    return DragKind::rotate;
+  case ViewTool::scissors:
+    break;
   }
   return DragKind::none;
 }
 
 constexpr double clickSlack = 3.0; // a click may tremble by this many logical pixels
 
-ViewClick clickOf(const Press& press) {
+ViewClick clickOf(const Press& press, ViewTool tool) {
+  if (tool == ViewTool::piece && press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier)
+    return ViewClick::pick;
   if (press.button == Qt::RightButton && press.modifiers == Qt::NoModifier)
     return ViewClick::menu;
   if (press.modifiers != Qt::ShiftModifier)
@@ -189,7 +195,7 @@ ViewDrag dragFrom(const Press& press, const Comparison& comparison, const ViewGe
     drag.kind = isLeft && isOnWipeBorder(geometry, press.point)
                     ? DragKind::wipe
                     : dragKind(press.button, press.modifiers, tool);
-    drag.click = clickOf(press);
+    drag.click = clickOf(press, tool);
   }
   drag.gesture = {nextGestureId(), textOf(drag)};
   return drag;

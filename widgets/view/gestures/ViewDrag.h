@@ -19,8 +19,9 @@
 
 namespace limn {
 
-/// What the left button does without modifiers.
-enum class ViewTool { rotate, pan, zoom, windowLevel };
+/// What the left button does without modifiers. Scissors draw a line to cut along; with `piece`, a click
+/// picks the connected piece that is seen there, and a drag rotates.
+enum class ViewTool { rotate, pan, zoom, windowLevel, scissors, piece };
 
 /// What a drag in the 3D view does; the last two follow from where it begins.
 enum class DragKind { none, rotate, pan, zoom, roll, windowLevel, opacity, wipe, cropFace };
@@ -81,7 +82,7 @@ struct WipeTo {
 using ViewEdit = std::variant<std::monostate, Camera, TransferFunction, CropBox, WipeTo>;
 
 /// What a press asks for that is released where it began.
-enum class ViewClick { none, pin, turnAbout, menu };
+enum class ViewClick { none, pin, turnAbout, menu, pick };
 
 /// A pressed button until its release; places in logical pixels.
 struct ViewDrag {

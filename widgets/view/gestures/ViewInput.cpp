@@ -1,77 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewInput.h"
 
-#include "scene/view/FirstView.h"
 #include "widgets/theme/Icons.h"
 #include "widgets/theme/Theme.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/Titles.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
 #include <QWheelEvent>
 #include <QWidget>
 
-#include <algorithm>
-#include <numbers>
-#include <span>
+#include <utility>
 
 namespace limn {
 namespace {
 
-using namespace viewcommand;
-
-constexpr double keyTurnDeg = 5.0; // of an arrow key
-constexpr int wheelNotch = 120;
 constexpr int ofTheWheel = -1; // among the causes of gestures, which are kinds of commands otherwise
-
-// Slicer's keys: a keypad key arrives as a digit or, with the number lock off, as a cursor key.
-ViewCommand standardViewOf(int key, bool keypad, bool shift) {
-  const auto pair = [shift](StandardView plain, StandardView shifted) {
-    return LookFrom{shift ? shifted : plain};
-  };
-  if (key == Qt::Key_End || (keypad && key == Qt::Key_1))
-    return pair(StandardView::anterior, StandardView::posterior);
-  if (key == Qt::Key_PageDown || (keypad && key == Qt::Key_3))
-    return pair(StandardView::left, StandardView::right);
-  if (key == Qt::Key_Home || (keypad && key == Qt::Key_7))
-    return pair(StandardView::superior, StandardView::inferior);
-  if (key == Qt::Key_Insert || (keypad && key == Qt::Key_0))
-    return LookFromNearest{};
-  return std::monostate{};
-}
-
-using KeyCommand = std::pair<int, ViewCommand>;
-
-const KeyCommand letterCommands[] = {{Qt::Key_A, LookFrom{StandardView::anterior}},
-                                     {Qt::Key_P, LookFrom{StandardView::posterior}},
-                                     {Qt::Key_L, LookFrom{StandardView::left}},
-                                     {Qt::Key_S, LookFrom{StandardView::superior}},
-                                     {Qt::Key_I, LookFrom{StandardView::inferior}},
-                                     {Qt::Key_R, Reset{}},
-                                     {Qt::Key_W, UseTool{ViewTool::windowLevel}},
-                                     {Qt::Key_M, UseTool{ViewTool::pan}},
-                                     {Qt::Key_Z, UseTool{ViewTool::zoom}},
-                                     {Qt::Key_BracketLeft, UseTool{ViewTool::rotate}},
-                                     {Qt::Key_Space, Swap{}}};
-
-const KeyCommand symbolCommands[] = {{Qt::Key_Left, Rotate{-1, 0}}, {Qt::Key_Right, Rotate{1, 0}},
-                                     {Qt::Key_Up, Rotate{0, -1}},   {Qt::Key_Down, Rotate{0, 1}},
-                                     {Qt::Key_Plus, Zoom{1}},       {Qt::Key_Equal, Zoom{1}},
-                                     {Qt::Key_Minus, Zoom{-1}},     {Qt::Key_Question, ListShortcuts{}},
-                                     {Qt::Key_Escape, Cancel{}}};
-
-ViewCommand commandIn(std::span<const KeyCommand> commands, int key) {
-  const auto found = std::ranges::find(commands, key, &KeyCommand::first);
-  return found == commands.end() ? std::monostate{} : found->second;
-}
-
-// Turned and zoomed in small steps; a standard view is one in itself.
-bool isRepeatable(const ViewCommand& command) {
-  return std::holds_alternative<Rotate>(command) || std::holds_alternative<Zoom>(command);
-}
 
 int sideAt(const OverlaySource& source, const QPointF& point) {
   return sideShownAt(source.comparison, positionAt(source.geometry, point));
@@ -97,45 +43,6 @@ QCursor cursorWith(const QString& icon) {
 }
 
 } // namespace
-
-ViewCommand commandOf(const QKeyEvent& event) {
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
-    return std::monostate{};
-  const int key = event.key();
-  const bool keypad = event.modifiers() & Qt::KeypadModifier;
-  const bool shift = event.modifiers() & Qt::ShiftModifier;
-  if (const ViewCommand command = standardViewOf(key, keypad, shift); command.index() != 0)
-    return command;
-  if (const ViewCommand command = commandIn(symbolCommands, key); command.index() != 0)
-    return command;
-  if (shift)
-    return std::monostate{};
-  if (key >= Qt::Key_0 && key <= Qt::Key_9 && !keypad)
-    return WindowPreset{key - Qt::Key_0};
-  return commandIn(letterCommands, key);
-}
-
-std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Volume& volume,
-                                  const ViewFrame& frame) {
-  const Grid& grid = volume.grid();
-  const auto fitted = [&](const Camera& placed) {
-    return framed(placed, grid, frame.visibleBox(), frame.aspect);
-  };
-  const auto from = [&](StandardView view) { return fitted(standardView(camera, grid, view)); };
-  if (const auto* look = std::get_if<LookFrom>(&command))
-    return from(look->view);
-  if (std::holds_alternative<LookFromNearest>(command))
-    return from(nearestStandardView(camera));
-  if (std::holds_alternative<Reset>(command))
-    return fitted(firstView(camera, grid, volume.info().orientationKnown));
-  if (const auto* turn = std::get_if<Rotate>(&command)) {
-    const double step = keyTurnDeg * std::numbers::pi / 180.0;
-    return orbitedAbout(camera, -turn->right * step, -turn->down * step, frame.turnsAbout);
-  }
-  if (const auto* zoom = std::get_if<Zoom>(&command))
-    return wheelZoomed(camera, zoom->notches * wheelNotch);
-  return std::nullopt;
-}
 
 QCursor cursorOf(DragKind kind) {
   switch (kind) {
@@ -172,13 +79,21 @@ bool ViewInput::isTurning() const {
 
 void ViewInput::forget() {
   m_drag.reset();
+  m_line.reset();
   m_read.reset();
+}
+
+void ViewInput::setLinesRemoveInside(bool isInside) {
+  m_linesRemoveInside = isInside;
+  if (m_line)
+    m_line->removesInside = isInside;
 }
 
 void ViewInput::setTool(ViewTool tool) {
   if (tool == m_tool)
     return;
   m_tool = tool;
+  m_line.reset();
   if (m_hovered == Hovered{} && !m_drag)
     showCursor(std::nullopt);
   emit toolChanged(tool);
@@ -189,7 +104,9 @@ void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
   m_view->setCursor(m_hovered.label >= 0 || m_hovered.hidden ? Qt::PointingHandCursor
                     : handle                                 ? cursorFor(*handle)
                     : m_hovered.wipe                         ? Qt::SplitHCursor
-                                     : cursorOf(dragKind(Qt::LeftButton, Qt::NoModifier, m_tool)));
+                    : m_tool == ViewTool::scissors           ? Qt::CrossCursor
+                    : m_tool == ViewTool::piece              ? Qt::PointingHandCursor
+                                                : cursorOf(dragKind(Qt::LeftButton, Qt::NoModifier, m_tool)));
 }
 
 void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
@@ -224,12 +141,37 @@ void ViewInput::press(const QMouseEvent& event) {
     }
     handle = cropHandleAt(source, press.point);
   }
+  if (!handle && drawLine(source, event))
+    return;
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
   if (handle)
     m_hovered.face = handle->face;
 }
 
+// What a button that goes down is to the scissors; false where they leave it to others.
+bool ViewInput::drawLine(const OverlaySource& source, const QMouseEvent& event) {
+  const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+  if (m_tool != ViewTool::scissors || event.button() != Qt::LeftButton || others != Qt::NoModifier)
+    return false;
+  const QPointF point = event.position();
+  if (!m_line) {
+    m_line = lineFrom(point, pictureRect(source.geometry, standingAt(source.geometry, point)));
+    m_line->removesInside = m_linesRemoveInside;
+  } else if (pressLine(*m_line, point)) {
+    closeLine();
+  }
+  return true;
+}
+
+void ViewInput::closeLine() {
+  const CutLine line = *std::exchange(m_line, std::nullopt);
+  if (isArea(line))
+    emit lineClosed(polygonOf(line), line.picture.width() / line.picture.height());
+}
+
 void ViewInput::move(const QMouseEvent& event) {
+  if (m_line && !m_drag)
+    return moveLine(*m_line, event.position(), event.modifiers() == Qt::ShiftModifier);
   if (!m_drag)
     return hover(event);
   const Gesture gesture = m_drag->gesture;
@@ -237,6 +179,11 @@ void ViewInput::move(const QMouseEvent& event) {
 }
 
 void ViewInput::release(const QMouseEvent& event) {
+  if (m_line && m_line->isHeld && event.button() == Qt::LeftButton) {
+    if (releaseLine(*m_line, event.position()))
+      closeLine();
+    return;
+  }
   if (!m_drag || event.button() != m_drag->button)
     return;
   const ViewClick click = m_drag->click;
@@ -257,6 +204,10 @@ void ViewInput::obeyClick(ViewClick click, const QPointF& point) {
       emit pinRequested(probe->value);
       emit placePinned(probe->positionMm);
     }
+    break;
+  case ViewClick::pick:
+    if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+      emit pieceRequested(*ray, sideAt(source, point));
     break;
   case ViewClick::turnAbout:
     if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
@@ -287,6 +238,10 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
       labelAt(source, event.position()) >= 0 || hiddenNoteAt(source, event.position()))
     return;
+  if (m_line)
+    return closeLine();
+  if (m_tool == ViewTool::scissors)
+    return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
     uncut(source.comparison.scene, handle->face);
   else if (isOnWipeBorder(source.geometry, event.position()))
@@ -309,6 +264,10 @@ void ViewInput::turnWheel(QWheelEvent& event) {
   event.setAccepted(shown.volume && turn != 0);
   if (!event.isAccepted())
     return;
+  if (m_wheelIsForPiece && event.modifiers() == Qt::NoModifier) {
+    emit pieceNarrowed(static_cast<double>(turn) / wheelNotch);
+    return;
+  }
   const QRectF side = pictureRect(source.geometry, positionAt(source.geometry, event.position()));
   emit cameraEdited(wheelZoomed(shown.camera, turn, event.position(), side),
                     m_runs.idOf(ofTheWheel, event.timestamp()));
@@ -389,6 +348,13 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
     emit windowPresetRequested(preset->number);
   else if (std::holds_alternative<Swap>(command))
     emit swapRequested();
+  else if (std::holds_alternative<CloseLine>(command) && m_line)
+    closeLine();
+  else if (std::holds_alternative<ShortenLine>(command) && m_line) {
+    if (!shortenLine(*m_line))
+      m_line.reset();
+  } else if (std::holds_alternative<Cancel>(command) && m_line)
+    m_line.reset();
   else if (std::holds_alternative<Cancel>(command) && m_drag)
     cancelDrag(shown);
   else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)

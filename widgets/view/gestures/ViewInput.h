@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/framing/Framing.h"
 #include "scene/light/Gradient.h"
 #include "widgets/view/gestures/CameraHistory.h"
 #include "widgets/view/gestures/Probe.h"
+#include "widgets/view/gestures/ViewCommands.h"
 #include "widgets/view/gestures/ViewDrag.h"
+#include "widgets/view/overlay/CutLine.h"
 #include "widgets/view/overlay/ViewOrder.h"
 
 #include <QCursor>
@@ -14,76 +15,13 @@
 
 #include <functional>
 #include <optional>
-#include <variant>
+#include <vector>
 
-class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
 class QWidget;
 
 namespace limn {
-
-/// What a key of the 3D view asks for.
-namespace viewcommand {
-struct LookFrom {
-  StandardView view;
-  bool operator==(const LookFrom&) const = default;
-};
-struct LookFromNearest { ///< the standard view nearest to the present one
-  bool operator==(const LookFromNearest&) const = default;
-};
-struct Reset { ///< the camera of a freshly opened volume
-  bool operator==(const Reset&) const = default;
-};
-struct Rotate { ///< in steps, as if the pointer were dragged right and down
-  int right = 0;
-  int down = 0;
-  bool operator==(const Rotate&) const = default;
-};
-struct Zoom { ///< in notches of the wheel
-  int notches = 0;
-  bool operator==(const Zoom&) const = default;
-};
-struct UseTool {
-  ViewTool tool;
-  bool operator==(const UseTool&) const = default;
-};
-struct WindowPreset { ///< 0 is the full dynamic range, 1..9 the presets
-  int number = 0;
-  bool operator==(const WindowPreset&) const = default;
-};
-struct Swap { ///< show the other side while held
-  bool operator==(const Swap&) const = default;
-};
-struct Cancel {
-  bool operator==(const Cancel&) const = default;
-};
-struct ListShortcuts {
-  bool operator==(const ListShortcuts&) const = default;
-};
-} // namespace viewcommand
-
-using ViewCommand =
-    std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest, viewcommand::Reset,
-                 viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
-                 viewcommand::Swap, viewcommand::Cancel, viewcommand::ListShortcuts>;
-
-/// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
-/// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;
-/// Insert or 0 the nearest), and so do the letters A P L S I. R resets, as in VTK programs: the right side
-/// is reached by Shift+PgDn.
-ViewCommand commandOf(const QKeyEvent& event);
-
-/// On what views are framed, asked only where one is wanted, and width over height of a picture.
-struct ViewFrame {
-  std::function<IndexBox()> visibleBox;
-  double aspect = 1.0;
-  std::optional<glm::dvec3> turnsAbout = {}; ///< world; absent: the target
-};
-
-/// The camera that a command asks for, of this volume; nothing where the command moves none.
-std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Volume& volume,
-                                  const ViewFrame& frame);
 
 /// The pointer that tells what a drag of this kind does; the plain arrow for rotating. Seen on light and dark
 /// pictures. Needs a QGuiApplication.
@@ -120,6 +58,15 @@ public:
   void forgetFace() { m_hovered.face.reset(); }
   void forget(); ///< drag and reading, of another volume
 
+  /// The line that is being drawn to cut along, and the end of it.
+  const std::optional<CutLine>& cutLine() const { return m_line; }
+  void forgetLine() { m_line.reset(); }
+
+  /// Whether lines take away what they go around, or all else.
+  void setLinesRemoveInside(bool isInside);
+  /// Whether the wheel widens and narrows a piece that was picked; else it zooms.
+  void setWheelIsForPiece(bool isForPiece) { m_wheelIsForPiece = isForPiece; }
+
   void setTool(ViewTool tool);
   ViewTool tool() const { return m_tool; }
 
@@ -143,6 +90,13 @@ signals:
   void rayRead(const limn::Ray& ray, int side);
   /// What is seen along this ray of the picture of a side shall be the centre of turns.
   void turnAboutRequested(const limn::Ray& ray, int side);
+  /// A line was closed that goes around something: its corners in halves of the picture's height from its
+  /// middle, y up, and the picture's width over height.
+  void lineClosed(const std::vector<glm::dvec2>& polygon, double aspect);
+  /// The connected piece that is seen along this ray of the picture of a side shall be picked.
+  void pieceRequested(const limn::Ray& ray, int side);
+  /// The range of the picked piece shall be narrower by so many notches, or wider.
+  void pieceNarrowed(double notches);
   void cameraReset();
   /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
   void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
@@ -165,12 +119,17 @@ private:
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
   void obeyClick(ViewClick click, const QPointF& point);
   void readRayAt(const OverlaySource& source, const QPointF& point);
+  bool drawLine(const OverlaySource& source, const QMouseEvent& event);
+  void closeLine();
   void showProbe(const std::optional<Probe>& probe, const QPointF& point);
 
   QWidget* m_view;
   Facts m_facts;
   ViewTool m_tool = ViewTool::rotate;
   std::optional<ViewDrag> m_drag;
+  std::optional<CutLine> m_line;
+  bool m_linesRemoveInside = true;
+  bool m_wheelIsForPiece = false;
   Hovered m_hovered;
   GestureRuns m_runs;              ///< of wheel and keys
   std::optional<ReadValue> m_read; ///< under the pointer, while Shift is held

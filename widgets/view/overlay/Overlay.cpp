@@ -16,9 +16,8 @@
 namespace limn {
 
 QString readingText(double value, const Volume& volume) {
-  const double span = volume.range().highest - volume.range().lowest;
-  const int digits = span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;
-  return valueText(value, QString::fromStdString(volume.info().unit), digits);
+  return valueText(value, QString::fromStdString(volume.info().unit),
+                   decimalsOfSpan(volume.range().highest - volume.range().lowest));
 }
 
 namespace {
@@ -248,6 +247,7 @@ Overlay overlayOf(const OverlaySource& source) {
     overlay.centres = marksOf(source, source.comparison.turnsAboutMm);
   if (source.read)
     overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
+  overlay.cutLine = source.cutLine;
   overlay.progress = progressOf(source.state);
   return overlay;
 }
@@ -258,6 +258,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   if (overlay.gap)
     painter.fillRect(*overlay.gap, QColor(70, 76, 88));
   paintCropBoxes(painter, overlay);
+  if (overlay.cutLine)
+    paintCutLine(painter, *overlay.cutLine);
   for (const QPointF& mark : overlay.marks)
     paintMark(painter, mark);
   for (const QPointF& half : overlay.halves)

@@ -41,6 +41,7 @@ struct Overlay {
   std::vector<QPointF> marks;   ///< where a marked place is seen in each picture that shows it
   std::vector<QPointF> halves;  ///< the same of where half of a ray's light is gathered
   std::vector<QPointF> centres; ///< the same of the place about which the pictures are turned
+  std::optional<CutLine> cutLine;
   std::vector<double> progress; ///< each 0..1
 };
 

@@ -192,12 +192,20 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
 QString regionText(const Region& region) {
   if (!isRestricting(region))
     return {};
+  if (region.isCut && region.kind == Region::Kind::body)
+    return QObject::tr("Body only, cut by hand");
+  QStringList notes;
+  const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(ownLabels(region));
+  const auto weighed =
+      std::count_if(region.weights.begin(), own, [](double weight) { return weight != 1.0; });
   if (region.kind == Region::Kind::body)
-    return QObject::tr("Body only: table hidden");
-  const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
-                                     [](double weight) { return weight != 1.0; });
-  return weighed == 1 ? QObject::tr("1 label hidden or faded")
-                      : QObject::tr("%1 labels hidden or faded").arg(weighed);
+    notes << QObject::tr("Body only: table hidden");
+  else if (weighed > 0)
+    notes << (weighed == 1 ? QObject::tr("1 label hidden or faded")
+                           : QObject::tr("%1 labels hidden or faded").arg(weighed));
+  if (region.isCut)
+    notes << QObject::tr("Cut by hand");
+  return notes.join(QStringLiteral(" · "));
 }
 
 std::vector<HiddenNote> hiddenNotesOf(const OverlaySource& source, int position) {

@@ -4,6 +4,7 @@
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
 #include "widgets/properties/CropFaces.h"
+#include "widgets/view/overlay/CutLine.h"
 #include "widgets/view/overlay/ViewGeometry.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -110,7 +111,8 @@ struct ViewOrder {
   std::optional<CropFace> heldFace;
   bool isTurning = false; ///< by a drag
   std::optional<ReadValue> read;
-  double coveredBelow = 0.0; ///< by a panel over the pictures' lower edge, logical pixels
+  std::optional<CutLine> cutLine; ///< that is being drawn
+  double coveredBelow = 0.0;      ///< by a panel over the pictures' lower edge, logical pixels
 
   bool isSeen = false;    ///< there is something to show, and the user can see it
   bool hasOverlay = true; ///< labels, letters, scale and notes stand above the pictures

@@ -22,6 +22,7 @@ namespace {
 const QString panelStyle = QStringLiteral(R"(
 limn--EmptyPanel, limn--MessagePanel { background: @ground; }
 limn--LoadingPanel { background: @ground; }
+limn--CutBar { background: @ground; border: 1px solid @line; border-radius: 6px; }
 QLabel { color: @text; background: transparent; }
 QLabel#heading { color: @strong; }
 QPushButton { color: @strong; background: @button; border: 1px solid @line; border-radius: 4px;
@@ -37,6 +38,9 @@ QPushButton#recent:focus { padding: 3px 15px; }
 QPushButton#recent:hover { background: @hover; }
 QPushButton#cancel { padding: 2px 12px; min-height: 16px; }
 QPushButton#cancel:focus { padding: 1px 11px; }
+QPushButton#choice { padding: 3px 10px; min-height: 18px; }
+QPushButton#choice:focus { padding: 2px 9px; }
+QPushButton#choice:checked { color: @onDefault; background: @default; border-color: @accent; }
 QProgressBar { background: @button; border: none; }
 QProgressBar::chunk { background: @accent; }
 )");

@@ -75,6 +75,11 @@ void addRays(const Scene& scene, Sentences& losses) {
         "The kept labels are lost, for Limn as well: a look names no label map; save the scene beside it."));
 }
 
+void addCuts(const Region& keep, Sentences& losses) {
+  if (keep.isCut)
+    losses.push_back(Message::tr("What was cut away by hand is shown by other programs."));
+}
+
 void addQuality(const Scene& scene, Sentences& losses) {
   const Quality& quality = scene.quality;
   if (quality.toleranceLevels)
@@ -104,6 +109,7 @@ std::vector<Message> lossesOf(const Scene& scene) {
   addLight(scene, losses);
   addCurve(scene, losses);
   addRays(scene, losses);
+  addCuts(scene.keep, losses);
   addQuality(scene, losses);
   addCamera(scene, losses);
   return losses;

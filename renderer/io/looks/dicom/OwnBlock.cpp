@@ -58,8 +58,10 @@ std::optional<int> versionIn(DcmItem& object) {
 
 void putOwnBlock(DcmItem& object, const Scene& scene, const std::string& instance) {
   Scene kept = scene;
-  if (kept.keep.kind == Region::Kind::labels)
+  if (kept.keep.kind == Region::Kind::labels) {
     kept.keep = {}; // labels are another file, which has a name
+    kept.keep.cuts = scene.keep.cuts;
+  }
   insert<DcmLongString>(object, creatorTag, EVR_LO, creator);
   require(object.putAndInsertUint16(DcmTag(versionTag, EVR_US), version).good(), versionTag);
   insert<DcmUniqueIdentifier>(object, instanceTag, EVR_UI, instance);
@@ -83,7 +85,7 @@ std::optional<SceneDocument> ownBlockIn(DcmItem& object, const std::string& name
   SceneDocument document = parseScene(privateText(object, sceneTag), name);
   document.volume.clear();
   if (document.keep.kind == Region::Kind::labels) // nobody else says which file to open
-    document.keep = {};
+    document.keep = {Region::Kind::all, {}, {}, document.keep.cuts};
   return document;
 }
 

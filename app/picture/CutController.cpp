@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/CutController.h"
+
+#include "app/picture/CameraController.h"
+#include "app/window/WindowContext.h"
+#include "reference/ProfileAlong.h"
+#include "regions/Cutting.h"
+#include "regions/ScissorSet.h"
+#include "scene/volume/VolumePart.h"
+#include "widgets/ValueText.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
+#include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/panels/CutBar.h"
+
+#include <QStatusBar>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr int tellsForMs = 6000;
+constexpr double litBeside = 0.12; // of the opacity of what is not the piece: seen, and plainly not meant
+constexpr int depthsAcross = 24;   // at which the depth inside a line is looked for, along its longer side
+constexpr double pastSeenMm = 2.0; // further, so that what is seen goes with its whole skin
+
+// The ray through a place of the picture (DEFINITION section 8).
+Ray rayAt(const Camera& camera, const glm::dvec2& place) {
+  const CameraBasis basis = basisOf(camera);
+  const double half = halfHeight(camera);
+  const glm::dvec3 beside = half * (place.x * basis.right + place.y * basis.up);
+  if (camera.projection == Camera::Projection::orthographic)
+    return {camera.position + beside, basis.forward};
+  return {camera.position, glm::normalize(basis.forward + beside)};
+}
+
+// The farthest place at which half of a ray's light is gathered inside the line, mm along the rays; nothing
+// where nothing is seen there.
+std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, const GradientScale& scale,
+                                  const Effort& effort) {
+  glm::dvec2 lower = scissors.polygon.front(), upper = lower;
+  for (const glm::dvec2& corner : scissors.polygon) {
+    lower = glm::min(lower, corner);
+    upper = glm::max(upper, corner);
+  }
+  const double step = std::max(upper.x - lower.x, upper.y - lower.y) / depthsAcross;
+  std::optional<double> deepest;
+  for (double y = lower.y + step / 2; y < upper.y; y += step)
+    for (double x = lower.x + step / 2; x < upper.x; x += step) {
+      if (effort.isCancelled && effort.isCancelled())
+        return std::nullopt;
+      if (!isInside(scissors.polygon, {x, y}))
+        continue;
+      const Ray ray = rayAt(scissors.camera, {x, y});
+      const std::optional<RayProfile> profile = profileAlong(scene, scale, ray);
+      if (const auto depth = profile ? halfLightDepth(*profile) : std::nullopt) {
+        const double mm = glm::dot(placeAt(*profile, *depth) - ray.origin, ray.direction);
+        deepest = std::max(deepest.value_or(mm), mm);
+      }
+    }
+  return deepest;
+}
+
+// "226 – 3071 HU · 812 ml · mean 640 HU"
+QString pieceText(const ConnectedPiece& piece, const SetFigures& figures, const Volume& volume) {
+  return CutController::tr("%1 – %2 · %3 ml · mean %4")
+      .arg(valueText(piece.range.x, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
+           readingText(piece.range.y, volume),
+           plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
+           readingText(figures.mean, volume));
+}
+
+} // namespace
+
+CutController::CutController(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_bar(new CutBar(&context.view)) {
+  const ViewInput* input = &context.view.input();
+  connect(&context.view, &CompareView::toolChanged, this, &CutController::showTool);
+  connect(input, &ViewInput::lineClosed, this, &CutController::cutAlong);
+  connect(input, &ViewInput::pieceRequested, this, &CutController::pick);
+  connect(input, &ViewInput::pieceNarrowed, this, &CutController::narrow);
+  connect(m_bar, &CutBar::insideChosen, this, [this](bool isInside) {
+    m_removesInside = isInside;
+    m_context.view.setLinesRemoveInside(isInside);
+  });
+  connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
+  connect(m_bar, &CutBar::hideRequested, this, [this] { finish(false); });
+  connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(true); });
+  connect(m_bar, &CutBar::closeRequested, this, [this] { m_context.view.setTool(ViewTool::rotate); });
+  connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
+    putDown();
+    m_context.showError(sentence);
+  });
+  context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
+}
+
+void CutController::showTool() {
+  putDown();
+  showBar();
+}
+
+void CutController::showBar() {
+  const ViewTool tool = m_context.view.tool();
+  if (!m_volume || (tool != ViewTool::scissors && tool != ViewTool::piece))
+    m_bar->hide();
+  else if (tool == ViewTool::scissors)
+    m_bar->showScissors(m_removesInside, m_onlySeen);
+  else if (m_shown)
+    m_bar->showPiece(pieceText(*m_piece, m_shown->figures, *m_volume), true);
+  else
+    m_bar->showPiece(m_piece ? tr("Looking for what hangs together…") : tr("Click what is meant"), false);
+}
+
+void CutController::cutAlong(const std::vector<glm::dvec2>& polygon, double aspect) {
+  const Scissors scissors{m_context.session.scene().camera, aspect, polygon, m_removesInside, {}};
+  if (m_onlySeen)
+    cutToSeen(scissors);
+  else
+    cut(scissors);
+}
+
+void CutController::cut(const Scissors& scissors) {
+  emit cutWanted({scissors, true},
+                 scissors.removesInside ? tr("cut away inside a line") : tr("cut away outside a line"));
+}
+
+void CutController::cutToSeen(Scissors scissors) {
+  const int side = m_context.view.ownSide();
+  m_work.start([this, scissors = std::move(scissors), scene = m_context.view.sceneOfSide(side),
+                scale = m_context.view.input().scaleOfSide(side)](
+                   const Effort& effort) mutable -> BackgroundWork::Deliver {
+    const std::optional<double> deepest = deepestSeen(scissors, scene, scale, effort);
+    if (deepest)
+      scissors.depthMm = glm::dvec2(0.0, *deepest + pastSeenMm);
+    return [this, scissors] {
+      if (scissors.depthMm)
+        cut(scissors);
+      else
+        say(tr("Nothing is seen inside the line, so nothing was cut."));
+    };
+  });
+}
+
+void CutController::pick(const Ray& ray, int side) {
+  const TurnCentre seen = turnCentreAlong(m_context.view, ray, side);
+  if (!seen.placeMm)
+    return say(seen.reason);
+  const std::optional<ConnectedPiece> piece = pieceAt(m_context.session.scene(), *seen.placeMm);
+  if (!piece)
+    return say(tr("Nothing that the curve shows lies there, so there is no piece to pick."));
+  m_context.view.setTool(ViewTool::piece);
+  m_piece = piece;
+  findPiece();
+}
+
+void CutController::findPiece() {
+  m_work.start([this, piece = *m_piece, volume = m_volume,
+                keep = m_keep](const Effort& effort) -> BackgroundWork::Deliver {
+    const std::shared_ptr<const Volume> whole = wholeOf(volume);
+    const BitGrid found = pieceAmong(keptVoxels(keep, *whole, partOf(effort, 0.0, 0.1)), *whole, piece,
+                                     partOf(effort, 0.1, 0.7));
+    const Shown shown{lit(keep, found, litBeside, partOf(effort, 0.7, 0.9)),
+                      figuresOf(found, *whole, partOf(effort, 0.9, 1.0))};
+    return [this, shown] { show(shown); };
+  });
+  showBar();
+}
+
+void CutController::narrow(double notches) {
+  if (!m_piece || !m_volume)
+    return;
+  m_piece = narrowed(*m_piece, *m_volume, notches);
+  findPiece();
+}
+
+void CutController::show(const Shown& shown) {
+  m_shown = shown;
+  m_context.view.setWheelIsForPiece(true);
+  showScene(m_context.session.scene());
+  showBar();
+}
+
+void CutController::finish(bool isAlone) {
+  if (!m_piece || !m_shown)
+    return;
+  ConnectedPiece piece = *m_piece;
+  piece.isKeptAlone = isAlone;
+  putDown();
+  showBar();
+  emit cutWanted({piece, true}, isAlone ? tr("keep a piece alone") : tr("hide a piece"));
+}
+
+// What is lit goes out; the tool stays in hand.
+void CutController::putDown() {
+  m_work.cancel();
+  m_piece.reset();
+  m_context.view.setWheelIsForPiece(false);
+  if (!m_shown)
+    return;
+  m_shown.reset();
+  m_context.view.setScene(m_context.session.scene());
+  m_context.view.setPreview({});
+}
+
+// What is lit stays so while the camera moves, and goes out with what it is a part of.
+void CutController::showScene(const Scene& scene) {
+  const bool isOther = scene.volume != m_volume || scene.keep != m_keep;
+  m_volume = scene.volume;
+  m_keep = scene.keep;
+  if (isOther && (m_piece || m_work.isRunning()))
+    putDown();
+  if (isOther)
+    showBar();
+  if (!m_shown)
+    return;
+  Scene lit = scene;
+  lit.keep = m_shown->lit;
+  m_context.view.setScene(lit);
+  m_context.view.setPreview(tr("the piece that hangs together").toStdString());
+}
+
+void CutController::say(const QString& sentence) const {
+  m_context.window.statusBar()->showMessage(sentence, tellsForMs);
+}
+
+} // namespace limn

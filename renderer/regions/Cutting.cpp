@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regions/Cutting.h"
+
+#include "regions/Flood.h"
+#include "regions/ScissorSet.h"
+#include "regions/ValueSet.h"
+#include "scene/basics/Error.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// No file has it: segmentations number from 0.
+constexpr int cutValue = -1;
+const Label besideLabel{-2, "Beside the piece", glm::dvec3(0.5)};
+
+// The voxels whose place among the labels is marked.
+BitGrid voxelsOf(const LabelMap& map, const std::vector<bool>& marked, const std::shared_ptr<Room>& room,
+                 const Effort& effort) {
+  const glm::ivec3& dims = map.dims();
+  BitGrid set(dims, room);
+  const std::vector<std::uint8_t> isMarked(marked.begin(), marked.end());
+  std::visit(
+      [&](const auto& places) {
+        forEachPiece(dims.z, effort, [&](int z) {
+          for (int y = 0; y < dims.y; ++y) {
+            BitGrid::Word* row = set.row(y, z);
+            const auto* stored = &places[voxelOffset(dims, 0, y, z)];
+            for (int x = 0; x < dims.x; ++x)
+              row[x / BitGrid::wordBits] |= BitGrid::Word{isMarked[stored[x]]} << x % BitGrid::wordBits;
+          }
+        });
+      },
+      map.places());
+  return set;
+}
+
+// The labels before the cuts, or one for everything where there are none.
+std::vector<Label> labelsBefore(const Region& region) {
+  return region.labels ? region.labels->labels() : std::vector<Label>{{0, "Everything", glm::dvec3(0.8)}};
+}
+
+template <class Place>
+std::shared_ptr<const LabelMap> relabelled(const Region& before, const BitGrid& set,
+                                           const std::vector<Label>& labels,
+                                           const std::shared_ptr<Room>& room, const Effort& effort) {
+  const glm::ivec3& dims = set.dims();
+  const auto last = static_cast<Place>(labels.size() - 1);
+  RoomVector<Place> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, room);
+  // Most words of a row are all in the set, or all out of it.
+  const auto fill = [&](const auto& copy) {
+    forEachPiece(dims.z, effort, [&](int z) {
+      for (int y = 0; y < dims.y; ++y)
+        for (int w = 0; w < set.rowWords(); ++w) {
+          const BitGrid::Word word = set.row(y, z)[w];
+          const int x = w * BitGrid::wordBits, count = std::min(BitGrid::wordBits, dims.x - x);
+          const std::size_t first = voxelOffset(dims, x, y, z);
+          Place* out = &places[first];
+          copy(first, count, out);
+          if (word == set.voxelsOfWord(w))
+            std::fill_n(out, count, last);
+          else if (word != 0)
+            for (int n = 0; n < count; ++n)
+              out[n] = (word >> n & 1) != 0 ? last : out[n];
+        }
+    });
+  };
+  if (before.labels)
+    std::visit(
+        [&](const auto& stored) {
+          fill([&stored](std::size_t from, int count, Place* out) {
+            std::transform(&stored[from], &stored[from] + count, out,
+                           [](auto place) { return static_cast<Place>(place); });
+          });
+        },
+        before.labels->places());
+  else
+    fill([](std::size_t, int count, Place* out) { std::fill_n(out, count, Place{0}); });
+  return std::make_shared<const LabelMap>(dims, std::move(places), labels);
+}
+
+// The region with the voxels of a set as one label more, the last, of this weight.
+void addLabel(Region& region, const BitGrid& set, const Label& label, double weight,
+              const std::shared_ptr<Room>& room, const Effort& effort) {
+  std::vector<Label> labels = labelsBefore(region);
+  labels.push_back(label);
+  if (labels.size() > 65536)
+    throw Error(Error::Kind::input, Message::tr("The segmentation has %1 labels, which leaves no number for "
+                                                "what is cut away; cut without it.")
+                                        .arg(labels.size() - 1));
+  const bool fitsBytes = labels.size() <= 256 && !(region.labels && region.labels->places().index() == 1);
+  if (!region.labels)
+    region.weights = {1.0};
+  region.labels = fitsBytes ? relabelled<std::uint8_t>(region, set, labels, room, effort)
+                            : relabelled<std::uint16_t>(region, set, labels, room, effort);
+  region.weights.push_back(weight);
+}
+
+std::vector<bool> shownLabels(const Region& before) {
+  std::vector<bool> shown;
+  for (const double weight : before.weights)
+    shown.push_back(weight > 0.0);
+  return shown;
+}
+
+bool isPiece(const Cut& cut) {
+  return cut.isOn && std::holds_alternative<ConnectedPiece>(cut.how);
+}
+
+bool hasPiece(const std::vector<Cut>& cuts) {
+  return std::any_of(cuts.begin(), cuts.end(), isPiece);
+}
+
+// How many of the cuts the region's own labels show already, at their beginning: all of its own, or none.
+std::size_t madeAlready(const Region& region, const std::vector<Cut>& cuts) {
+  const bool goesOn = region.isCut && !needsCutting(region) && region.cuts.size() <= cuts.size() &&
+                      std::equal(region.cuts.begin(), region.cuts.end(), cuts.begin());
+  return goesOn ? region.cuts.size() : 0;
+}
+
+BitGrid removedBy(const Cut& cut, const BitGrid& kept, const Volume& volume, const Effort& effort) {
+  if (const auto* scissors = std::get_if<Scissors>(&cut.how))
+    return takenBy(*scissors, volume.grid(), volume.room(), effort);
+  const auto& piece = std::get<ConnectedPiece>(cut.how);
+  const BitGrid found = pieceAmong(kept, volume, piece, effort);
+  // Where nothing was hit, nothing goes: "only this" of nothing would empty the picture.
+  return piece.isKeptAlone && found.count() > 0 ? found.complement() : found;
+}
+
+} // namespace
+
+bool needsCutting(const Region& region) {
+  const bool isAny =
+      std::any_of(region.cuts.begin(), region.cuts.end(), [](const Cut& cut) { return cut.isOn; });
+  if (isAny != region.isCut)
+    return true;
+  return isAny && hasPiece(region.cuts) && shownLabels(withoutCuts(region)) != region.shownWhenCut;
+}
+
+BitGrid keptVoxels(const Region& region, const Volume& volume, const Effort& effort) {
+  if (!region.labels)
+    return BitGrid(volume.grid().dims, volume.room()).complement();
+  return voxelsOf(*region.labels, shownLabels(region), volume.room(), effort);
+}
+
+BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPiece& piece,
+                   const Effort& effort) {
+  const Grid& grid = volume.grid();
+  BitGrid seed = kept.emptyLike();
+  const glm::dvec3 index = glm::floor(worldToIndex(grid, piece.seedMm) + 0.5);
+  const bool isInBox = glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
+                       glm::all(glm::lessThan(index, glm::dvec3(grid.dims)));
+  const BitGrid inRange = valuesWithin(volume, piece.range, partOf(effort, 0.0, 0.3));
+  BitGrid allowed = inRange;
+  allowed &= kept;
+  if (!isInBox || !allowed.at(glm::ivec3(index)))
+    return seed;
+  seed.set(glm::ivec3(index));
+  const BitGrid found = grownWithin(seed, allowed, partOf(effort, 0.3, 0.8));
+  if (piece.growVoxels <= 0)
+    return found;
+  BitGrid grown = dilated(found, glm::dvec3(piece.growVoxels), partOf(effort, 0.8, 1.0));
+  grown -= inRange;
+  grown |= found;
+  grown &= kept;
+  return grown;
+}
+
+CutRegion cutRegion(const Volume& volume, const Region& region, std::vector<Cut> cuts, const Effort& effort) {
+  const Region before = withoutCuts(region);
+  CutRegion result{before, std::vector<std::size_t>(cuts.size())};
+  const std::size_t made = madeAlready(region, cuts);
+  const bool isAny = std::any_of(cuts.begin(), cuts.end(), [](const Cut& cut) { return cut.isOn; });
+  result.region.cuts = cuts;
+  if (!isAny) {
+    result.left = keptVoxels(before, volume, effort).count();
+    return result;
+  }
+  BitGrid removed(volume.grid().dims, volume.room());
+  if (made > 0) {
+    std::vector<bool> isCutLabel(region.weights.size());
+    isCutLabel.back() = true;
+    removed = voxelsOf(*region.labels, isCutLabel, volume.room(), partOf(effort, 0.0, 0.05));
+  }
+  BitGrid kept = keptVoxels(before, volume, partOf(effort, 0.05, 0.1));
+  kept -= removed;
+  result.left = kept.count();
+  for (std::size_t n = made; n < cuts.size(); ++n) {
+    if (!cuts[n].isOn)
+      continue;
+    const double from = 0.1 + 0.8 * static_cast<double>(n - made) / static_cast<double>(cuts.size() - made);
+    const double to = 0.1 + 0.8 * static_cast<double>(n + 1 - made) / static_cast<double>(cuts.size() - made);
+    removed |= removedBy(cuts[n], kept, volume, partOf(effort, from, to));
+    kept -= removed;
+    const std::size_t left = kept.count();
+    result.taken[n] = result.left - left;
+    result.left = left;
+  }
+  result.region.uncut = before.labels;
+  addLabel(result.region, removed, {cutValue, "Cut away", glm::dvec3(0.5)}, 0.0, volume.room(),
+           partOf(effort, 0.9, 1.0));
+  result.region.isCut = true;
+  if (hasPiece(cuts))
+    result.region.shownWhenCut = shownLabels(before);
+  return result;
+}
+
+Region lit(const Region& region, const BitGrid& lit, double weight, const Effort& effort) {
+  Region shown = region;
+  if (shown.labels) {
+    // What is hidden already stays hidden.
+    BitGrid beside = voxelsOf(*shown.labels, shownLabels(shown), {}, partOf(effort, 0.0, 0.3));
+    beside -= lit;
+    addLabel(shown, beside, besideLabel, weight, {}, partOf(effort, 0.3, 1.0));
+  } else {
+    addLabel(shown, lit.complement(), besideLabel, weight, {}, effort);
+  }
+  return shown;
+}
+
+} // namespace limn

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regions/PiecePick.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <vector>
+
+namespace limn {
+namespace {
+
+constexpr double leastShown = 0.02; // as for what is visible (DEFINITION section 8)
+constexpr double leastOfSeed = 0.5; // of its opacity, which belongs to a piece
+constexpr int reachVoxels = 2;
+constexpr double notchShare = 0.02; // of the range of values
+
+// Ranges in ascending order; those that touch become one.
+class Ranges {
+public:
+  void add(double low, double high) {
+    if (!m_all.empty() && low <= m_all.back().y)
+      m_all.back().y = std::max(m_all.back().y, high);
+    else
+      m_all.emplace_back(low, high);
+  }
+
+  // Nothing where there are none.
+  std::optional<glm::dvec2> nearestTo(double value) const {
+    const auto away = [value](const glm::dvec2& range) {
+      return std::max({range.x - value, value - range.y, 0.0});
+    };
+    const auto nearest = std::min_element(m_all.begin(), m_all.end(),
+                                          [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    return nearest == m_all.end() ? std::nullopt : std::optional(*nearest);
+  }
+
+private:
+  std::vector<glm::dvec2> m_all;
+};
+
+// The part of the line between two points that is opaque enough.
+void addPart(const ControlPoint& from, const ControlPoint& to, double least, Ranges& ranges) {
+  const bool begins = from.opacity >= least, ends = to.opacity >= least;
+  if (!begins && !ends)
+    return;
+  const double crossing = begins && ends ? 0.0
+                                         : from.value + (least - from.opacity) / (to.opacity - from.opacity) *
+                                                            (to.value - from.value);
+  ranges.add(begins ? from.value : crossing, ends ? to.value : crossing);
+}
+
+bool isKept(const Region& keep, const glm::ivec3& voxel) {
+  return !keep.labels ||
+         keep.weights[keep.labels->placeAt(voxelOffset(keep.labels->dims(), voxel.x, voxel.y, voxel.z))] >
+             0.0;
+}
+
+struct Sums {
+  std::size_t count = 0;
+  double sum = 0.0;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+};
+
+} // namespace
+
+std::optional<glm::dvec2> rangeAround(const TransferFunction& function, const ValueRange& values,
+                                      double value, double least) {
+  const std::vector<ControlPoint>& points = function.points;
+  if (points.empty())
+    return std::nullopt;
+  Ranges ranges;
+  if (points.front().opacity >= least)
+    ranges.add(std::min(values.lowest, points.front().value), points.front().value);
+  for (std::size_t n = 0; n + 1 < points.size(); ++n)
+    addPart(points[n], points[n + 1], least, ranges);
+  if (points.back().opacity >= least)
+    ranges.add(points.back().value, std::max(values.highest, points.back().value));
+  return ranges.nearestTo(value);
+}
+
+std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worldMm) {
+  const Volume& volume = *scene.volume;
+  const Grid& grid = volume.grid();
+  const glm::ivec3 middle(glm::floor(worldToIndex(grid, worldMm) + 0.5));
+  glm::ivec3 seed(0);
+  double most = 0.0, seedValue = 0.0;
+  for (int z = -reachVoxels; z <= reachVoxels; ++z)
+    for (int y = -reachVoxels; y <= reachVoxels; ++y)
+      for (int x = -reachVoxels; x <= reachVoxels; ++x) {
+        const glm::ivec3 voxel = middle + glm::ivec3(x, y, z);
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) ||
+            glm::any(glm::greaterThanEqual(voxel, grid.dims)) || !isKept(scene.keep, voxel))
+          continue;
+        const double value = valueAt(volume, glm::dvec3(voxel));
+        const double opacity = classify(scene.transferFunction, value).opacity;
+        if (opacity <= most)
+          continue;
+        most = opacity;
+        seed = voxel;
+        seedValue = value;
+      }
+  if (most < leastShown)
+    return std::nullopt;
+  const auto range = rangeAround(scene.transferFunction, volume.range(), seedValue, leastOfSeed * most);
+  return ConnectedPiece{indexToWorld(grid, glm::dvec3(seed)), *range, 1, false};
+}
+
+ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches) {
+  const ValueRange& values = volume.range();
+  const double seed = valueAt(volume, worldToIndex(volume.grid(), piece.seedMm));
+  const double by = notches * notchShare * (values.highest - values.lowest);
+  ConnectedPiece other = piece;
+  const bool hasLow = piece.range.x > values.lowest, hasHigh = piece.range.y < values.highest;
+  // One that reaches from end to end is narrowed from below: what is bright is meant more often.
+  if (hasLow || !hasHigh)
+    other.range.x = std::clamp(piece.range.x + by, std::min(values.lowest, seed), seed);
+  if (hasHigh)
+    other.range.y = std::clamp(piece.range.y - by, seed, std::max(values.highest, seed));
+  return other;
+}
+
+SetFigures figuresOf(const BitGrid& set, const Volume& volume, const Effort& effort) {
+  const glm::ivec3& dims = set.dims();
+  const VoxelMask& invalid = volume.invalidMask();
+  const Rescale& rescale = volume.rescale();
+  std::vector<Sums> slices(static_cast<std::size_t>(dims.z)); // summed in order: the same for any threads
+  visitVoxels(volume, [&](const auto& stored) {
+    forEachPiece(dims.z, effort, [&](int z) {
+      Sums& sums = slices[static_cast<std::size_t>(z)];
+      for (int y = 0; y < dims.y; ++y)
+        for (int w = 0; w < set.rowWords(); ++w) {
+          const std::size_t first = voxelOffset(dims, w * BitGrid::wordBits, y, z);
+          BitGrid::Word word = set.row(y, z)[w];
+          if (!invalid.empty())
+            word &= ~invalid.from(first);
+          for (; word != 0; word &= word - 1) {
+            const std::size_t voxel = first + static_cast<std::size_t>(std::countr_zero(word));
+            const double value = rescale.slope * static_cast<double>(stored[voxel]) + rescale.intercept;
+            ++sums.count;
+            sums.sum += value;
+            sums.lowest = std::min(sums.lowest, value);
+            sums.highest = std::max(sums.highest, value);
+          }
+        }
+    });
+  });
+  Sums all;
+  for (const Sums& slice : slices) {
+    all.count += slice.count;
+    all.sum += slice.sum;
+    all.lowest = std::min(all.lowest, slice.lowest);
+    all.highest = std::max(all.highest, slice.highest);
+  }
+  if (all.count == 0)
+    return {};
+  const glm::dvec3& spacing = volume.grid().spacingMm;
+  return {static_cast<double>(all.count) * spacing.x * spacing.y * spacing.z / 1000.0,
+          all.sum / static_cast<double>(all.count),
+          {all.lowest, all.highest}};
+}
+
+} // namespace limn

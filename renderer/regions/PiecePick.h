@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "regions/BitGrid.h"
+#include "scene/Scene.h"
+
+#include <optional>
+
+namespace limn {
+
+/// The range of values without a gap around `value` to which a curve gives an opacity of at least `least` >
+/// 0. Around a value to which it gives less, the nearest such range; nothing where there is none. Ends beyond
+/// the outermost point are those of the volume's values.
+std::optional<glm::dvec2> rangeAround(const TransferFunction& function, const ValueRange& values,
+                                      double value, double least);
+
+/// The piece that is meant where a place is pointed at: its seed is the most opaque voxel within two that is
+/// kept, its range the values around that voxel's with at least half of its opacity, so that bone under a
+/// thin veil of skin is bone. Nothing where no voxel there has an opacity of 0.02.
+std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worldMm);
+
+/// The same piece with a range that is narrower by so many notches, each a fiftieth of the volume's range, or
+/// wider (negative): the end that does not lie at an end of the volume's values moves, or both do. The value
+/// at the seed stays within it.
+ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches);
+
+/// How large a set of voxels is, and which values they have.
+struct SetFigures {
+  double millilitres = 0.0;
+  double mean = 0.0;
+  ValueRange values;
+};
+
+/// Of the valid voxels of a set; all 0 where there are none. Throws Cancelled.
+SetFigures figuresOf(const BitGrid& set, const Volume& volume, const Effort& effort = {});
+
+} // namespace limn

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/view/Camera.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace limn {
+
+/// A closed line drawn on a picture, and which voxels it takes away (DEFINITION section 10).
+struct Scissors {
+  Camera camera;       ///< under which it was drawn; voxels behind it stay
+  double aspect = 1.0; ///< of the picture that it was drawn on, width over height, > 0
+  std::vector<glm::dvec2>
+      polygon;               ///< at least 3 corners, in halves of the picture's height from its middle, y up
+  bool removesInside = true; ///< or what projects outside
+  std::optional<glm::dvec2> depthMm; ///< nearest and farthest place along the rays that it reaches
+  bool operator==(const Scissors&) const = default;
+};
+
+/// What hangs together with a place in a range of scalars, and whether it goes or stays alone (DEFINITION
+/// section 10).
+struct ConnectedPiece {
+  glm::dvec3 seedMm{0.0};     ///< world
+  glm::dvec2 range{0.0, 0.0}; ///< of scalars, both ends included
+  int growVoxels = 1;         ///< ≥ 0, into what is outside the range
+  bool isKeptAlone = false;   ///< else it is hidden
+  bool operator==(const ConnectedPiece&) const = default;
+};
+
+/// One thing that was cut out of a volume by hand: kept as what was done, not as the voxels that went.
+struct Cut {
+  std::variant<Scissors, ConnectedPiece> how;
+  bool isOn = true;
+  bool operator==(const Cut&) const = default;
+};
+
+} // namespace limn

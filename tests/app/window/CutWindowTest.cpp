@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/picture/CutController.h"
+#include "app/picture/RegionController.h"
+#include "widgets/properties/CutSection.h"
+#include "widgets/properties/PropertiesPanel.h"
+#include "widgets/view/gestures/ViewInput.h"
+#include "widgets/view/overlay/Titles.h"
+#include "widgets/view/panels/CutBar.h"
+
+#include <QListWidget>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QWheelEvent>
+
+// What is cut away by hand, in the program's window: lines drawn on the picture, pieces pointed at, and the
+// list of both.
+
+namespace limn {
+namespace {
+
+class CutWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+    setLayout(CompareLayout::single);
+    ASSERT_TRUE(rest());
+  }
+
+  QPoint inPicture(const QPoint& fromMiddle) {
+    const QRectF picture = view().logicalRect(0);
+    return view().mapTo(window.get(), picture.center().toPoint()) + fromMiddle;
+  }
+  void moveTo(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, keys, inPicture(at));
+  }
+  void draw(const QList<QPoint>& corners, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(window->windowHandle(), Qt::LeftButton, keys, inPicture(corners.front()));
+    for (const QPoint& corner : corners)
+      moveTo(corner, keys);
+    QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, keys, inPicture(corners.back()));
+    QCoreApplication::processEvents();
+  }
+  void click(const QPoint& at) {
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, inPicture(at));
+    QCoreApplication::processEvents();
+  }
+  void press(Qt::Key key) {
+    view().setFocus();
+    QTest::keyClick(&view(), key);
+    QCoreApplication::processEvents();
+  }
+  void turnWheel(int notches) {
+    const QPointF at = view().logicalRect(0).center();
+    QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(&view(), &event);
+  }
+
+  RegionController& regions() { return *window->findChild<RegionController*>(); }
+  CutController& cutting() { return *window->findChild<CutController*>(); }
+  [[nodiscard]] bool ready() {
+    return test::waitUntil([this] { return !regions().isBusy() && !cutting().isBusy(); });
+  }
+  const std::vector<Cut>& cuts() { return scene().keep.cuts; }
+  CutBar& bar() { return *view().findChild<CutBar*>(); }
+  QPushButton& button(const QString& text) {
+    for (QPushButton* button : bar().findChildren<QPushButton*>())
+      if (button->text() == text)
+        return *button;
+    ADD_FAILURE() << "no button " << text.toStdString();
+    return *bar().findChild<QPushButton*>();
+  }
+  QListWidget& list() { return *window->findChild<CutSection*>()->findChild<QListWidget*>(); }
+  double weightInTheMiddle() {
+    return weightAt(scene().keep, 0.5 * glm::dvec3(scene().volume->grid().dims - 1));
+  }
+
+  // Around the middle of the picture.
+  static QList<QPoint> loop() {
+    return {{-40, -40}, {0, -55}, {40, -40}, {55, 0}, {40, 40}, {0, 55}, {-40, 40}, {-55, 0}};
+  }
+};
+
+TEST_F(CutWindow, aLineDrawnAroundSomethingTakesItAwayInOneUndoStep) {
+  press(Qt::Key_X);
+  EXPECT_EQ(view().tool(), ViewTool::scissors);
+  EXPECT_TRUE(bar().isVisible());
+  draw(loop());
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  const auto& scissors = std::get<Scissors>(cuts().front().how);
+  EXPECT_EQ(scissors.camera, scene().camera);
+  EXPECT_TRUE(scissors.removesInside);
+  EXPECT_FALSE(scissors.depthMm);
+  EXPECT_NEAR(scissors.aspect, view().logicalRect(0).width() / view().logicalRect(0).height(), 1e-9);
+  const double half = view().logicalRect(0).height() / 2.0;
+  // Pixels of the view are whole, its middle may lie between two.
+  EXPECT_NEAR(scissors.polygon.front().x, -40.0 / half, 1.0 / half);
+  EXPECT_NEAR(scissors.polygon.front().y, 40.0 / half, 1.0 / half);
+  EXPECT_EQ(weightInTheMiddle(), 0.0);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("cut away inside a line"));
+  EXPECT_EQ(undo().count(), 1);
+  undo().undo();
+  EXPECT_EQ(scene().keep, Region{});
+  undo().redo();
+  EXPECT_EQ(weightInTheMiddle(), 0.0);
+  press(Qt::Key_Escape);
+  EXPECT_EQ(view().tool(), ViewTool::rotate);
+  EXPECT_FALSE(bar().isVisible());
+}
+
+TEST_F(CutWindow, outsideKeepsWhatTheLineGoesAround) {
+  press(Qt::Key_X);
+  QTest::mouseClick(&button(QStringLiteral("Outside")), Qt::LeftButton);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  EXPECT_EQ(weightInTheMiddle(), 1.0);
+  EXPECT_EQ(weightAt(scene().keep, {0.0, 0.0, 0.0}), 0.0);
+}
+
+TEST_F(CutWindow, whatIsSeenIsCutToItsDepthAndNoFurther) {
+  press(Qt::Key_X);
+  QTest::mouseClick(&button(QStringLiteral("What is seen")), Qt::LeftButton);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  const auto& scissors = std::get<Scissors>(cuts().front().how);
+  ASSERT_TRUE(scissors.depthMm);
+  const double toMiddle = glm::length(boxCentreMm(scene().volume->grid()) - scene().camera.position);
+  EXPECT_LT(scissors.depthMm->y, toMiddle) << "the skin in front";
+  EXPECT_EQ(weightInTheMiddle(), 1.0);
+}
+
+TEST_F(CutWindow, cornersAreClickedTakenBackAndClosedByEnter) {
+  press(Qt::Key_X);
+  for (const QPoint& corner : {QPoint(-50, -50), QPoint(50, -50), QPoint(60, 40), QPoint(0, 30)})
+    click(corner);
+  moveTo({-20, 20});
+  ASSERT_TRUE(view().input().cutLine());
+  EXPECT_EQ(view().input().cutLine()->corners.size(), 4u);
+  press(Qt::Key_Backspace);
+  EXPECT_EQ(view().input().cutLine()->corners.size(), 3u);
+  press(Qt::Key_Return);
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  EXPECT_EQ(std::get<Scissors>(cuts().front().how).polygon.size(), 3u);
+  EXPECT_FALSE(view().input().cutLine());
+  // Or by a click on the first corner.
+  for (const QPoint& corner : {QPoint(-150, -50), QPoint(-60, -50), QPoint(-60, 50), QPoint(-148, -52)})
+    click(corner);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(cuts().size(), 2u);
+  // Esc takes an open line back, then the tool.
+  click({0, 0});
+  press(Qt::Key_Escape);
+  EXPECT_FALSE(view().input().cutLine());
+  EXPECT_EQ(view().tool(), ViewTool::scissors);
+}
+
+TEST_F(CutWindow, aLineGoesWithThePictureItWasDrawnOn) {
+  press(Qt::Key_X);
+  click({-50, -50});
+  click({50, -50});
+  ASSERT_TRUE(view().input().cutLine());
+  turnWheel(1);
+  EXPECT_FALSE(view().input().cutLine()) << "it would go around other things";
+}
+
+TEST_F(CutWindow, aLineAroundNothingSaysSoAndCutsNothing) {
+  press(Qt::Key_X);
+  const QPoint corner = QPoint(-static_cast<int>(view().logicalRect(0).width() / 2) + 2, 100);
+  draw({corner, corner + QPoint(12, 0), corner + QPoint(12, 12), corner + QPoint(0, 12)});
+  ASSERT_TRUE(ready());
+  EXPECT_TRUE(cuts().empty());
+  EXPECT_TRUE(window->findChild<MessageBar*>(QStringLiteral("messageBar"))
+                  ->sentence()
+                  .contains(QStringLiteral("takes nothing away")));
+  EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
+  press(Qt::Key_K);
+  EXPECT_FALSE(button(QStringLiteral("Hide")).isVisible());
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(cutting().hasPiece());
+  EXPECT_EQ(scene().keep, Region{}) << "what is lit is no edit";
+  EXPECT_NE(view().scene().keep, scene().keep);
+  EXPECT_FALSE(view().order().comparison.preview.empty());
+  const Camera before = scene().camera;
+  turnWheel(2);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().camera, before);
+  ASSERT_TRUE(cutting().hasPiece());
+  QTest::mouseClick(&button(QStringLiteral("Hide")), Qt::LeftButton);
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  const auto& piece = std::get<ConnectedPiece>(cuts().front().how);
+  EXPECT_FALSE(piece.isKeptAlone);
+  const glm::dvec3 seed = worldToIndex(scene().volume->grid(), piece.seedMm);
+  EXPECT_EQ(weightAt(scene().keep, glm::floor(seed + 0.5)), 0.0);
+  EXPECT_EQ(view().scene().keep, scene().keep);
+  EXPECT_TRUE(view().order().comparison.preview.empty());
+  EXPECT_EQ(undo().undoText(), QStringLiteral("hide a piece"));
+  turnWheel(1);
+  EXPECT_NE(scene().camera, before) << "the wheel zooms again";
+}
+
+TEST_F(CutWindow, aPieceStaysLitWhileThePictureIsTurnedAndGoesOutWithTheTool) {
+  press(Qt::Key_K);
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  const Camera before = scene().camera;
+  draw({{0, 0}, {20, 0}, {40, 5}});
+  EXPECT_NE(scene().camera, before);
+  EXPECT_TRUE(cutting().hasPiece());
+  EXPECT_NE(view().scene().keep, scene().keep);
+  EXPECT_EQ(view().scene().camera, scene().camera);
+  press(Qt::Key_Escape);
+  EXPECT_FALSE(cutting().hasPiece());
+  EXPECT_EQ(view().scene(), scene());
+  EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(CutWindow, whereNothingIsSeenThereIsNoPiece) {
+  press(Qt::Key_K);
+  click({-static_cast<int>(view().logicalRect(0).width() / 2) + 4, 0});
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(cutting().hasPiece());
+  EXPECT_EQ(window->statusBar()->currentMessage(), QStringLiteral("Nothing is seen there."));
+}
+
+TEST_F(CutWindow, theListSwitchesMovesAndDeletes) {
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  draw({{-120, -20}, {-80, -20}, {-80, 20}, {-120, 20}});
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(list().count(), 2);
+  list().item(0)->setCheckState(Qt::Unchecked);
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(cuts()[0].isOn);
+  EXPECT_EQ(weightInTheMiddle(), 1.0);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("switch cut 1 off"));
+  list().setCurrentRow(0);
+  const std::vector<Cut> before = cuts();
+  const auto section = window->findChild<CutSection*>();
+  const auto buttonOf = [&](const QString& text) -> QPushButton& {
+    for (QPushButton* button : section->findChildren<QPushButton*>())
+      if (button->text() == text)
+        return *button;
+    throw std::runtime_error("no such button");
+  };
+  buttonOf(QStringLiteral("Down")).click();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(cuts()[1], before[0]);
+  EXPECT_EQ(list().currentRow(), 1);
+  buttonOf(QStringLiteral("Delete")).click();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(cuts(), (std::vector<Cut>{before[1]}));
+  buttonOf(QStringLiteral("Delete")).click();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_EQ(list().count(), 0);
+}
+
+TEST_F(CutWindow, theNoteShowsEverythingAndTheCutsStayInTheirList) {
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  press(Qt::Key_Escape);
+  ASSERT_TRUE(rest());
+  std::optional<QPoint> note;
+  for (const HiddenNote& hidden : hiddenNotesOf({view().order(), view().pictureState()}))
+    if (hidden.by == HiddenBy::region)
+      note = view().mapTo(window.get(), hidden.note.plate.center().toPoint());
+  ASSERT_TRUE(note);
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, *note);
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(isRestricting(scene().keep));
+  ASSERT_EQ(cuts().size(), 1u);
+  EXPECT_FALSE(cuts().front().isOn);
+  EXPECT_EQ(weightInTheMiddle(), 1.0);
+}
+
+TEST_F(CutWindow, cutsHoldWhenOtherThingsAreKeptAndComeBackWithTheSession) {
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  window->findChild<QAction*>(QStringLiteral("bodyOnly"))->trigger();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_EQ(cuts().size(), 1u);
+  EXPECT_EQ(weightInTheMiddle(), 0.0);
+  typeName(pathTo("cut.limn"));
+  window->findChild<QAction*>(QStringLiteral("saveSession"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return QFile::exists(pathTo("cut.limn")); }));
+  const std::vector<Cut> before = cuts();
+  const Region kept = scene().keep;
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_TRUE(cuts().empty());
+  ASSERT_TRUE(open(pathTo("cut.limn")));
+  EXPECT_EQ(cuts(), before);
+  EXPECT_EQ(scene().keep.weights, kept.weights);
+  EXPECT_EQ(weightInTheMiddle(), 0.0);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/properties/CutSection.h"
+
+#include "widgets/ValueText.h"
+
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace limn {
+namespace {
+
+constexpr int mostCutsShown = 6;
+
+QString summaryOf(const std::vector<Cut>& cuts) {
+  if (cuts.empty())
+    return CutSection::tr("none");
+  const auto on = std::count_if(cuts.begin(), cuts.end(), [](const Cut& cut) { return cut.isOn; });
+  return on == static_cast<std::ptrdiff_t>(cuts.size())
+             ? CutSection::tr("%1 on").arg(cuts.size())
+             : CutSection::tr("%1 of %2 on").arg(on).arg(cuts.size());
+}
+
+} // namespace
+
+QString cutText(const Cut& cut, const Volume& volume) {
+  if (const auto* scissors = std::get_if<Scissors>(&cut.how)) {
+    const QString where =
+        scissors->removesInside ? CutSection::tr("Scissors, inside") : CutSection::tr("Scissors, outside");
+    return scissors->depthMm ? CutSection::tr("%1, what is seen").arg(where) : where;
+  }
+  const auto& piece = std::get<ConnectedPiece>(cut.how);
+  const QString unit = QString::fromStdString(volume.info().unit);
+  const int decimals = decimalsOfSpan(volume.range().highest - volume.range().lowest);
+  const QString range = CutSection::tr("%1 – %2").arg(valueText(piece.range.x, {}, decimals),
+                                                      valueText(piece.range.y, unit, decimals));
+  return piece.isKeptAlone ? CutSection::tr("Piece %1, alone").arg(range)
+                           : CutSection::tr("Piece %1, hidden").arg(range);
+}
+
+CutSection::CutSection(QWidget* parent)
+    : FoldingSection(tr("Cuts"), parent), m_list(new QListWidget),
+      m_scissors(new QPushButton(tr("Scissors"))), m_piece(new QPushButton(tr("Pick a piece"))),
+      m_up(new QPushButton(tr("Up"))), m_down(new QPushButton(tr("Down"))),
+      m_delete(new QPushButton(tr("Delete"))) {
+  m_list->setAccessibleName(tr("Cuts"));
+  m_list->setToolTip(tr("What was cut away, in order; marked cuts hold."));
+  m_scissors->setToolTip(tr("Cuts along a line that you draw on the picture (X)."));
+  m_piece->setToolTip(tr("Hides the connected piece that you click, or all but it (K)."));
+  m_up->setToolTip(tr("Makes the chosen cut earlier."));
+  m_down->setToolTip(tr("Makes the chosen cut later."));
+  m_delete->setToolTip(tr("Takes the chosen cut back."));
+  auto* tools = new QHBoxLayout;
+  tools->addWidget(m_scissors);
+  tools->addWidget(m_piece);
+  tools->addStretch();
+  auto* order = new QHBoxLayout;
+  for (QPushButton* button : {m_up, m_down, m_delete})
+    order->addWidget(button);
+  order->addStretch();
+  for (QPushButton* button : {m_scissors, m_piece, m_up, m_down, m_delete})
+    button->setAccessibleName(button->text());
+  contents()->addWidget(m_list);
+  contents()->addLayout(order);
+  contents()->addLayout(tools);
+  connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
+    std::vector<Cut> cuts = m_cuts;
+    const auto row = static_cast<std::size_t>(m_list->row(item));
+    cuts[row].isOn = item->checkState() == Qt::Checked;
+    const QString number = QString::number(row + 1);
+    emit cutsEdited(cuts, cuts[row].isOn ? tr("switch cut %1 on").arg(number)
+                                         : tr("switch cut %1 off").arg(number));
+  });
+  connect(m_list, &QListWidget::currentRowChanged, this, &CutSection::showButtons);
+  connect(m_scissors, &QPushButton::clicked, this, &CutSection::scissorsRequested);
+  connect(m_piece, &QPushButton::clicked, this, &CutSection::pieceRequested);
+  connect(m_up, &QPushButton::clicked, this, [this] { moveBy(-1); });
+  connect(m_down, &QPushButton::clicked, this, [this] { moveBy(1); });
+  connect(m_delete, &QPushButton::clicked, this, &CutSection::remove);
+  setScene({});
+}
+
+void CutSection::setScene(const Scene& scene) {
+  const bool hadCuts = !m_cuts.empty();
+  m_scissors->setEnabled(scene.volume != nullptr);
+  m_piece->setEnabled(scene.volume != nullptr);
+  if (!hadCuts && !scene.keep.cuts.empty())
+    setFolded(false);
+  const bool isOther = m_cuts != scene.keep.cuts || m_volume != scene.volume;
+  m_cuts = scene.volume ? scene.keep.cuts : std::vector<Cut>();
+  m_volume = scene.volume;
+  if (isOther || m_cuts.empty())
+    showCuts();
+}
+
+void CutSection::showCuts() {
+  const int row = m_list->currentRow();
+  const QSignalBlocker blocker(m_list);
+  m_list->clear();
+  for (std::size_t n = 0; n < m_cuts.size(); ++n) {
+    auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(cutText(m_cuts[n], *m_volume)), m_list);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(m_cuts[n].isOn ? Qt::Checked : Qt::Unchecked);
+  }
+  const int rows = m_list->count();
+  m_list->setCurrentRow(std::min(std::max(row, 0), rows - 1));
+  m_list->setVisible(rows > 0);
+  if (rows > 0)
+    m_list->setFixedHeight(2 * m_list->frameWidth() +
+                           std::min(rows, mostCutsShown) * m_list->sizeHintForRow(0));
+  setSummary(summaryOf(m_cuts));
+  showButtons();
+}
+
+void CutSection::showButtons() {
+  const int row = m_list->currentRow(), rows = m_list->count();
+  for (QPushButton* button : {m_up, m_down, m_delete})
+    button->setVisible(rows > 0);
+  m_up->setEnabled(row > 0);
+  m_down->setEnabled(row >= 0 && row + 1 < rows);
+  m_delete->setEnabled(row >= 0);
+}
+
+void CutSection::moveBy(int rows) {
+  const int row = m_list->currentRow();
+  std::vector<Cut> cuts = m_cuts;
+  std::swap(cuts[static_cast<std::size_t>(row)], cuts[static_cast<std::size_t>(row + rows)]);
+  m_list->setCurrentRow(row + rows);
+  emit cutsEdited(cuts, tr("move cut %1").arg(row + 1));
+}
+
+void CutSection::remove() {
+  const int row = m_list->currentRow();
+  std::vector<Cut> cuts = m_cuts;
+  cuts.erase(cuts.begin() + row);
+  emit cutsEdited(cuts, tr("delete cut %1").arg(row + 1));
+}
+
+} // namespace limn

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/panels/CutBar.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr int aboveEdge = 44; // logical pixels, over scale and notes
+
+// Two buttons of which one is down.
+void pair(QPushButton* first, QPushButton* second, QObject* parent) {
+  auto* group = new QButtonGroup(parent);
+  for (QPushButton* button : {first, second}) {
+    button->setCheckable(true);
+    group->addButton(button);
+  }
+}
+
+} // namespace
+
+CutBar::CutBar(QWidget* parent)
+    : PicturePanel(parent), m_text(new QLabel(this)),
+      m_inside(panelButton(tr("Inside"), QStringLiteral("choice"), this)),
+      m_outside(panelButton(tr("Outside"), QStringLiteral("choice"), this)),
+      m_through(panelButton(tr("Through all"), QStringLiteral("choice"), this)),
+      m_seen(panelButton(tr("What is seen"), QStringLiteral("choice"), this)),
+      m_hide(panelButton(tr("Hide"), QStringLiteral("choice"), this)),
+      m_alone(panelButton(tr("Only this"), QStringLiteral("choice"), this)) {
+  pair(m_inside, m_outside, this);
+  pair(m_through, m_seen, this);
+  m_inside->setToolTip(tr("Takes away what the line goes around."));
+  m_outside->setToolTip(tr("Takes away all that the line does not go around."));
+  m_through->setToolTip(tr("Cuts through the whole volume."));
+  m_seen->setToolTip(tr("Cuts only as deep as what is seen inside the line."));
+  m_hide->setToolTip(tr("Hides this piece."));
+  m_alone->setToolTip(tr("Hides all but this piece."));
+  auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
+  close->setToolTip(tr("Lays the tool aside (Esc)."));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 6, 6, 6);
+  row->setSpacing(6);
+  row->addWidget(m_text);
+  row->addSpacing(6);
+  row->addWidget(m_inside);
+  row->addWidget(m_outside);
+  row->addSpacing(6);
+  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone})
+    row->addWidget(button);
+  row->addSpacing(6);
+  row->addWidget(close);
+  connect(m_inside, &QPushButton::toggled, this, &CutBar::insideChosen);
+  connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
+  connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
+  connect(m_alone, &QPushButton::clicked, this, &CutBar::aloneRequested);
+  connect(close, &QPushButton::clicked, this, &CutBar::closeRequested);
+  parent->installEventFilter(this);
+  m_text->setToolTip(tr("Shift draws straight on; Enter, a double click or the first corner closes a line of "
+                        "corners, Backspace takes the last one back, Esc all."));
+  setAccessibleName(tr("Cutting"));
+  hide();
+}
+
+void CutBar::showScissors(bool removesInside, bool onlySeen) {
+  m_text->setText(tr("Draw around it, or click corners"));
+  (removesInside ? m_inside : m_outside)->setChecked(true);
+  (onlySeen ? m_seen : m_through)->setChecked(true);
+  for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
+    button->show();
+  m_hide->hide();
+  m_alone->hide();
+  show();
+  place();
+}
+
+void CutBar::showPiece(const QString& text, bool isPicked) {
+  m_text->setText(text);
+  for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
+    button->hide();
+  m_hide->setVisible(isPicked);
+  m_alone->setVisible(isPicked);
+  show();
+  place();
+}
+
+bool CutBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parent() && event->type() == QEvent::Resize && isVisible())
+    place();
+  return PicturePanel::eventFilter(watched, event);
+}
+
+void CutBar::showEvent(QShowEvent* event) {
+  PicturePanel::showEvent(event);
+  place();
+}
+
+// In a narrow view the sentence gives way: it says what the tool's tip does.
+void CutBar::place() {
+  const QWidget* view = parentWidget();
+  m_text->show();
+  layout()->activate();
+  if (sizeHint().width() > view->width() - 16) {
+    m_text->hide();
+    layout()->activate();
+  }
+  const QSize size = sizeHint().boundedTo(view->size());
+  setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - aboveEdge - size.height()),
+              size.width(), size.height());
+  raise();
+}
+
+} // namespace limn
