@@ -8,8 +8,6 @@
 #include "scene/framing/Framing.h"
 #include "scene/light/Shading.h"
 
-#include <numbers>
-
 namespace limn {
 namespace {
 
@@ -18,13 +16,18 @@ const std::map<std::string, StandardView> views{
     {"left", StandardView::left},         {"right", StandardView::right},
     {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
 
-/// The angle of a part of a turn, radians: "3/36".
-double angleOf(const std::string& turn) {
+/// A part of a turn: "3/36".
+struct TurnPart {
+  int part;
+  int parts;
+};
+
+TurnPart turnPartOf(const std::string& turn) {
   int part = 0, parts = 0, end = 0;
   const int found = std::sscanf(turn.c_str(), "%d/%d%n", &part, &parts, &end);
   if (found != 2 || static_cast<std::size_t>(end) != turn.size() || parts < 1)
     throw Error(Error::Kind::usage, "--turn is a part of a turn, such as 3/36; this is \"" + turn + "\".");
-  return 2.0 * std::numbers::pi * part / parts;
+  return {part, parts};
 }
 
 enum class Keep { all, body };
@@ -127,8 +130,10 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
     scene.camera = viewOf(scene, arguments.view, aspect);
   else if (!loaded.hasOwnCamera)
     scene.camera = framedCamera(scene, aspect);
-  if (!arguments.turn.empty())
-    scene.camera = turned(scene.camera, angleOf(arguments.turn));
+  if (!arguments.turn.empty()) {
+    const TurnPart turn = turnPartOf(arguments.turn);
+    scene.camera = Turn(scene, turn.parts, aspect, aspect).view(turn.part);
+  }
   return scene;
 }
 

@@ -102,9 +102,10 @@ void CameraController::goTo(const std::optional<SeenFrom>& there) {
   if (!there || !scene.volume)
     return;
   const double aspect = m_context.view.pictureAspect();
-  m_context.session.setCamera(there->aspect == aspect ? there->camera
-                                                      : refitted(there->camera, scene.volume->grid(),
-                                                                 visibleBox(scene), there->aspect, aspect));
+  m_context.session.setCamera(
+      there->aspect == aspect
+          ? there->camera
+          : refitted(there->camera, scene.volume->grid(), visibleVoxels(scene), there->aspect, aspect));
   showSteps();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/CropSection.h"
 
-#include "scene/framing/VisibleBox.h"
+#include "scene/framing/VisibleVoxels.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/NumberSliders.h"

@@ -30,7 +30,7 @@ CompareView::CompareView(DrawingEngines engines, Engine engine, QWidget* parent)
   ViewInput::Facts facts;
   facts.shown = [this] { return OverlaySource{m_order, pictureState()}; };
   facts.scaleOfSide = [this](int side) { return m_engines->drawing().gradientScaleOf(side); };
-  facts.visibleBox = [this] { return m_fit->box(); };
+  facts.visible = [this]() -> const VisibleVoxels& { return m_fit->visible(); };
   m_input = new ViewInput(this, facts);
 
   connectEngines();

@@ -19,9 +19,9 @@ BinCounts countsOfOwn(const Volume& volume, int mostBins) {
   return countsIn(volume, volume.part()->own, mostBins);
 }
 
-VisibleVoxels visibleOfOwn(const Scene& scene) {
+VisibleVoxels visibleOfOwn(const Scene& scene, int unitVoxels) {
   const VoxelBox left = croppedVoxels(scene.volume->grid(), scene.crop);
-  return {visibleVoxels(scene, intersection(left, scene.volume->part()->own))};
+  return visibleWithin(scene, intersection(left, scene.volume->part()->own), unitVoxels);
 }
 
 // Which effects read gradients does not depend on what ranks find of their bricks.

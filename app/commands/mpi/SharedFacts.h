@@ -4,7 +4,7 @@
 #include "app/commands/mpi/Ranks.h"
 #include "io/reading/PartWanted.h"
 #include "scene/Scene.h"
-#include "scene/framing/VisibleBox.h"
+#include "scene/framing/VisibleVoxels.h"
 
 #include <map>
 #include <optional>
@@ -22,7 +22,7 @@ VoxelBox ownVoxels(const Ranks& ranks, const Volume& volume);
 
 /// What this rank adds to an answer that all give together, by ofAll.
 BinCounts countsOfOwn(const Volume& volume, int mostBins);
-VisibleVoxels visibleOfOwn(const Scene& scene);
+VisibleVoxels visibleOfOwn(const Scene& scene, int unitVoxels);
 
 /// What pictures need to know of all voxels of the one volume that is drawn, each rank looking at its own.
 /// Keeps what was found.

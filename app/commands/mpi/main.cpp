@@ -157,9 +157,9 @@ int lead(MpiArguments arguments, PartWanted part, const Ranks& ranks, SharedDraw
     requested(ranks, {Request::Kind::bins, mostBins, {}, {}});
     return ofAll<BinCounts>(ranks, [&] { return countsOfOwn(volume, mostBins); });
   };
-  part.visible = [&](const Scene& scene) {
-    requested(ranks, {Request::Kind::visible, 0, {}, sceneToJson(scene, "volume")});
-    return ofAll<VisibleVoxels>(ranks, [&] { return visibleOfOwn(scene); }).box;
+  part.visible = [&](const Scene& scene, int unitVoxels) {
+    requested(ranks, {Request::Kind::visible, unitVoxels, {}, sceneToJson(scene, "volume")});
+    return ofAll<VisibleVoxels>(ranks, [&] { return visibleOfOwn(scene, unitVoxels); });
   };
   if (arguments.render.scene.source.part)
     arguments.render.scene.source.part = std::make_shared<const PartWanted>(std::move(part));
@@ -200,7 +200,7 @@ void answer(const Request& request, OwnScenes& scenes, const Ranks& ranks, Share
   case Request::Kind::visible:
     ofAll<VisibleVoxels>(ranks, [&] {
       scenes.inParts();
-      return visibleOfOwn(scenes.of(request.scene));
+      return visibleOfOwn(scenes.of(request.scene), request.number);
     });
     break;
   case Request::Kind::picture:

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "app/core/drawing/PictureMaker.h"
+#include "scene/framing/Framing.h"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +14,11 @@ namespace limn {
 
 /// A picture from all around.
 struct Turntable {
-  Scene scene;                   ///< the first frame
-  glm::ivec2 size{512, 512};     ///< of each frame, pixels
-  int frames = 90;               ///< 2..mostFrames, for one turn
-  double framesPerSecond = 25.0; ///< of a video, > 0
+  Scene scene;                        ///< the first frame
+  glm::ivec2 size{512, 512};          ///< of each frame, pixels
+  int frames = 90;                    ///< 2..mostFrames, for one turn
+  double framesPerSecond = 25.0;      ///< of a video, > 0
+  std::optional<double> cameraAspect; ///< of the picture that the scene's camera stands for; absent: of these
 };
 
 /// As many as names of four digits tell apart.
@@ -25,8 +28,28 @@ inline constexpr int mostFrames = 9999;
 /// that stands most nearly upright in the picture, through the target.
 Camera turned(const Camera& camera, double angle);
 
-/// The scene of each frame; the first is the scene itself.
-std::vector<Scene> framesOf(const Turntable& turntable);
+/// A turn about a scene, in views. Where its camera is framed (scene/framing), each of them is, with one
+/// distance for all, for pictures of `aspect`; of more than a hundred views the distance is that of so many
+/// among them. A camera that stands otherwise turns as it is.
+class Turn {
+public:
+  /// `cameraAspect` is that of the picture that the camera may be framed for; `views` ≥ 1. Throws Cancelled.
+  Turn(const Scene& scene, int views, double aspect, double cameraAspect, const Effort& effort = {});
+
+  Camera view(int index) const;
+
+private:
+  Camera turnedTo(int index) const;
+
+  const Scene& m_scene;
+  int m_views;
+  double m_aspect;
+  std::optional<VisibleVoxels> m_visible; // absent: as it stands
+  double m_distance = 0.0;
+};
+
+/// The scene of each frame; of a camera that is not framed the first is the scene itself. Throws Cancelled.
+std::vector<Scene> framesOf(const Turntable& turntable, const Effort& effort = {});
 
 /// What a frame's file says of its scene (io/scenefile).
 using DescribeScene = std::function<std::string(const Scene& scene)>;

@@ -132,6 +132,7 @@ void TurntableDialog::save() {
   turntable.scene.keep.source = m_saving.labelsInPicture();
   turntable.size = {static_cast<int>(m_width->number()), static_cast<int>(m_height->number())};
   turntable.frames = frames();
+  turntable.cameraAspect = m_context.view.pictureAspect();
   turntable.framesPerSecond = framesPerSecond();
   exportTo({isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
             isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),

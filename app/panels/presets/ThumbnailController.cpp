@@ -191,11 +191,11 @@ std::vector<Thumbnail> ThumbnailController::missing() {
 
 Camera ThumbnailController::cameraOf(const Scene& scene) {
   const Grid& grid = scene.volume->grid();
-  const IndexBox box = croppedBox(grid, scene.crop);
+  const VisibleVoxels all = allVoxelsOf(grid, scene.crop);
   // A picture of another shape than the view's would cut what that shows.
-  const Camera inView = refitted(scene.camera, grid, box, m_context.view.pictureAspect(), thumbnailAspect);
+  const Camera inView = refitted(scene.camera, grid, all, m_context.view.pictureAspect(), thumbnailAspect);
   // From farther off than the whole there would be specks.
-  const Camera whole = framed(scene.camera, grid, box, thumbnailAspect);
+  const Camera whole = framed(scene.camera, grid, all, thumbnailAspect);
   const Camera& seen = seenHeightMm(inView) > seenHeightMm(whole) ? whole : inView;
   if (m_shown.empty() || !seeAlike(m_camera, seen))
     m_camera = seen;

@@ -23,7 +23,7 @@ struct PartWanted {
 
   /// Handed on to the volume (VolumePart).
   std::function<BinCounts(const Volume&, int mostBins)> binCounts;
-  std::function<std::optional<VoxelBox>(const Scene&)> visible;
+  std::function<VisibleVoxels(const Scene&, int unitVoxels)> visible;
 };
 
 } // namespace limn

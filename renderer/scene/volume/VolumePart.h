@@ -10,6 +10,7 @@
 namespace limn {
 
 struct Scene;
+struct VisibleVoxels;
 
 /// What is known of some voxels as they are stored: what makes a volume's range.
 struct VoxelFacts {
@@ -50,7 +51,7 @@ struct VolumePart {
 
   /// What only all processes together know. Absent with processes that are asked and do not ask.
   std::function<BinCounts(const Volume&, int mostBins)> binCounts;
-  std::function<std::optional<VoxelBox>(const Scene&)> visible; ///< see visibleVoxels
+  std::function<VisibleVoxels(const Scene&, int unitVoxels)> visible; ///< see visibleWithin
 };
 
 inline VoxelBox allVoxels(const Grid& grid) {

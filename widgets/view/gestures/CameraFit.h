@@ -29,14 +29,14 @@ public:
   void settle();
 
   /// What the scene's pictures are framed on.
-  const IndexBox& box();
+  const VisibleVoxels& visible();
 
 signals:
   void cameraEdited(const limn::Camera& camera);
 
 private:
   Scene m_scene;
-  std::optional<IndexBox> m_box; ///< of the scene; none: not looked for yet
+  std::optional<VisibleVoxels> m_visible; ///< of the scene; none: not looked for yet
   double m_aspect = 1.0;
   std::optional<double> m_settledAspect; ///< to which the camera belongs
 };

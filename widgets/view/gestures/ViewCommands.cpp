@@ -91,7 +91,7 @@ std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& came
                                   const ViewFrame& frame) {
   const Grid& grid = volume.grid();
   const auto fitted = [&](const Camera& placed) {
-    return framed(placed, grid, frame.visibleBox(), frame.aspect);
+    return framed(placed, grid, frame.visible(), frame.aspect);
   };
   const auto from = [&](StandardView view) { return fitted(standardView(camera, grid, view)); };
   if (const auto* look = std::get_if<LookFrom>(&command))

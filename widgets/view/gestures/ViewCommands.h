@@ -76,7 +76,7 @@ ViewCommand commandOf(const QKeyEvent& event);
 
 /// On what views are framed, asked only where one is wanted, and width over height of a picture.
 struct ViewFrame {
-  std::function<IndexBox()> visibleBox;
+  std::function<const VisibleVoxels&()> visible;
   double aspect = 1.0;
   std::optional<glm::dvec3> turnsAbout = {}; ///< world; absent: the target
 };

@@ -335,7 +335,7 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
   const Scene& shown = source.comparison.scene;
   if (!shown.volume)
     return false;
-  const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry), source.comparison.turnsAboutMm};
+  const ViewFrame frame{m_facts.visible, pictureAspect(source.geometry), source.comparison.turnsAboutMm};
   if (std::holds_alternative<Reset>(command))
     emit cameraReset();
   if (const auto camera = cameraAfter(command, shown.camera, *shown.volume, frame))

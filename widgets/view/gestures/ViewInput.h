@@ -38,7 +38,7 @@ public:
   struct Facts {
     std::function<OverlaySource()> shown;
     std::function<GradientScale(int side)> scaleOfSide;
-    std::function<IndexBox()> visibleBox; ///< on which views are framed
+    std::function<const VisibleVoxels&()> visible; ///< on which views are framed
   };
   ViewInput(QWidget* view, Facts facts);
 

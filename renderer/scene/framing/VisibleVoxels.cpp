@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/framing/VisibleVoxels.h"
+
+#include "scene/ProjectionFacts.h"
+#include "scene/framing/KeptVoxels.h"
+#include "scene/framing/Outermost.h"
+#include "scene/volume/VolumePart.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+namespace limn {
+namespace {
+
+// So many units fill 42 MB where all are visible; framing on all of a box takes a few milliseconds.
+constexpr std::int64_t mostUnits = std::int64_t{1} << 28;
+constexpr std::int64_t mostUnitsOfABox = std::int64_t{1} << 24;
+constexpr int mostUnitVoxels = 8; // a block's row of voxels fits a word
+
+int unitVoxelsFor(const VoxelBox& box, std::int64_t most) {
+  const glm::i64vec3 size(glm::max(box.upper - box.lower, 0));
+  int unit = 1;
+  while (unit < mostUnitVoxels && size.x * size.y * size.z / (unit * unit * unit) > most)
+    ++unit;
+  return unit;
+}
+
+// Which scalars show, given the weight that the region leaves their opacity.
+class Shown {
+public:
+  explicit Shown(const Scene& scene)
+      : m_function(scene.transferFunction), m_isComposite(scene.projection != Projection::isosurface) {
+    if (showsSurface(scene.projection))
+      m_isovalue = scene.isovalue;
+  }
+
+  bool at(double scalar, double weight) const {
+    if (m_isovalue && scalar >= *m_isovalue && weight >= 0.5)
+      return true;
+    return m_isComposite && classify(m_function, scalar).opacity * weight >= visibleOpacity;
+  }
+
+  // Whether some scalar between two may.
+  bool between(double lowest, double highest) const {
+    return (m_isovalue && highest >= *m_isovalue) ||
+           (m_isComposite && largestOpacityWithin(m_function, lowest, highest) >= visibleOpacity);
+  }
+
+private:
+  const TransferFunction& m_function;
+  bool m_isComposite;
+  std::optional<double> m_isovalue;
+};
+
+// Which stored voxels show. The values of small types are classified once.
+template <class T>
+class VoxelTest {
+public:
+  VoxelTest(const Scene& scene, const StoredVoxels<T>& stored)
+      : m_stored(stored), m_rescale(scene.volume->rescale()), m_shown(scene),
+        m_region(isRestricting(scene.keep) ? &scene.keep : nullptr) {
+    if constexpr (isSmall) {
+      m_shownBefore.resize((std::size_t{1} << (8 * sizeof(T))) + 1);
+      for (std::size_t place = 0; place + 1 < m_shownBefore.size(); ++place)
+        m_shownBefore[place + 1] = m_shownBefore[place] + (showsAt(valueAt(place), 1.0) ? 1 : 0);
+    }
+  }
+
+  // One bit for each of `count` ≤ 64 voxels of a row, the first in the lowest bit. `voxel` is the place of
+  // the first in the array, `label` that among all voxels.
+  std::uint64_t bitsOf(std::size_t voxel, std::size_t label, int count) const {
+    std::uint64_t bits = bitsWithoutRegion(m_stored.data() + voxel, count);
+    if (m_region)
+      for (std::uint64_t left = bits; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left));
+        if (!showsAt(m_stored[voxel + i], m_region->weights[m_region->labels->placeAt(label + i)]))
+          bits &= ~(std::uint64_t{1} << i);
+      }
+    return bits;
+  }
+
+private:
+  static constexpr bool isSmall = sizeof(T) <= 2;
+
+  // Most words of voxels lie in air or in the body, where all do the same, which the range of their values
+  // tells.
+  std::uint64_t bitsWithoutRegion(const T* voxels, int count) const {
+    // A number of voxels that the compiler knows is looked through several at a time.
+    const auto [lowest, highest] =
+        count == 64 ? rangeOf(voxels, std::integral_constant<int, 64>()) : rangeOf(voxels, count);
+    std::uint64_t bits = 0;
+    if constexpr (isSmall) {
+      const std::uint32_t shown = m_shownBefore[placeOf(highest) + 1] - m_shownBefore[placeOf(lowest)];
+      if (shown == 0)
+        return 0;
+      if (shown == placeOf(highest) - placeOf(lowest) + 1)
+        return ~std::uint64_t{0} >> (64 - count);
+      for (int i = 0; i < count; ++i) {
+        const std::size_t place = placeOf(voxels[i]);
+        bits |= std::uint64_t{m_shownBefore[place + 1] - m_shownBefore[place]} << i;
+      }
+    } else {
+      const double a = scalarOf(lowest);
+      const double b = scalarOf(highest);
+      if (!m_shown.between(std::min(a, b), std::max(a, b)))
+        return 0;
+      for (int i = 0; i < count; ++i)
+        bits |= std::uint64_t{showsAt(voxels[i], 1.0)} << i;
+    }
+    return bits;
+  }
+
+  template <class Count>
+  static std::pair<T, T> rangeOf(const T* voxels, Count count) {
+    T lowest = voxels[0];
+    T highest = voxels[0];
+    for (int i = 1; i < count; ++i) {
+      lowest = voxels[i] < lowest ? voxels[i] : lowest;
+      highest = voxels[i] > highest ? voxels[i] : highest;
+    }
+    return {lowest, highest};
+  }
+
+  // Of small types, in the order of their values.
+  static std::size_t placeOf(T value) {
+    return static_cast<std::size_t>(static_cast<std::int64_t>(value) - std::numeric_limits<T>::lowest());
+  }
+  static T valueAt(std::size_t place) {
+    return static_cast<T>(static_cast<std::int64_t>(place) + std::numeric_limits<T>::lowest());
+  }
+
+  double scalarOf(T value) const {
+    return m_rescale.slope * static_cast<double>(value) + m_rescale.intercept;
+  }
+
+  bool showsAt(T value, double weight) const { return m_shown.at(scalarOf(value), weight); }
+
+  const StoredVoxels<T>& m_stored;
+  Rescale m_rescale;
+  Shown m_shown;
+  const Region* m_region;
+  std::vector<std::uint32_t> m_shownBefore; // of the values below each
+};
+
+VisibleVoxels none(int unitVoxels) {
+  VisibleVoxels visible;
+  visible.unitVoxels = unitVoxels;
+  return visible;
+}
+
+VoxelBox boxOf(const VisibleVoxels& visible) {
+  return {visible.lower, visible.upper};
+}
+
+void widen(VisibleVoxels& visible, const glm::ivec3& lower, const glm::ivec3& upper) {
+  const bool isFirst = isEmpty(boxOf(visible));
+  visible.lower = isFirst ? lower : glm::min(visible.lower, lower);
+  visible.upper = isFirst ? upper : glm::max(visible.upper, upper);
+}
+
+// The blocks that lie in a row along x, made from rows of voxels.
+class BlockRow {
+public:
+  // Of the blocks from `first` on, up to that before `end`, in units of `unit` voxels.
+  BlockRow(const glm::ivec3& first, int end, int unit) : m_first(first), m_unit(unit) {
+    m_blocks.resize(static_cast<std::size_t>(std::max(0, end - first.x)));
+    for (std::size_t i = 0; i < m_blocks.size(); ++i)
+      m_blocks[i].place = first + glm::ivec3(static_cast<int>(i), 0, 0);
+    m_found = none(unit);
+  }
+
+  int firstVoxel() const { return m_first.x * blockUnits * m_unit; }
+  std::size_t words() const {
+    return (m_blocks.size() * blockUnits * static_cast<std::size_t>(m_unit) + 63) / 64;
+  }
+
+  // Bits of the voxels from firstVoxel on, of the row (y, z); `bits` is as long as `words`.
+  void add(int y, int z, const std::vector<std::uint64_t>& bits) {
+    const auto isSet = [](std::uint64_t word) { return word != 0; };
+    const auto firstSet = std::ranges::find_if(bits, isSet);
+    if (firstSet == bits.end())
+      return;
+    const auto lastSet = std::find_if(bits.rbegin(), bits.rend(), isSet);
+    const int from = 64 * static_cast<int>(firstSet - bits.begin()) + std::countr_zero(*firstSet);
+    const int to = 64 * static_cast<int>(bits.rend() - lastSet) - std::countl_zero(*lastSet);
+    widen(m_found, {firstVoxel() + from, y, z}, {firstVoxel() + to, y + 1, z + 1});
+    const int side = blockUnits * m_unit;
+    const int bit = 8 * (y % side / m_unit);
+    const auto word = static_cast<std::size_t>(z % side / m_unit);
+    for (int i = from / side; i <= (to - 1) / side; ++i) {
+      const std::uint64_t voxels = voxelsFrom(bits, static_cast<std::size_t>(i * side), side);
+      VisibleBlock& block = m_blocks[static_cast<std::size_t>(i)];
+      block.voxels += static_cast<std::uint32_t>(std::popcount(voxels));
+      block.units[word] |= unitsOf(voxels) << bit;
+    }
+  }
+
+  VisibleVoxels found() {
+    for (const VisibleBlock& block : m_blocks)
+      if (block.voxels > 0) {
+        m_found.blocks.push_back(block);
+        m_found.voxels += block.voxels;
+      }
+    return std::move(m_found);
+  }
+
+private:
+  static std::uint64_t voxelsFrom(const std::vector<std::uint64_t>& bits, std::size_t from, int count) {
+    const std::size_t word = from / 64;
+    const std::size_t shift = from % 64;
+    std::uint64_t voxels = bits[word] >> shift;
+    if (shift + static_cast<std::size_t>(count) > 64 && word + 1 < bits.size())
+      voxels |= bits[word + 1] << (64 - shift);
+    return voxels & ~std::uint64_t{0} >> (64 - count);
+  }
+
+  std::uint64_t unitsOf(std::uint64_t voxels) const {
+    if (m_unit == 1)
+      return voxels;
+    std::uint64_t units = 0;
+    for (int i = 0; i < blockUnits; ++i, voxels >>= m_unit)
+      if ((voxels & ~(~std::uint64_t{0} << m_unit)) != 0)
+        units |= std::uint64_t{1} << i;
+    return units;
+  }
+
+  glm::ivec3 m_first;
+  int m_unit;
+  std::vector<VisibleBlock> m_blocks;
+  VisibleVoxels m_found;
+};
+
+// One behind the other: the blocks of each lie behind those of all before it.
+VisibleVoxels chained(const std::vector<VisibleVoxels>& rows, int unitVoxels) {
+  VisibleVoxels all = none(unitVoxels);
+  std::size_t blocks = 0;
+  for (const VisibleVoxels& row : rows)
+    blocks += row.blocks.size();
+  all.blocks.reserve(blocks);
+  for (const VisibleVoxels& row : rows) {
+    all.blocks.insert(all.blocks.end(), row.blocks.begin(), row.blocks.end());
+    all.voxels += row.voxels;
+    if (!row.blocks.empty())
+      widen(all, row.lower, row.upper);
+  }
+  return all;
+}
+
+// What `rowBits(first, y, z, bits)` sets of the voxels within a box, in rows of blocks.
+template <class RowBits>
+VisibleVoxels gathered(const VoxelBox& box, int unit, const Effort& effort, const RowBits& rowBits) {
+  const int side = blockUnits * unit;
+  const glm::ivec3 first = box.lower / side;
+  const glm::ivec3 blocks = (box.upper + side - 1) / side - first;
+  std::vector<VisibleVoxels> rows(static_cast<std::size_t>(blocks.y) * blocks.z);
+  forEachPiece(static_cast<int>(rows.size()), effort, [&](int piece) {
+    const glm::ivec3 place = first + glm::ivec3(0, piece % blocks.y, piece / blocks.y);
+    BlockRow row(place, first.x + blocks.x, unit);
+    std::vector<std::uint64_t> bits(row.words());
+    for (int z = std::max(box.lower.z, place.z * side); z < std::min(box.upper.z, (place.z + 1) * side); ++z)
+      for (int y = std::max(box.lower.y, place.y * side); y < std::min(box.upper.y, (place.y + 1) * side);
+           ++y) {
+        std::ranges::fill(bits, 0);
+        rowBits(row.firstVoxel(), y, z, bits);
+        row.add(y, z, bits);
+      }
+    rows[static_cast<std::size_t>(piece)] = row.found();
+  });
+  return chained(rows, unit);
+}
+
+bool isBefore(const VisibleBlock& a, const VisibleBlock& b) {
+  return std::tie(a.place.z, a.place.y, a.place.x) < std::tie(b.place.z, b.place.y, b.place.x);
+}
+
+// What is found by `look(box, unit)`: again in smaller units where little is visible of a large volume.
+template <class Look>
+VisibleVoxels foundBy(const VoxelBox& box, const Look& look) {
+  const int unit = unitVoxelsFor(box);
+  VisibleVoxels found = look(box, unit);
+  if (const int finer = unitVoxelsFor(boxOf(found)); !found.blocks.empty() && finer < unit)
+    found = look(boxOf(found), finer);
+  return found;
+}
+
+// What is visible; none where nothing is.
+VisibleVoxels visibleOrNone(const Scene& scene, const Effort& effort) {
+  const VoxelBox left = croppedVoxels(scene.volume->grid(), scene.crop);
+  if (const VolumePart* part = scene.volume->part().get())
+    return foundBy(left, [&](const VoxelBox&, int unit) { return part->visible(scene, unit); });
+  return foundBy(left,
+                 [&](const VoxelBox& box, int unit) { return visibleWithin(scene, box, unit, effort); });
+}
+
+} // namespace
+
+int unitVoxelsFor(const VoxelBox& box) {
+  return unitVoxelsFor(box, mostUnits);
+}
+
+VisibleVoxels joined(const VisibleVoxels& a, const VisibleVoxels& b) {
+  assert(a.unitVoxels == b.unitVoxels);
+  if (a.blocks.empty() || b.blocks.empty())
+    return b.blocks.empty() ? a : b;
+  VisibleVoxels both = a;
+  widen(both, b.lower, b.upper);
+  both.voxels += b.voxels;
+  both.blocks.clear();
+  std::ranges::merge(a.blocks, b.blocks, std::back_inserter(both.blocks), isBefore);
+  // Parts may share blocks, but no voxels.
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < both.blocks.size(); ++i)
+    if (const VisibleBlock& block = both.blocks[i]; block.place == both.blocks[last].place) {
+      both.blocks[last].voxels += block.voxels;
+      for (std::size_t word = 0; word < block.units.size(); ++word)
+        both.blocks[last].units[word] |= block.units[word];
+    } else {
+      both.blocks[++last] = block;
+    }
+  both.blocks.resize(last + 1);
+  return both;
+}
+
+VisibleVoxels visibleWithin(const Scene& scene, const VoxelBox& box, int unitVoxels, const Effort& effort) {
+  if (isEmpty(box))
+    return none(unitVoxels);
+  const Volume& volume = *scene.volume;
+  const glm::ivec3 dims = volume.grid().dims;
+  const VoxelBox held = volume.part() ? volume.part()->box : allVoxels(volume.grid());
+  const auto look = [&]<class T>(const StoredVoxels<T>& stored) {
+    const VoxelTest<T> test(scene, stored);
+    return gathered(box, unitVoxels, effort, [&](int first, int y, int z, std::vector<std::uint64_t>& bits) {
+      const glm::ivec3 inHeld(-held.lower.x, y - held.lower.y, z - held.lower.z);
+      for (int word = 0; word < static_cast<int>(bits.size()); ++word) {
+        const int from = std::max(first + 64 * word, box.lower.x);
+        const int count = std::min(first + 64 * (word + 1), box.upper.x) - from;
+        if (count > 0)
+          bits[static_cast<std::size_t>(word)] =
+              test.bitsOf(voxelOffset(held.upper - held.lower, from + inHeld.x, inHeld.y, inHeld.z),
+                          voxelOffset(dims, from, y, z), count)
+              << (from - first - 64 * word);
+      }
+    });
+  };
+  return std::visit(look, volume.stored());
+}
+
+VisibleVoxels allVoxelsOf(const Grid& grid, const CropBox& crop) {
+  VoxelBox box = croppedVoxels(grid, crop);
+  const IndexBox cropped = croppedBox(grid, crop);
+  const glm::dvec3 middle = 0.5 * (cropped.lower + cropped.upper) + centreIndex(grid);
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.upper[axis] <= box.lower[axis]) {
+      box.lower[axis] = std::clamp(static_cast<int>(std::lround(middle[axis])), 0, grid.dims[axis] - 1);
+      box.upper[axis] = box.lower[axis] + 1;
+    }
+  return withoutInner(gathered(box, unitVoxelsFor(box, mostUnitsOfABox), {},
+                               [&](int first, int, int, std::vector<std::uint64_t>& bits) {
+                                 for (int word = 0; word < static_cast<int>(bits.size()); ++word) {
+                                   const int from = std::clamp(box.lower.x - first - 64 * word, 0, 64);
+                                   const int to = std::clamp(box.upper.x - first - 64 * word, 0, 64);
+                                   if (from < to)
+                                     bits[static_cast<std::size_t>(word)] =
+                                         ~std::uint64_t{0} >> (64 - to + from) << from;
+                                 }
+                               }));
+}
+
+VisibleVoxels visibleVoxels(const Scene& scene, const Effort& effort) {
+  VisibleVoxels found = visibleOrNone(scene, effort);
+  return found.blocks.empty() ? allVoxelsOf(scene.volume->grid(), scene.crop)
+                              : withoutInner(std::move(found));
+}
+
+IndexBox visibleBox(const Scene& scene, const Effort& effort) {
+  const Grid& grid = scene.volume->grid();
+  const IndexBox cropped = croppedBox(grid, scene.crop);
+  const VisibleVoxels found = visibleOrNone(scene, effort);
+  if (found.blocks.empty())
+    return cropped;
+  // A voxel owns half of the way to its neighbours; one more on each side.
+  const glm::dvec3 centre = centreIndex(grid);
+  return {glm::max(glm::dvec3(found.lower) - 1.5 - centre, cropped.lower),
+          glm::min(glm::dvec3(found.upper) + 0.5 - centre, cropped.upper)};
+}
+
+VoxelBox intersection(const VoxelBox& a, const VoxelBox& b) {
+  const glm::ivec3 lower = glm::max(a.lower, b.lower);
+  return {lower, glm::max(lower, glm::min(a.upper, b.upper))};
+}
+
+} // namespace limn
