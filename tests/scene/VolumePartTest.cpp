@@ -3,7 +3,7 @@
 #include "scene/volume/VolumePart.h"
 
 #include "scene/framing/KeptVoxels.h"
-#include "scene/framing/VisibleBox.h"
+#include "scene/framing/VisibleVoxels.h"
 #include "scene/light/Gradient.h"
 #include "scene/light/ModulusSearch.h"
 
@@ -138,16 +138,15 @@ void expectSameVisible(const Divided& divided, Random& random) {
     const double level = glm::mix(range.lowest, range.highest, share);
     scene.transferFunction.points = {{level, glm::dvec3(1.0), 0.0}, {level + 0.1, glm::dvec3(1.0), 1.0}};
     scene.volume = divided.whole;
-    const std::optional<VoxelBox> expected = visibleVoxels(scene, left);
-    const VisibleVoxels found =
-        ofAllParts<VisibleVoxels>(divided, random, [&](const Volume& part, const VoxelBox& own) {
-          scene.volume = std::shared_ptr<const Volume>(std::shared_ptr<const void>(), &part);
-          return VisibleVoxels{visibleVoxels(scene, intersection(left, own))};
-        });
-    ASSERT_EQ(found.box.has_value(), expected.has_value());
-    if (expected) {
-      EXPECT_EQ(found.box->lower, expected->lower);
-      EXPECT_EQ(found.box->upper, expected->upper);
+    for (const int unit : {1, 3}) {
+      const VisibleVoxels expected = visibleWithin(scene, left, unit);
+      const VisibleVoxels found =
+          ofAllParts<VisibleVoxels>(divided, random, [&](const Volume& part, const VoxelBox& own) {
+            scene.volume = std::shared_ptr<const Volume>(std::shared_ptr<const void>(), &part);
+            return visibleWithin(scene, intersection(left, own), unit);
+          });
+      EXPECT_EQ(found, expected);
+      scene.volume = divided.whole;
     }
   }
 }

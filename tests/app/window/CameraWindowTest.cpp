@@ -188,7 +188,7 @@ TEST_F(CameraWindow, aCameraOfAnotherShapeOfThePictureIsFittedToThisOne) {
   ASSERT_TRUE(rest());
   ASSERT_NE(view().pictureAspect(), before);
   goBack();
-  EXPECT_TRUE(isFramed(camera(), scene().volume->grid(), visibleBox(scene()), view().pictureAspect()))
+  EXPECT_TRUE(isFramed(camera(), scene().volume->grid(), visibleVoxels(scene()), view().pictureAspect()))
       << "what was framed is framed";
 }
 

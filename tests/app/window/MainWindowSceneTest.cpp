@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "scene/framing/VisibleBox.h"
+#include "scene/framing/VisibleVoxels.h"
 #include "support/CropHandle.h"
 #include "widgets/FindWidget.h"
 #include "widgets/PresetNames.h"

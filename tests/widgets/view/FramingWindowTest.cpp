@@ -26,7 +26,7 @@ protected:
   }
 
   bool isFramedNow() const {
-    return isFramed(host.scene.camera, host.scene.volume->grid(), visibleBox(host.scene),
+    return isFramed(host.scene.camera, host.scene.volume->grid(), visibleVoxels(host.scene),
                     host.view.pictureAspect());
   }
 
@@ -75,7 +75,7 @@ TEST_F(FramingInView, aCameraThatCameWithItsSceneStaysUntilThePicturesStand) {
   EXPECT_EQ(host.scene.camera, opened.camera);
   const double before = host.view.pictureAspect();
   host.view.setCompareLayout(CompareLayout::single);
-  EXPECT_EQ(host.scene.camera, refitted(opened.camera, opened.volume->grid(), visibleBox(opened), before,
+  EXPECT_EQ(host.scene.camera, refitted(opened.camera, opened.volume->grid(), visibleVoxels(opened), before,
                                         host.view.pictureAspect()));
   EXPECT_NE(host.scene.camera, opened.camera) << before;
 }

@@ -118,7 +118,7 @@ TEST_F(ViewInput, escapeCancelsADrag) {
 TEST_F(ViewInput, keysChooseStandardViewsAndRotate) {
   const Grid& grid = host.scene.volume->grid();
   const auto lookFrom = [&](StandardView view) {
-    return framed(standardView(host.scene.camera, grid, view), grid, visibleBox(host.scene),
+    return framed(standardView(host.scene.camera, grid, view), grid, visibleVoxels(host.scene),
                   host.view.pictureAspect());
   };
   const Camera front = lookFrom(StandardView::anterior);

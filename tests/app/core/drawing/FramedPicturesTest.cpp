@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/drawing/PictureMaker.h"
+#include "app/core/sources/SceneSource.h"
+#include "scene/framing/Framing.h"
+#include "support/TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+// How large what is visible stands in pictures, and where, measured on the voxels and on what is drawn.
+
+namespace limn {
+namespace {
+
+// A volume by its name in the test; real ones lie below the shared folder. Pictures show a field between
+// voxels that reaches half a voxel farther than their centres; where much of what is visible is thinner, as
+// vessels and leaves are, they tell little of voxels. Perspective draws what is near larger, so that it
+// counts more.
+struct Patient {
+  const char* name;
+  const char* source;
+  bool isShared;
+  bool tellsInPerspective;
+  bool tellsInParallel;
+};
+
+const Patient patients[] = {
+    {"phantom", "phantom:3", false, true, true},
+    {"ctHead", "data/ct_head_cranium/ct_head_cranium.nii.gz", true, false, true},
+    {"tiltedCt", "data/ct_head_phantom_tilt_dicom", true, true, true},
+    {"thorax", "data/ct_thorax_contrast/lidc2_uint8.vti", true, false, true},
+    {"cta", "data/cta_brain_avm/cta_brain_avm_uint8.nii.gz", true, false, false},
+    {"mrT1", "data/mr_t1_head/mr_t1_head.nii.gz", true, true, true},
+    {"mrPd", "data/mr_pd_head_dicom", true, false, true},
+    {"mrBrain", "data/mr_brain_nrrd/brain1_image.nrrd", true, true, false},
+    {"bonsai", "data/classic/bonsai.nii.gz", true, false, false},
+    {"engine", "data/classic/engine.nii.gz", true, true, true},
+    {"tooth", "data/classic/tooth/tooth.nhdr", true, true, true},
+};
+
+std::string nameOfPatient(const testing::TestParamInfo<Patient>& patient) {
+  return patient.param.name;
+}
+
+// The centres of the visible voxels, one after the other.
+std::vector<glm::dvec3> visibleCentres(const Scene& scene) {
+  std::vector<glm::dvec3> centres;
+  const Volume& volume = *scene.volume;
+  const glm::ivec3 dims = volume.grid().dims;
+  visitVoxels(volume, [&](const auto& stored) {
+    for (int k = 0; k < dims.z; ++k)
+      for (int j = 0; j < dims.y; ++j)
+        for (int i = 0; i < dims.x; ++i) {
+          const double scalar =
+              volume.rescale().slope * static_cast<double>(stored[voxelOffset(dims, i, j, k)]) +
+              volume.rescale().intercept;
+          if (classify(scene.transferFunction, scalar).opacity >= 0.02)
+            centres.push_back(indexToWorld(volume.grid(), {i, j, k}));
+        }
+  });
+  return centres;
+}
+
+// Where something begins and ends along one side of a picture, -1..1.
+struct Extent {
+  double from;
+  double to;
+};
+
+Extent extentOf(std::vector<double> places) {
+  const auto left = static_cast<std::ptrdiff_t>(0.0005 * static_cast<double>(places.size()));
+  std::nth_element(places.begin(), places.begin() + left, places.end());
+  const double from = places[static_cast<std::size_t>(left)];
+  std::nth_element(places.begin(), places.end() - 1 - left, places.end());
+  return {from, *(places.end() - 1 - left)};
+}
+
+// Of the places across and up at which a camera sees voxels.
+std::array<Extent, 2> extentsOf(const std::vector<glm::dvec3>& centres, const Camera& camera, double aspect) {
+  const CameraBasis basis = basisOf(camera);
+  std::array<std::vector<double>, 2> places;
+  for (const glm::dvec3& centre : centres) {
+    const glm::dvec3 seen = centre - camera.position;
+    const double unit = halfHeight(camera) * glm::dot(seen, basis.forward);
+    places[0].push_back(glm::dot(seen, basis.right) / unit / aspect);
+    places[1].push_back(glm::dot(seen, basis.up) / unit);
+  }
+  return {extentOf(std::move(places[0])), extentOf(std::move(places[1]))};
+}
+
+// The same voxels are visible, all alike and so faint that a picture tells how many lie behind each pixel.
+TransferFunction faint(const TransferFunction& function) {
+  TransferFunction result = function;
+  result.points.clear();
+  const auto add = [&](double value, bool isVisible) {
+    result.points.push_back({value, glm::dvec3(1.0), isVisible ? visibleOpacity : 0.0});
+  };
+  const ControlPoint* before = nullptr;
+  for (const ControlPoint& point : function.points) {
+    const bool isVisible = point.opacity >= visibleOpacity;
+    if (before && isVisible != (before->opacity >= visibleOpacity)) {
+      const double crossing = before->value + (point.value - before->value) *
+                                                  (visibleOpacity - before->opacity) /
+                                                  (point.opacity - before->opacity);
+      add(crossing, !isVisible);
+      add(crossing, isVisible);
+    }
+    add(point.value, isVisible);
+    before = &point;
+  }
+  return result;
+}
+
+// Of the optical thicknesses that pixels tell, column by column or row by row.
+Extent extentOfSums(const std::vector<double>& sums) {
+  const double left = 0.0005 * std::accumulate(sums.begin(), sums.end(), 0.0);
+  const auto size = static_cast<double>(sums.size());
+  // How much of a side lies before the given sum, within pixels as if it were spread evenly.
+  const auto placeOf = [&](auto begin, auto end) {
+    double sum = 0.0;
+    auto at = begin;
+    while (sum + *at <= left && at + 1 != end)
+      sum += *at++;
+    return (static_cast<double>(at - begin) + (left - sum) / *at) / size;
+  };
+  return {2.0 * placeOf(sums.begin(), sums.end()) - 1.0, 1.0 - 2.0 * placeOf(sums.rbegin(), sums.rend())};
+}
+
+std::array<Extent, 2> extentsDrawn(Scene scene, const glm::ivec2& size) {
+  scene.transferFunction = faint(scene.transferFunction);
+  const Image image = makePictures({scene}, size, Engine::cpu, 0).front().image;
+  std::vector<double> columns(static_cast<std::size_t>(size.x));
+  std::vector<double> rows(static_cast<std::size_t>(size.y));
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const double thickness = -std::log1p(-static_cast<double>(image.at(x, y).a));
+      columns[static_cast<std::size_t>(x)] += thickness;
+      rows[static_cast<std::size_t>(y)] += thickness;
+    }
+  return {extentOfSums(columns), extentOfSums(rows)};
+}
+
+class Framing : public testing::TestWithParam<Patient> {
+protected:
+  std::string source() const {
+    const Patient& patient = GetParam();
+    return patient.isShared ? (test::sharedFolder() / patient.source).string() : patient.source;
+  }
+
+  // Calls `check(scene, size)` for three views and two shapes of picture.
+  template <class Check>
+  void expectOfEachPicture(Scene scene, const Check& check) {
+    for (const StandardView view : {StandardView::anterior, StandardView::left, StandardView::superior})
+      for (const glm::ivec2 size : {glm::ivec2(480, 320), glm::ivec2(240, 360)}) {
+        SCOPED_TRACE(std::to_string(static_cast<int>(view)) + ", " + std::to_string(size.x) + " wide");
+        scene.camera = framedView(scene, view, 1.0 * size.x / size.y);
+        check(scene, size);
+      }
+  }
+};
+
+TEST_P(Framing, visibleVoxelsFillTheShareOfTheLimitingSideAndAreCentred) {
+  if (GetParam().isShared)
+    LIMN_NEEDS_SHARED(GetParam().source);
+  const Scene scene = loadScene(source(), {}, {}).scene;
+  const std::vector<glm::dvec3> centres = visibleCentres(scene);
+  expectOfEachPicture(scene, [&](const Scene& shown, const glm::ivec2& size) {
+    const auto [across, up] = extentsOf(centres, shown.camera, 1.0 * size.x / size.y);
+    // Both are exact but for rounding; of the definition's 0.5 % nothing is used.
+    EXPECT_NEAR(std::max(across.to - across.from, up.to - up.from) / 2.0, 0.88, 1e-9);
+    EXPECT_NEAR(across.from + across.to, 0.0, 1e-9);
+    EXPECT_NEAR(up.from + up.to, 0.0, 1e-9);
+  });
+}
+
+TEST_P(Framing, picturesShowIt) {
+  if (GetParam().isShared)
+    LIMN_NEEDS_SHARED(GetParam().source);
+  if (!GetParam().tellsInPerspective && !GetParam().tellsInParallel)
+    GTEST_SKIP() << "what is visible here is thinner than what pictures tell of voxels";
+  Scene scene = loadScene(source(), {}, {}).scene;
+  for (const auto projection : {Camera::Projection::perspective, Camera::Projection::orthographic}) {
+    const bool isPerspective = projection == Camera::Projection::perspective;
+    if (!(isPerspective ? GetParam().tellsInPerspective : GetParam().tellsInParallel))
+      continue;
+    scene.camera.projection = projection;
+    expectOfEachPicture(scene, [&](const Scene& shown, const glm::ivec2& size) {
+      const auto [across, up] = extentsDrawn(shown, size);
+      // 0.5 % of the definition, 1 % for half a voxel on both sides of what is 100 voxels long, 0.4 % for
+      // half a pixel on both sides of 240.
+      EXPECT_NEAR(std::max(across.to - across.from, up.to - up.from) / 2.0, 0.88, 0.02);
+      EXPECT_NEAR((across.from + across.to) / 2.0, 0.0, 0.02);
+      EXPECT_NEAR((up.from + up.to) / 2.0, 0.0, 0.02);
+    });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Framing, testing::ValuesIn(patients), nameOfPatient);
+
+} // namespace
+} // namespace limn
