@@ -44,29 +44,51 @@ public:
     return m_isComposite && classify(m_function, scalar).opacity * weight >= visibleOpacity;
   }
 
-  // Whether some scalar between two may.
-  bool between(double lowest, double highest) const {
-    return (m_isovalue && highest >= *m_isovalue) ||
-           (m_isComposite && largestOpacityWithin(m_function, lowest, highest) >= visibleOpacity);
+  // Whether those between two do, all or none; nothing where they may differ.
+  std::optional<bool> between(double lowest, double highest) const {
+    // What is interpolated between two opacities may lie beyond both by rounding.
+    constexpr double rounding = 1e-9 * visibleOpacity;
+    const bool mayReach = m_isovalue && highest >= *m_isovalue;
+    if (!mayReach &&
+        !(m_isComposite && largestOpacityWithin(m_function, lowest, highest) >= visibleOpacity - rounding))
+      return false;
+    if ((m_isovalue && lowest >= *m_isovalue) ||
+        (m_isComposite && leastOpacityWithin(lowest, highest) >= visibleOpacity + rounding))
+      return true;
+    return std::nullopt;
   }
 
 private:
+  double leastOpacityWithin(double lowest, double highest) const {
+    double least = std::min(classify(m_function, lowest).opacity, classify(m_function, highest).opacity);
+    for (const ControlPoint& point : m_function.points)
+      if (point.value >= lowest && point.value <= highest)
+        least = std::min(least, point.opacity);
+    return least;
+  }
+
   const TransferFunction& m_function;
   bool m_isComposite;
   std::optional<double> m_isovalue;
 };
 
-// Which stored voxels show. The values of small types are classified once.
+// Which stored voxels show. Values are looked up by their places in a list: of small types each value has
+// one, of large types the scalars of a bin share one, and are classified where they may differ.
 template <class T>
 class VoxelTest {
 public:
   VoxelTest(const Scene& scene, const StoredVoxels<T>& stored)
       : m_stored(stored), m_rescale(scene.volume->rescale()), m_shown(scene),
-        m_region(isRestricting(scene.keep) ? &scene.keep : nullptr) {
-    if constexpr (isSmall) {
-      m_shownBefore.resize((std::size_t{1} << (8 * sizeof(T))) + 1);
-      for (std::size_t place = 0; place + 1 < m_shownBefore.size(); ++place)
-        m_shownBefore[place + 1] = m_shownBefore[place] + (showsAt(valueAt(place), 1.0) ? 1 : 0);
+        m_region(isRestricting(scene.keep) ? &scene.keep : nullptr), m_range(scene.volume->range()) {
+    if (!isSmall && m_range.highest > m_range.lowest)
+      m_perScalar = bins / (m_range.highest - m_range.lowest);
+    const std::size_t places = isSmall ? std::size_t{1} << (8 * std::min<std::size_t>(sizeof(T), 2)) : bins;
+    m_mayBefore.resize(places + 1);
+    m_doBefore.resize(places + 1);
+    for (std::size_t place = 0; place < places; ++place) {
+      const std::optional<bool> all = shownAt(place);
+      m_mayBefore[place + 1] = m_mayBefore[place] + (all.value_or(true) ? 1 : 0);
+      m_doBefore[place + 1] = m_doBefore[place] + (all.value_or(false) ? 1 : 0);
     }
   }
 
@@ -77,7 +99,8 @@ public:
     if (m_region)
       for (std::uint64_t left = bits; left != 0; left &= left - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        if (!showsAt(m_stored[voxel + i], m_region->weights[m_region->labels->placeAt(label + i)]))
+        const double weight = m_region->weights[m_region->labels->placeAt(label + i)];
+        if (weight < 1.0 && !(weight > 0.0 && showsAt(m_stored[voxel + i], weight)))
           bits &= ~(std::uint64_t{1} << i);
       }
     return bits;
@@ -85,52 +108,66 @@ public:
 
 private:
   static constexpr bool isSmall = sizeof(T) <= 2;
+  static constexpr int bins = 4096;
 
   // Most words of voxels lie in air or in the body, where all do the same, which the range of their values
   // tells.
   std::uint64_t bitsWithoutRegion(const T* voxels, int count) const {
-    // A number of voxels that the compiler knows is looked through several at a time.
-    const auto [lowest, highest] =
-        count == 64 ? rangeOf(voxels, std::integral_constant<int, 64>()) : rangeOf(voxels, count);
+    const auto [lowest, highest] = count == 64 ? rangeOf64(voxels) : rangeOf(voxels, count);
+    const auto [from, to] = std::minmax(placeOf(lowest), placeOf(highest));
+    if (m_mayBefore[to + 1] == m_mayBefore[from])
+      return 0;
+    if (m_doBefore[to + 1] - m_doBefore[from] == to - from + 1)
+      return ~std::uint64_t{0} >> (64 - count);
     std::uint64_t bits = 0;
-    if constexpr (isSmall) {
-      const std::uint32_t shown = m_shownBefore[placeOf(highest) + 1] - m_shownBefore[placeOf(lowest)];
-      if (shown == 0)
-        return 0;
-      if (shown == placeOf(highest) - placeOf(lowest) + 1)
-        return ~std::uint64_t{0} >> (64 - count);
-      for (int i = 0; i < count; ++i) {
-        const std::size_t place = placeOf(voxels[i]);
-        bits |= std::uint64_t{m_shownBefore[place + 1] - m_shownBefore[place]} << i;
-      }
-    } else {
-      const double a = scalarOf(lowest);
-      const double b = scalarOf(highest);
-      if (!m_shown.between(std::min(a, b), std::max(a, b)))
-        return 0;
-      for (int i = 0; i < count; ++i)
-        bits |= std::uint64_t{showsAt(voxels[i], 1.0)} << i;
+    for (int i = 0; i < count; ++i) {
+      const std::size_t place = placeOf(voxels[i]);
+      std::uint64_t shows = m_doBefore[place + 1] - m_doBefore[place];
+      if (!isSmall && shows == 0 && m_mayBefore[place + 1] != m_mayBefore[place])
+        shows = showsAt(voxels[i], 1.0) ? 1 : 0;
+      bits |= shows << i;
     }
     return bits;
   }
 
-  template <class Count>
-  static std::pair<T, T> rangeOf(const T* voxels, Count count) {
-    T lowest = voxels[0];
-    T highest = voxels[0];
-    for (int i = 1; i < count; ++i) {
-      lowest = voxels[i] < lowest ? voxels[i] : lowest;
-      highest = voxels[i] > highest ? voxels[i] : highest;
-    }
-    return {lowest, highest};
+  static std::pair<T, T> rangeOf(const T* voxels, int count) {
+    const auto [lowest, highest] = std::minmax_element(voxels, voxels + count);
+    return {*lowest, *highest};
   }
 
-  // Of small types, in the order of their values.
-  static std::size_t placeOf(T value) {
-    return static_cast<std::size_t>(static_cast<std::int64_t>(value) - std::numeric_limits<T>::lowest());
+  // Eight at a time, which compilers make of no more than one of floats on their own.
+  static std::pair<T, T> rangeOf64(const T* voxels) {
+    std::array<T, 8> lowest, highest;
+    std::copy_n(voxels, 8, lowest.begin());
+    highest = lowest;
+    for (int i = 8; i < 64; i += 8)
+      for (int lane = 0; lane < 8; ++lane) {
+        const T value = voxels[i + lane];
+        const auto at = static_cast<std::size_t>(lane);
+        lowest[at] = value < lowest[at] ? value : lowest[at];
+        highest[at] = value > highest[at] ? value : highest[at];
+      }
+    return {*std::ranges::min_element(lowest), *std::ranges::max_element(highest)};
   }
-  static T valueAt(std::size_t place) {
-    return static_cast<T>(static_cast<std::int64_t>(place) + std::numeric_limits<T>::lowest());
+
+  std::size_t placeOf(T value) const {
+    if constexpr (isSmall)
+      return static_cast<std::size_t>(static_cast<std::int64_t>(value) - std::numeric_limits<T>::lowest());
+    else
+      return static_cast<std::size_t>(
+          std::clamp((scalarOf(value) - m_range.lowest) * m_perScalar, 0.0, bins - 1.0));
+  }
+
+  // What all values of a place do; nothing where they may differ.
+  std::optional<bool> shownAt(std::size_t place) const {
+    if constexpr (isSmall)
+      return showsAt(static_cast<T>(static_cast<std::int64_t>(place) + std::numeric_limits<T>::lowest()),
+                     1.0);
+    // Wider than the bin, by more than rounding puts values into a neighbour.
+    const double from = (static_cast<double>(place) - 1e-3) / bins;
+    const double to = (static_cast<double>(place) + 1.0 + 1e-3) / bins;
+    return m_shown.between(glm::mix(m_range.lowest, m_range.highest, from),
+                           glm::mix(m_range.lowest, m_range.highest, to));
   }
 
   double scalarOf(T value) const {
@@ -143,7 +180,10 @@ private:
   Rescale m_rescale;
   Shown m_shown;
   const Region* m_region;
-  std::vector<std::uint32_t> m_shownBefore; // of the values below each
+  ValueRange m_range;
+  double m_perScalar = 0.0;
+  std::vector<std::uint32_t> m_mayBefore; // places below each of which some values show
+  std::vector<std::uint32_t> m_doBefore;  // all
 };
 
 VisibleVoxels none(int unitVoxels) {

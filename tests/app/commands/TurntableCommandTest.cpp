@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/making/Turntable.h"
+#include "app/core/sources/SceneSource.h"
+#include "scene/volume/Phantom.h"
 #include "support/FileBytes.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,6 +42,40 @@ TEST(Turntable, beginsWithTheSceneItself) {
   EXPECT_EQ(frames[2].camera, turned(turntable.scene.camera, std::numbers::pi));
 }
 
+TEST(Turntable, ofAFramedViewFramesAllWithOneDistance) {
+  Turntable turntable;
+  turntable.frames = 5;
+  turntable.size = {60, 40};
+  Scene& scene = turntable.scene;
+  scene.volume = phantomVolume({8.0, 0.0, 1});
+  scene.transferFunction.points = {{-300.0, glm::dvec3(1.0), 0.0}, {0.0, glm::dvec3(1.0), 0.5}};
+  scene.camera = defaultCamera(scene.volume->grid());
+  scene.camera = framedCamera(scene, 1.5);
+  const Grid& grid = scene.volume->grid();
+  const VisibleVoxels visible = visibleVoxels(scene);
+  double largest = 0.0;
+  for (int view = 0; view < 5; ++view) {
+    const Camera alone = framed(turned(scene.camera, 0.4 * std::numbers::pi * view), grid, visible, 1.5);
+    largest = std::max(largest, glm::distance(alone.target, alone.position));
+  }
+  const std::vector<Scene> frames = framesOf(turntable);
+  ASSERT_EQ(frames.size(), 5u);
+  for (int view = 0; view < 5; ++view) {
+    const Camera& camera = frames[static_cast<std::size_t>(view)].camera;
+    EXPECT_NEAR(glm::distance(camera.target, camera.position), largest, 1e-9) << view;
+    const Camera expected =
+        framedFrom(turned(scene.camera, 0.4 * std::numbers::pi * view), grid, visible, 1.5, largest);
+    EXPECT_NEAR(glm::distance(camera.position, expected.position), 0.0, 1e-9) << view;
+  }
+  // Framed in pictures of another shape, too.
+  scene.camera = framedCamera(scene, 0.8);
+  turntable.cameraAspect = 0.8;
+  EXPECT_NEAR(glm::distance(framesOf(turntable)[2].camera.position, frames[2].camera.position), 0.0, 1e-9);
+  // Who came nearer turns as the camera stands.
+  scene.camera = zoomed(scene.camera, 1.2);
+  EXPECT_EQ(framesOf(turntable)[2].camera, turned(scene.camera, 0.8 * std::numbers::pi));
+}
+
 class TurntableCommand : public testing::Test {
 protected:
   Outcome run(const std::string& arguments, const std::string& before = {}) {
@@ -61,6 +98,19 @@ TEST_F(TurntableCommand, framesArePicturesOfRenderAndCarryTheirScenes) {
     EXPECT_EQ(test::bytesOfFile(file("again.png")), test::bytesOfFile(file("turn/") + frame)) << frame;
   }
   EXPECT_NE(test::bytesOfFile(file("turn/frame-0001.png")), test::bytesOfFile(file("turn/frame-0002.png")));
+}
+
+TEST_F(TurntableCommand, aPartOfATurnIsAFrameOfIt) {
+  ASSERT_EQ(
+      run("turntable phantom:16 --frames 3 --size 64x48 --engine cpu --quiet -o " + file("turn")).status, 0);
+  ASSERT_EQ(
+      run("render phantom:16 --turn 2/3 --size 64x48 --engine cpu --quiet -o " + file("third.png")).status,
+      0);
+  const auto cameraIn = [&](const std::string& picture) {
+    return loadScene(file(picture), {}, {}).scene.camera;
+  };
+  EXPECT_NEAR(glm::distance(cameraIn("third.png").position, cameraIn("turn/frame-0003.png").position), 0.0,
+              1e-9);
 }
 
 TEST_F(TurntableCommand, framesOfALongerTurnAreNotMixedWithThese) {
