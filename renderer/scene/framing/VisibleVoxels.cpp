@@ -114,7 +114,7 @@ private:
   // tells.
   std::uint64_t bitsWithoutRegion(const T* voxels, int count) const {
     const auto [lowest, highest] = count == 64 ? rangeOf64(voxels) : rangeOf(voxels, count);
-    const auto [from, to] = std::minmax(placeOf(lowest), placeOf(highest));
+    const auto [from, to] = std::minmax({placeOf(lowest), placeOf(highest)});
     if (m_mayBefore[to + 1] == m_mayBefore[from])
       return 0;
     if (m_doBefore[to + 1] - m_doBefore[from] == to - from + 1)
