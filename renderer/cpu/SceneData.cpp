@@ -140,6 +140,7 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
     m_gradientOpacityKept = curve;
   }
   m_region.update(scene.keep, m_voxels->part(), m_volume->room(), effort);
+  m_looks.update(scene, m_voxels->part(), effort);
   updateEmptySpace(scene, effort);
 }
 
@@ -193,6 +194,10 @@ void SceneData::updateEmptySpace(const Scene& scene, const Effort& effort) {
   if (hasSurface)
     visibility.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
   visibility.weights = &m_region.blocks();
+  if (!m_looks.isEmpty()) {
+    visibility.looks = &m_looks.tables();
+    visibility.blockLooks = &m_looks.blocks();
+  }
   m_emptySpaceKept.reset(); // should it be cancelled
   mapEmptySpace(m_voxels->blocks(), visibility, m_empty, effort);
   m_emptySpaceKept = key;
@@ -244,6 +249,11 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.region = m_region.source();
   terms.function = &m_function;
   terms.segments = &m_segments;
+  if (effects.has(Effect::labelLooks)) {
+    terms.looks = m_looks.terms();
+    terms.function = terms.looks.together;
+    terms.segments = terms.looks.segmentsTogether;
+  }
   terms.gradientCurve = &m_gradientCurve;
   terms.light = lightingTerms(scene.shading);
   if (effects.has(Effect::localSteps))
@@ -284,7 +294,9 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
 double SceneData::memoryMb() const {
   if (!m_voxels || m_volume->room())
     return 0.0;
-  return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_empty.distances.size()) / 1e6;
+  return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_looks.ownBytes() +
+                             m_empty.distances.size()) /
+         1e6;
 }
 
 } // namespace limn::cpu

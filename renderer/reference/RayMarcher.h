@@ -114,7 +114,8 @@ private:
 
   Piece pieceAt(double place, const Material& material) const {
     const Steepness steepness = m_ray.steepnessAt(place);
-    return {m_ray.extinctionAt(place, material, steepness), shaded(material.color, place, steepness)};
+    const auto absorbed = m_ray.absorbedAt(place, material, steepness);
+    return {absorbed.extinction, shaded(absorbed.color, place, steepness)};
   }
 
   // Composites front to back: adds a piece to the colour (rgb) and takes its share from the transmittance
@@ -158,7 +159,7 @@ private:
     m_ray.countInMm();
     glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
     const auto node = [&](double place, std::size_t segment, double scalar) {
-      const Piece piece = nodeOf(place, m_ray.materialIn(segment, scalar));
+      const Piece piece = nodeOf(place, m_ray.materialIn(segment, place, scalar));
       return CellNode{piece.extinction, piece.color};
     };
     const auto add = [&](const CellLight& light) {

@@ -4,10 +4,12 @@
 #include "scene/effects/EffectSet.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/LightingTerms.h"
+#include "scene/regions/BlockLooks.h"
 #include "scene/steps/RayFrame.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace limn::cpu {
 
@@ -49,6 +51,23 @@ struct FewSegments {
 /// Column by column what the table holds row by row; without segments where they are not few.
 FewSegments fewSegments(const PiecewiseTable& table);
 
+/// The looks that labels have of their own (scene/LabelLooks).
+struct LookTerms {
+  /// One function and what it takes to the scene's unit distance from its own.
+  struct Look {
+    const PiecewiseTable* table = nullptr;
+    const FewSegments* segments = nullptr;
+    float perUnit = 1.0f;
+  };
+  std::vector<Look> all;              ///< the scene's own first; none: no label has another
+  VoxelSource voxels;                 ///< the look of each voxel, bytes
+  const LookBits* ofBlocks = nullptr; ///< of each block of 4³ cells, x fastest
+  glm::ivec3 blocks{0};
+  glm::ivec3 firstBlock{0};
+  const PiecewiseTable* together = nullptr; ///< one function whose pieces are those of all
+  const FewSegments* segmentsTogether = nullptr;
+};
+
 /// Everything that the rays of a picture share, in the units of the rays: lengths in smallest spacings,
 /// scalars normalised over the volume's range, gradients in ranges per smallest spacing. Points to what its
 /// owner (SceneData) keeps.
@@ -57,8 +76,9 @@ struct PictureTerms {
   VoxelSource voxels;
   VoxelSource region; ///< weights of the kept region, bytes or halves; read where an effect needs it
   EmptySpace empty;
-  const PiecewiseTable* function = nullptr;
-  const FewSegments* segments = nullptr; ///< of the same function
+  LookTerms looks;                          ///< read where an effect needs them
+  const PiecewiseTable* function = nullptr; ///< the scene's, or where labels have looks, of all together
+  const FewSegments* segments = nullptr;    ///< of the same function
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
   std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps

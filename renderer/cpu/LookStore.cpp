@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/LookStore.h"
+
+#include <algorithm>
+
+namespace limn::cpu {
+
+TransferFunction unionOf(const std::vector<TransferFunction>& functions) {
+  const LookSegments all = lookSegments(functions);
+  TransferFunction one;
+  // On either side of a value, as some functions step there.
+  for (std::size_t i = 0; i < all.values.size(); ++i)
+    for (const std::size_t gap : {i, i + 1}) {
+      double most = 0.0;
+      for (std::size_t f = 0; f < functions.size(); ++f) {
+        const std::vector<ControlPoint>& points = functions[f].points;
+        const std::size_t segment = all.segments[gap][f];
+        if (points.empty())
+          continue;
+        const ControlPoint& below = points[segment > 0 ? segment - 1 : 0];
+        const ControlPoint& above = points[std::min(segment, points.size() - 1)];
+        const double width = above.value - below.value;
+        const double share = width > 0.0 ? (all.values[i] - below.value) / width : 0.0;
+        most = std::max(most, below.opacity + share * (above.opacity - below.opacity));
+      }
+      one.points.push_back({all.values[i], glm::dvec3(1.0), most});
+    }
+  return one;
+}
+
+void LookStore::update(const Scene& scene, const BlockBox& box, const Effort& effort) {
+  const LabelLooks looks = labelLooks(scene);
+  if (!looks.areAny()) {
+    *this = {};
+    return;
+  }
+  const bool isSameVolume = m_volume == scene.volume;
+  const bool isSameMap = isSameVolume && m_labels == scene.keep.labels && m_looks.ofLabel == looks.ofLabel;
+  const bool isSameBox = isSameMap && m_box == box;
+  if (!isSameVolume || m_looks.functions != looks.functions) {
+    m_looks.functions = looks.functions;
+    tabulate(scene.volume->range());
+  }
+  if (!isSameBox) {
+    m_looks.ofLabel.clear(); // should it be cancelled
+    const std::shared_ptr<Room>& room = scene.volume->room();
+    m_blocks = blockLooks(*scene.keep.labels, looks.ofLabel,
+                          {box.upper - box.lower, glm::ivec3(blockSize), box.lower}, effort, room);
+    m_looks.ofLabel = looks.ofLabel;
+    if (!isSameMap)
+      findVoxels(*scene.keep.labels, room, effort);
+  }
+  m_volume = scene.volume;
+  m_labels = scene.keep.labels;
+  m_box = box;
+}
+
+void LookStore::tabulate(const ValueRange& range) {
+  m_tables.clear();
+  m_segments.clear();
+  for (const TransferFunction& function : m_looks.functions) {
+    m_tables.push_back(tableOf(function, range));
+    m_segments.push_back(fewSegments(m_tables.back()));
+  }
+  m_union = tableOf(unionOf(m_looks.functions), range);
+  m_unionSegments = fewSegments(m_union);
+}
+
+void LookStore::findVoxels(const LabelMap& labels, const std::shared_ptr<Room>& room, const Effort& effort) {
+  const glm::ivec3& dims = labels.dims();
+  const std::vector<std::uint8_t> lookOf = m_looks.ofLabel;
+  m_labels.reset(); // should it be cancelled
+  m_voxels = RoomVector<std::uint8_t>(room);
+  m_voxels.resize(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
+  const std::size_t pieces = (m_voxels.size() + voxelsPerPiece - 1) / voxelsPerPiece;
+  std::visit(
+      [&](const auto& places) {
+        forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
+          const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
+          const std::size_t end = std::min<std::size_t>(from + voxelsPerPiece, m_voxels.size());
+          for (std::size_t voxel = from; voxel < end; ++voxel)
+            m_voxels[voxel] = lookOf[places[voxel]];
+        });
+      },
+      labels.places());
+}
+
+LookTerms LookStore::terms() const {
+  LookTerms terms;
+  if (isEmpty())
+    return terms;
+  const glm::ivec3& dims = m_labels->dims();
+  terms.voxels.kind = VoxelSource::Kind::byte;
+  terms.voxels.begin = m_voxels.data();
+  terms.voxels.bytes = static_cast<std::int64_t>(m_voxels.size());
+  terms.voxels.scale = 1.0f;
+  terms.voxels.dims = dims;
+  terms.voxels.strideY = dims.y > 1 ? dims.x : 0;
+  terms.voxels.strideZ = dims.z > 1 ? std::int64_t{dims.x} * dims.y : 0;
+  terms.ofBlocks = m_blocks.data();
+  terms.blocks = m_box.upper - m_box.lower;
+  terms.firstBlock = m_box.lower;
+  const double unit = m_looks.functions.front().unitDistanceMm;
+  for (std::size_t i = 0; i < m_tables.size(); ++i)
+    terms.all.push_back(
+        {&m_tables[i], &m_segments[i], static_cast<float>(unit / m_looks.functions[i].unitDistanceMm)});
+  terms.together = &m_union;
+  terms.segmentsTogether = &m_unionSegments;
+  return terms;
+}
+
+} // namespace limn::cpu

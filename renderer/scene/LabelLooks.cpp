@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/LabelLooks.h"
+
+#include "scene/ProjectionFacts.h"
+#include "scene/volume/VolumePart.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// What a label shows, and not only what it is said to.
+bool counts(const Region& region, std::size_t place) {
+  return region.weights[place] > 0.0 && !isEmpty(region.labels->boxAround(place));
+}
+
+} // namespace
+
+LabelLooks labelLooks(const Scene& scene) {
+  const Region& region = scene.keep;
+  LabelLooks looks{{scene.transferFunction}, {}};
+  if (region.looks.empty() || !region.labels || !integrates(scene.projection))
+    return looks;
+  looks.ofLabel.resize(region.weights.size());
+  for (std::size_t place = 0; place < region.weights.size(); ++place) {
+    const std::size_t look = lookOfLabel(region, place);
+    if (look == 0 || !counts(region, place))
+      continue;
+    const TransferFunction& function = region.looks[look - 1];
+    const auto known = std::find(looks.functions.begin(), looks.functions.end(), function);
+    looks.ofLabel[place] = static_cast<std::uint8_t>(known - looks.functions.begin());
+    if (known == looks.functions.end())
+      looks.functions.push_back(function);
+  }
+  return looks;
+}
+
+bool hasLabelLooks(const Scene& scene) {
+  return labelLooks(scene).areAny();
+}
+
+const TransferFunction& functionAt(const LabelLooks& looks, const Region& region, std::size_t voxel) {
+  return looks.functions[looks.areAny() ? looks.ofLabel[region.labels->placeAt(voxel)] : 0];
+}
+
+LookShares lookSharesAt(const LabelLooks& looks, const Region& region, const glm::dvec3& index) {
+  const LabelMap& map = *region.labels;
+  const glm::ivec3& dims = map.dims();
+  const glm::dvec3 p = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(dims - 1));
+  const glm::ivec3 low = glm::min(glm::ivec3(p), glm::max(dims - 2, 0));
+  const glm::dvec3 within = p - glm::dvec3(low);
+  LookShares shares;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::dvec3 parts = glm::mix(1.0 - within, within, glm::bvec3(side));
+    const double share = parts.x * parts.y * parts.z;
+    if (!(share > 0.0))
+      continue;
+    const glm::ivec3 at = glm::min(low + side, dims - 1);
+    const std::size_t place = map.placeAt(voxelOffset(dims, at.x, at.y, at.z));
+    const std::size_t look = looks.ofLabel[place];
+    LookShare* const end = shares.all.data() + shares.count;
+    LookShare* const one =
+        std::find_if(shares.all.data(), end, [look](const LookShare& known) { return known.look == look; });
+    if (one == end) {
+      *one = {look, 0.0, 0.0};
+      ++shares.count;
+    }
+    one->share += share;
+    one->weight += share * region.weights[place];
+  }
+  for (std::size_t i = 0; i < shares.count; ++i)
+    shares.all[i].weight /= shares.all[i].share;
+  return shares;
+}
+
+LookSegments lookSegments(const std::vector<TransferFunction>& functions) {
+  LookSegments all;
+  for (const TransferFunction& function : functions)
+    for (const ControlPoint& point : function.points)
+      all.values.push_back(point.value);
+  std::sort(all.values.begin(), all.values.end());
+  all.values.erase(std::unique(all.values.begin(), all.values.end()), all.values.end());
+  all.segments.assign(all.values.size() + 1, std::vector<std::size_t>(functions.size(), 0));
+  for (std::size_t gap = 1; gap < all.segments.size(); ++gap)
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      const std::vector<ControlPoint>& points = functions[i].points;
+      const auto above =
+          std::upper_bound(points.begin(), points.end(), all.values[gap - 1],
+                           [](double v, const ControlPoint& point) { return v < point.value; });
+      all.segments[gap][i] = static_cast<std::size_t>(above - points.begin());
+    }
+  return all;
+}
+
+} // namespace limn

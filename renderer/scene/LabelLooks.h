@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace limn {
+
+/// The transfer functions that a picture's labels have (DEFINITION section 10), by small numbers.
+struct LabelLooks {
+  std::vector<TransferFunction> functions; ///< the scene's own first; one alone: no other one shows
+  std::vector<std::uint8_t> ofLabel;       ///< the function of each label, by its place in the list
+
+  bool areAny() const { return functions.size() > 1; }
+  bool operator==(const LabelLooks&) const = default;
+};
+
+/// The looks that count in a picture of the scene: those of labels that some voxel has and that weigh more
+/// than 0, where they differ from the scene's own function and samples are classified one by one.
+LabelLooks labelLooks(const Scene& scene);
+
+/// Whether labelLooks has any but the scene's own.
+bool hasLabelLooks(const Scene& scene);
+
+/// The function of a voxel, by its position in the stored array.
+const TransferFunction& functionAt(const LabelLooks& looks, const Region& region, std::size_t voxel);
+
+/// What of a place belongs to the voxels of one look.
+struct LookShare {
+  std::size_t look = 0; ///< among LabelLooks::functions
+  double share = 0.0;   ///< s_q, > 0
+  double weight = 0.0;  ///< W_q, the mean weight of those voxels by the same shares
+};
+
+/// The shares of the looks at a place; they sum to 1.
+struct LookShares {
+  std::array<LookShare, 8> all;
+  std::size_t count = 0;
+  std::span<const LookShare> used() const { return {all.data(), count}; }
+};
+
+/// The shares at a continuous voxel index: trilinear between voxel centres, clamped to the edge beyond the
+/// outermost centres, as weightAt. `looks` are any of this region.
+LookShares lookSharesAt(const LabelLooks& looks, const Region& region, const glm::dvec3& index);
+
+/// Values in ascending order between which each of several functions is one line, and where each is there.
+struct LookSegments {
+  std::vector<double> values; ///< all different
+  /// For each gap, the one below the first value first, and in it for each function: its first point above.
+  std::vector<std::vector<std::size_t>> segments;
+};
+
+LookSegments lookSegments(const std::vector<TransferFunction>& functions);
+
+} // namespace limn
