@@ -95,6 +95,10 @@ struct Shaded {
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float r;
   vec4 gradient = gradientOf(position, r);
+#ifdef EFFECT_LABEL_LOOKS
+  Mixed mixed = mixedAt(position, material.scalar, opacityFactor(gradient.w, r));
+  return Shaded(shaded(mixed.color, march, gradient, r, i), mixed.extinction);
+#else
   float extinction = material.extinction;
 #ifdef EFFECT_CHANGED_OPACITY
   float factor = opacityFactor(gradient.w, r);
@@ -105,6 +109,7 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
     extinction = minusLog1mOpacity(factor * material.opacity);
 #endif
   return Shaded(shaded(material.color, march, gradient, r, i), extinction);
+#endif
 }
 
 // Composite front to back a piece of so many unit distances, which have the opacity `alpha`.

@@ -26,6 +26,9 @@ struct Shaded {
 };
 
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
+#ifdef EFFECT_LABEL_LOOKS
+  return Shaded(vec3(0.0), mixedAt(position, material.scalar, 1.0).extinction);
+#else
   float extinction = material.extinction;
 #ifdef EFFECT_REGION
   float weight = weightAt(position);
@@ -33,6 +36,7 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
     extinction = minusLog1mOpacity(weight * material.opacity);
 #endif
   return Shaded(vec3(0.0), extinction);
+#endif
 }
 
 float transmittanceOf(Gathered ray) {

@@ -5,29 +5,6 @@
 
 namespace limn::cpu {
 
-TransferFunction unionOf(const std::vector<TransferFunction>& functions) {
-  const LookSegments all = lookSegments(functions);
-  TransferFunction one;
-  // On either side of a value, as some functions step there.
-  for (std::size_t i = 0; i < all.values.size(); ++i)
-    for (const std::size_t gap : {i, i + 1}) {
-      double most = 0.0;
-      for (std::size_t f = 0; f < functions.size(); ++f) {
-        const std::vector<ControlPoint>& points = functions[f].points;
-        const std::size_t segment = all.segments[gap][f];
-        if (points.empty())
-          continue;
-        const ControlPoint& below = points[segment > 0 ? segment - 1 : 0];
-        const ControlPoint& above = points[std::min(segment, points.size() - 1)];
-        const double width = above.value - below.value;
-        const double share = width > 0.0 ? (all.values[i] - below.value) / width : 0.0;
-        most = std::max(most, below.opacity + share * (above.opacity - below.opacity));
-      }
-      one.points.push_back({all.values[i], glm::dvec3(1.0), most});
-    }
-  return one;
-}
-
 void LookStore::update(const Scene& scene, const BlockBox& box, const Effort& effort) {
   const LabelLooks looks = labelLooks(scene);
   if (!looks.areAny()) {

@@ -12,10 +12,6 @@
 
 namespace limn::cpu {
 
-/// One function whose pieces are those of several, and which shows a gap between two of its values where one
-/// of them does: what cuts a ray into pieces on which all of them are lines. Its colours mean nothing.
-TransferFunction unionOf(const std::vector<TransferFunction>& functions);
-
 /// The looks of labels as rays read them; empty where no label has one that shows.
 class LookStore {
 public:

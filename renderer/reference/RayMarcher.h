@@ -146,7 +146,8 @@ private:
       return sum.a;
     };
     // Who may take more equal samples than a driver can may do so here.
-    const int most = m_terms.mostSamples > mostSamples ? m_terms.mostSamples : mostLocalSamples;
+    const int mostInShader = m_terms.hasLooks ? mostLocalSamplesOfLooks : mostLocalSamples;
+    const int most = m_terms.mostSamples > mostSamples ? m_terms.mostSamples : mostInShader;
     m_samples = marchLocally<Piece>(
         *m_terms.local, BlockWalk(*m_terms.local, m_ray.ray(), m_ray.span()), sample, change, addPiece,
         [&] { return isEnd(sum); }, most);

@@ -14,6 +14,24 @@ bool counts(const Region& region, std::size_t place) {
   return region.weights[place] > 0.0 && !isEmpty(region.labels->boxAround(place));
 }
 
+// Where a function takes more than one value.
+bool hasStepAt(const TransferFunction& function, double value) {
+  return std::count_if(function.points.begin(), function.points.end(),
+                       [value](const ControlPoint& point) { return point.value == value; }) > 1;
+}
+
+// The line of a function before its first point above, at a value.
+ControlPoint pointIn(const TransferFunction& function, std::size_t segment, double value) {
+  const std::vector<ControlPoint>& points = function.points;
+  if (points.empty())
+    return {value, glm::dvec3(0.0), 0.0};
+  const ControlPoint& below = points[segment > 0 ? segment - 1 : 0];
+  const ControlPoint& above = points[std::min(segment, points.size() - 1)];
+  const double width = above.value - below.value;
+  const double share = width > 0.0 ? std::clamp((value - below.value) / width, 0.0, 1.0) : 0.0;
+  return {value, glm::mix(below.color, above.color, share), glm::mix(below.opacity, above.opacity, share)};
+}
+
 } // namespace
 
 LabelLooks labelLooks(const Scene& scene) {
@@ -91,6 +109,33 @@ LookSegments lookSegments(const std::vector<TransferFunction>& functions) {
       all.segments[gap][i] = static_cast<std::size_t>(above - points.begin());
     }
   return all;
+}
+
+std::vector<TransferFunction> withCommonPoints(const std::vector<TransferFunction>& functions) {
+  const LookSegments all = lookSegments(functions);
+  std::vector<TransferFunction> common(functions.size());
+  for (std::size_t f = 0; f < functions.size(); ++f)
+    common[f].unitDistanceMm = functions[f].unitDistanceMm;
+  for (std::size_t i = 0; i < all.values.size(); ++i) {
+    const bool isStep =
+        std::any_of(functions.begin(), functions.end(),
+                    [&](const TransferFunction& function) { return hasStepAt(function, all.values[i]); });
+    for (std::size_t f = 0; f < functions.size(); ++f) {
+      if (isStep)
+        common[f].points.push_back(pointIn(functions[f], all.segments[i][f], all.values[i]));
+      common[f].points.push_back(pointIn(functions[f], all.segments[i + 1][f], all.values[i]));
+    }
+  }
+  return common;
+}
+
+TransferFunction unionOf(const std::vector<TransferFunction>& functions) {
+  const std::vector<TransferFunction> common = withCommonPoints(functions);
+  TransferFunction one = common.front();
+  for (const TransferFunction& function : common)
+    for (std::size_t i = 0; i < one.points.size(); ++i)
+      one.points[i].opacity = std::max(one.points[i].opacity, function.points[i].opacity);
+  return one;
 }
 
 } // namespace limn

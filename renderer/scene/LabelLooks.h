@@ -57,4 +57,11 @@ struct LookSegments {
 
 LookSegments lookSegments(const std::vector<TransferFunction>& functions);
 
+/// The same functions, each with points at the values of all, as many at each: the same knots.
+std::vector<TransferFunction> withCommonPoints(const std::vector<TransferFunction>& functions);
+
+/// One function with the points of all, which shows a gap between two of them where one of the functions
+/// does. Its colours mean nothing, and neither does its unit distance.
+TransferFunction unionOf(const std::vector<TransferFunction>& functions);
+
 } // namespace limn

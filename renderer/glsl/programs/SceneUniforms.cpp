@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace limn {
 namespace {
@@ -156,6 +157,21 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_blockSteps", TextureUnit::blockSteps);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
+  unit("u_blockLooks", TextureUnit::blockLooks);
+  unit("u_labels", TextureUnit::labels);
+}
+
+void setLooks(const Setter& set, const SceneTextures& textures) {
+  const LookTextures& looks = textures.looks();
+  if (looks.isEmpty())
+    return;
+  const VolumeTexture& volume = textures.volume();
+  set("u_looksPerTexture", volume.blocksPerTexture());
+  set("u_looksOffset", volume.blockOffset());
+  set("u_lastLooks", glm::dvec3(volume.ranges().blocks() - 1));
+  set("u_lookSegments", static_cast<double>(looks.segmentsPerLook()));
+  for (std::size_t look = 0; look < looks.units().size(); ++look)
+    set(("u_lookUnits[" + std::to_string(look) + "]").c_str(), looks.units()[look]);
 }
 
 void bind(TextureUnit unit, unsigned target, unsigned texture) {
@@ -184,6 +200,10 @@ void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
   bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
   bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
+  if (!textures.looks().isEmpty()) {
+    bind(TextureUnit::blockLooks, GL_TEXTURE_3D, textures.looks().blocks());
+    bind(TextureUnit::labels, GL_TEXTURE_3D, textures.looks().labels());
+  }
 }
 
 int sampleLimit(const Scene& scene, const SceneTextures& textures) {
@@ -191,7 +211,9 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
   const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
-  const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps();
+  // Looks of labels are at most eight at a place, behind a look at the place's voxels.
+  const int looks = textures.looks().isEmpty() ? 0 : 9;
+  const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);
 }
 
@@ -207,6 +229,7 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   // So many unit distances hide everything; the whole box must not have more than a float holds.
   set("u_perUnitDistance",
       std::min(unit / scene.transferFunction.unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit)));
+  setLooks(set, textures);
   setGradient(set, scene, textures);
   setLighting(set, scene);
   setCut(set, scene);

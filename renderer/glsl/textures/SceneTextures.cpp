@@ -4,10 +4,13 @@
 #include "gl/DriverHealth.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/basics/StableMath.h"
+#include "scene/regions/Reduction.h"
+#include "scene/steps/BlockWalk.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace limn {
@@ -92,6 +95,11 @@ std::vector<Texel> texelsOf(const BlockSteps& steps) {
   return texels;
 }
 
+void setNearest(GLenum target) {
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(target, filter, GL_NEAREST);
+}
+
 void uploadTable(unsigned texture, const glm::ivec2& size, bool isPair, const void* texels) {
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, isPair ? GL_RG32F : GL_RGBA32F, size.x, size.y, 0, isPair ? GL_RG : GL_RGBA,
@@ -161,17 +169,104 @@ void RegionTexture::update(const Region& region, const VolumeTexture& volume) {
     glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
 }
 
+void LookTextures::update(const Scene& scene, const VolumeTexture& volume) {
+  const LabelLooks looks = labelLooks(scene);
+  const Region& keep = scene.keep;
+  const bool wasAny = m_looks.areAny();
+  const bool hasFunctions = wasAny && m_looks.functions == looks.functions;
+  const bool hasLabels =
+      wasAny && m_looks.ofLabel == looks.ofLabel && m_labels == keep.labels && m_weights == keep.weights;
+  if (hasFunctions && hasLabels)
+    return;
+  if (!looks.areAny()) {
+    *this = {};
+    return;
+  }
+  m_looks = {}; // should the driver have no room
+  if (!hasFunctions)
+    tabulate(looks.functions, scene.volume->range());
+  if (!hasLabels)
+    uploadLabels(keep, looks.ofLabel, volume);
+  m_labels = keep.labels;
+  m_weights = keep.weights;
+  m_looks = looks;
+}
+
+void LookTextures::tabulate(const std::vector<TransferFunction>& functions, const ValueRange& range) {
+  m_tables.clear();
+  m_units.clear();
+  for (const TransferFunction& function : withCommonPoints(functions)) {
+    m_tables.push_back(tableOf(function, range));
+    m_units.push_back(functions.front().unitDistanceMm / function.unitDistanceMm);
+  }
+  m_together = tableOf(unionOf(functions), range);
+  m_segmentsPerLook = static_cast<int>(m_tables.front().segments.size()) / 4;
+  m_together.segments.clear();
+  m_together.segmentsSize.y = 0;
+  for (const PiecewiseTable& table : m_tables) {
+    m_together.segments.insert(m_together.segments.end(), table.segments.begin(), table.segments.end());
+    m_together.segmentsSize.y += table.segmentsSize.y;
+    m_together.occupancy.insert(m_together.occupancy.end(), table.occupancy.begin(), table.occupancy.end());
+  }
+}
+
+void LookTextures::uploadLabels(const Region& region, const std::vector<std::uint8_t>& lookOf,
+                                const VolumeTexture& volume) {
+  const Region texels = reduced(region, volume.reduction());
+  const LabelMap& map = *texels.labels;
+  const glm::ivec3& blocks = volume.ranges().blocks();
+  m_ofBlocks = blockLooks(map, lookOf, {blocks, glm::ivec3(blockSize)});
+  std::vector<std::uint8_t> alone;
+  alone.reserve(m_ofBlocks.size());
+  for (const LookBits bits : m_ofBlocks)
+    alone.push_back(std::has_single_bit(bits) ? static_cast<std::uint8_t>(std::countr_zero(bits)) : 255);
+  m_blockTexture.emplace();
+  glBindTexture(GL_TEXTURE_3D, m_blockTexture->name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, blocks.x, blocks.y, blocks.z, 0, GL_RED, GL_UNSIGNED_BYTE,
+               alone.data());
+  setNearest(GL_TEXTURE_3D);
+
+  // Each texel with an apron, a copy of the outermost: looks are clamped there as the field is.
+  const glm::ivec3& size = volume.size();
+  m_labelTexture.reset(); // two need not fit together
+  m_labelTexture.emplace();
+  glBindTexture(GL_TEXTURE_3D, m_labelTexture->name());
+  forgetDriverErrors();
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RG16, size.x, size.y, size.z, 0, GL_RG, GL_UNSIGNED_SHORT, nullptr);
+  if (glGetError() != GL_NO_ERROR)
+    throw Error(Error::Kind::openGl,
+                Message::tr("The graphics driver has no room for the looks of labels; draw "
+                            "without them, or with --engine cpu."));
+  setNearest(GL_TEXTURE_3D);
+  std::vector<glm::u16vec2> ofLabel;
+  for (std::size_t place = 0; place < texels.weights.size(); ++place)
+    ofLabel.emplace_back(lookOf[place], std::lround(65535.0 * texels.weights[place]));
+  std::vector<glm::u16vec2> plane(static_cast<std::size_t>(size.x) * size.y);
+  for (int z = 0; z < size.z; ++z) {
+    const int k = std::clamp(z - 1, 0, size.z - 3);
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const glm::ivec2 at = glm::clamp(glm::ivec2(x, y) - 1, glm::ivec2(0), glm::ivec2(size) - 3);
+        plane[static_cast<std::size_t>(y) * size.x + x] =
+            ofLabel[map.placeAt(voxelOffset(map.dims(), at.x, at.y, k))];
+      }
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, z, size.x, size.y, 1, GL_RG, GL_UNSIGNED_SHORT, plane.data());
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
 void BlockStepTexture::update(const Scene& scene) {
   if (m_volume != scene.volume) {
     m_facts = blockFacts(*scene.volume);
     m_volume = scene.volume;
-    m_function.reset();
+    m_looks.reset();
   }
-  if (m_function == scene.transferFunction && m_keep == scene.keep)
+  const LabelLooks looks = labelLooks(scene);
+  if (m_looks == looks && m_keep == scene.keep)
     return;
-  m_steps = blockSteps(m_facts, scene.transferFunction, smallestSpacingMm(m_volume->grid()),
-                       factWeights(scene.keep, m_facts));
-  m_function = scene.transferFunction;
+  m_steps = limn::blockSteps(scene, m_facts);
+  m_looks = looks;
   m_keep = scene.keep;
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   const glm::ivec3 size = m_steps.blocks;
@@ -182,10 +277,11 @@ void BlockStepTexture::update(const Scene& scene) {
 }
 
 void FunctionTexture::upload(const PiecewiseTable& table) {
-  const glm::ivec2 row(static_cast<int>(table.bins.size()), 1);
-  uploadTable(m_bins.name(), row, false, table.bins.data());
+  const auto bins = static_cast<int>(table.bins.size());
+  uploadTable(m_bins.name(), {bins, 1}, false, table.bins.data());
   uploadTable(m_segments.name(), table.segmentsSize, false, table.segments.data());
-  uploadTable(m_occupancy.name(), row, true, table.occupancy.data());
+  const auto rows = static_cast<int>(table.occupancy.size()) / bins;
+  uploadTable(m_occupancy.name(), {bins, rows}, true, table.occupancy.data());
   m_domain = table.domain;
   m_loopSteps = table.loopSteps;
 }
@@ -226,6 +322,7 @@ void SceneTextures::beginVolume(const Scene& scene) {
   // The old texture goes first: two large volumes need not fit together.
   m_volumeTexture.reset();
   m_region = {};
+  m_looks = {};
   m_volume.reset();
   m_functionShown.reset();
   m_emptySpaceShown.reset();
@@ -260,6 +357,10 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
   if (hasSurface)
     visibility.isovalue = static_cast<float>(normalisedValue(m_volume->range(), scene.isovalue));
   visibility.weights = &m_region.blocks();
+  if (!m_looks.isEmpty()) {
+    visibility.looks = &m_looks.tables();
+    visibility.blockLooks = &m_looks.ofBlocks();
+  }
   const BlockRanges& ranges = m_volumeTexture->ranges();
   mapEmptySpace(ranges, visibility, m_empty);
   m_emptySpace.upload(ranges.blocks(), m_empty.distances);
@@ -291,11 +392,14 @@ IndexBox SceneTextures::visibleBox() const {
 void SceneTextures::update(const Scene& scene) {
   while (uploadVolume(scene) < 1.0) {
   }
-  if (m_functionShown != scene.transferFunction) {
+  m_looks.update(scene, *m_volumeTexture);
+  if (const LabelLooks looks = labelLooks(scene); m_functionShown != looks) {
     const ValueRange& range = m_volume->range();
-    m_functionTable = tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);
+    m_functionTable = looks.areAny()
+                          ? m_looks.together()
+                          : tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);
     m_function.upload(m_functionTable);
-    m_functionShown = scene.transferFunction;
+    m_functionShown = looks;
   }
   m_region.update(scene.keep, *m_volumeTexture);
   updateEmptySpace(scene);

@@ -4,10 +4,12 @@
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
 #include "glsl/textures/VolumeTexture.h"
+#include "scene/LabelLooks.h"
 #include "scene/Scene.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/GradientScales.h"
+#include "scene/regions/BlockLooks.h"
 #include "scene/regions/BlockWeights.h"
 #include "scene/steps/BlockSteps.h"
 #include "scene/steps/EmptySpace.h"
@@ -66,7 +68,7 @@ private:
   GlTexture m_texture;
   std::shared_ptr<const Volume> m_volume;
   BlockFacts m_facts;
-  std::optional<TransferFunction> m_function;
+  std::optional<LabelLooks> m_looks;
   Region m_keep;
   BlockSteps m_steps;
 };
@@ -102,6 +104,50 @@ private:
   glm::ivec3 m_blocks{0};
 };
 
+/// The looks of labels on the graphics card beside the texels of a volume; none where no label has one that
+/// shows.
+class LookTextures {
+public:
+  /// Uploads what differs from the scene before, beside the same volume's texture; changes texture bindings.
+  /// Throws Error (openGl) where the driver has no room for it.
+  void update(const Scene& scene, const VolumeTexture& volume);
+
+  bool isEmpty() const { return !m_looks.areAny(); }
+
+  /// Of every look, with common knots, the scene's own first; and which of them blocks have.
+  const std::vector<PiecewiseTable>& tables() const { return m_tables; }
+  const BlockLooks& ofBlocks() const { return m_ofBlocks; }
+
+  /// Of all together: bins as those of each, the largest of their opacities; then the rows of each.
+  const PiecewiseTable& together() const { return m_together; }
+
+  /// From the segments of one look in `together` to those of the next.
+  int segmentsPerLook() const { return m_segmentsPerLook; }
+
+  /// The scene's unit distance in those of each look.
+  const std::vector<double>& units() const { return m_units; }
+
+  /// Of each block its look, or 255 where several meet; of each texel its look and its weight. Names.
+  unsigned blocks() const { return m_blockTexture->name(); }
+  unsigned labels() const { return m_labelTexture->name(); }
+
+private:
+  void tabulate(const std::vector<TransferFunction>& functions, const ValueRange& range);
+  void uploadLabels(const Region& region, const std::vector<std::uint8_t>& lookOf,
+                    const VolumeTexture& volume);
+
+  LabelLooks m_looks;
+  std::shared_ptr<const LabelMap> m_labels;
+  std::vector<double> m_weights;
+  std::vector<PiecewiseTable> m_tables;
+  PiecewiseTable m_together;
+  int m_segmentsPerLook = 0;
+  std::vector<double> m_units;
+  BlockLooks m_ofBlocks;
+  std::optional<GlTexture> m_blockTexture;
+  std::optional<GlTexture> m_labelTexture;
+};
+
 /// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures
 /// what differs from the scene before and nothing else.
 class SceneTextures {
@@ -129,6 +175,7 @@ public:
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
   const RegionTexture& region() const { return m_region; }
+  const LookTextures& looks() const { return m_looks; }
 
   /// Valid where the scene of the last update asks for error-controlled steps.
   const BlockStepTexture& blockSteps() const { return m_blockSteps; }
@@ -165,7 +212,8 @@ private:
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
   RegionTexture m_region;
-  std::optional<TransferFunction> m_functionShown;
+  LookTextures m_looks;
+  std::optional<LabelLooks> m_functionShown;
   PiecewiseTable m_functionTable;
   FunctionTexture m_function;
   std::optional<EmptySpaceKey> m_emptySpaceShown;
