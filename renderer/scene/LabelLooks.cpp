@@ -40,16 +40,24 @@ LabelLooks labelLooks(const Scene& scene) {
   if (region.looks.empty() || !region.labels || !integrates(scene.projection))
     return looks;
   looks.ofLabel.resize(region.weights.size());
+  bool isOwnShown = false;
   for (std::size_t place = 0; place < region.weights.size(); ++place) {
     const std::size_t look = lookOfLabel(region, place);
-    if (look == 0 || !counts(region, place))
+    if (!counts(region, place))
       continue;
+    if (look == 0) {
+      isOwnShown = true;
+      continue;
+    }
     const TransferFunction& function = region.looks[look - 1];
     const auto known = std::find(looks.functions.begin(), looks.functions.end(), function);
     looks.ofLabel[place] = static_cast<std::uint8_t>(known - looks.functions.begin());
     if (known == looks.functions.end())
       looks.functions.push_back(function);
+    isOwnShown = isOwnShown || looks.ofLabel[place] == 0;
   }
+  if (looks.areAny() && !isOwnShown)
+    looks.functions.front().points.clear();
   return looks;
 }
 

@@ -13,7 +13,9 @@ namespace limn {
 
 /// The transfer functions that a picture's labels have (DEFINITION section 10), by small numbers.
 struct LabelLooks {
-  std::vector<TransferFunction> functions; ///< the scene's own first; one alone: no other one shows
+  /// The scene's own first, without points where all labels that show have another; one alone: no other one
+  /// shows.
+  std::vector<TransferFunction> functions;
   std::vector<std::uint8_t> ofLabel;       ///< the function of each label, by its place in the list
 
   bool areAny() const { return functions.size() > 1; }
