@@ -54,12 +54,12 @@ struct Around {
   vec4 weightsBelow, weightsAbove;
 };
 
-// All eight have one look.
+// All eight have one look; where that is -1, none has a share.
 Around aroundAlike(float look, vec3 position) {
   Around around;
   around.looksBelow = vec4(look);
   around.looksAbove = vec4(look);
-  around.below = vec4(1.0, 0.0, 0.0, 0.0);
+  around.below = vec4(look < 0.0 ? 0.0 : 1.0, 0.0, 0.0, 0.0);
   around.above = vec4(0.0);
   around.weightsBelow = vec4(1.0);
 #ifdef EFFECT_REGION
@@ -103,36 +103,56 @@ float nextLook(Around around) {
   return around.below.x > 0.0 ? around.looksBelow.x : last;
 }
 
-// The looks at a place of this scalar, their opacities times a factor. The loops are branches: a software driver runs
-// both sides of others.
+// The segment of all functions that holds a scalar.
+struct Place {
+  float segment;
+  float within; // behind its start
+};
+
+// Adds what the next look takes, if any voxel is left, and leaves the others.
+void addLook(Place place, float factor, inout Around around, inout Mixed mixed) {
+  float look = max(nextLook(around), 0.0);
+  vec4 below = vec4(equal(around.looksBelow, vec4(look))) * around.below;
+  vec4 above = vec4(equal(around.looksAbove, vec4(look))) * around.above;
+  float share = dot(below + above, vec4(1.0));
+  float weight = (dot(below, around.weightsBelow) + dot(above, around.weightsAbove)) / (share > 0.0 ? share : 1.0);
+  float segment = place.segment + look * u_lookSegments;
+  vec4 slope = segmentTexel(u_functionSegments, segment, 1);
+  vec4 value = segmentTexel(u_functionSegments, segment, 0) + place.within * slope;
+  float extinction = share * minusLog1mOpacity(factor * weight * value.a) * u_lookUnits[int(look)];
+  mixed.extinction += extinction;
+  mixed.color += extinction * clamp(value.rgb, 0.0, 1.0);
+  around.below -= below;
+  around.above -= above;
+}
+
+// The looks at a place of this scalar, their opacities times a factor. The loops, of one turn each, are branches: a
+// software driver runs both sides of others. Around few places more than three looks meet.
 Mixed mixedAt(vec3 position, float scalar, float factor) {
+  Place place;
+  float start;
+  place.segment = segmentAt(u_functionBins, u_functionSegments, u_functionDomain, scalar, start);
+  place.within = scalar - start;
   float look = lookOfBlock(position);
   Around around = aroundAlike(look, position);
+  Mixed mixed = Mixed(vec3(0.0), 0.0);
+  addLook(place, factor, around, mixed);
   bool isMixed = look < 0.0;
   while (isMixed) {
     fetchAround(position, around);
+    addLook(place, factor, around, mixed);
+    addLook(place, factor, around, mixed);
+    addLook(place, factor, around, mixed);
     isMixed = false;
   }
-  float start;
-  float segment = segmentAt(u_functionBins, u_functionSegments, u_functionDomain, scalar, start);
-  Mixed mixed = Mixed(vec3(0.0), 0.0);
-  bool isMore = true;
+  bool isMore = dot(around.below + around.above, vec4(1.0)) > 0.0;
   while (isMore) {
-    float next = nextLook(around);
-    vec4 ofBelow = vec4(equal(around.looksBelow, vec4(next)));
-    vec4 ofAbove = vec4(equal(around.looksAbove, vec4(next)));
-    vec4 below = ofBelow * around.below;
-    vec4 above = ofAbove * around.above;
-    float share = dot(below + above, vec4(1.0));
-    float weight = (dot(below, around.weightsBelow) + dot(above, around.weightsAbove)) / share;
-    float own = segment + next * u_lookSegments;
-    vec4 value = segmentTexel(u_functionSegments, own, 0) + (scalar - start) * segmentTexel(u_functionSegments, own, 1);
-    float extinction = share * minusLog1mOpacity(factor * weight * value.a) * u_lookUnits[int(next)];
-    mixed.extinction += extinction;
-    mixed.color += extinction * clamp(value.rgb, 0.0, 1.0);
-    around.below -= below;
-    around.above -= above;
-    isMore = dot(around.below + around.above, vec4(1.0)) > 0.0;
+    addLook(place, factor, around, mixed);
+    addLook(place, factor, around, mixed);
+    addLook(place, factor, around, mixed);
+    addLook(place, factor, around, mixed);
+    addLook(place, factor, around, mixed);
+    isMore = false;
   }
   mixed.color /= mixed.extinction > 0.0 ? mixed.extinction : 1.0;
   return mixed;

@@ -12,7 +12,7 @@ uniform float u_rung0Length;  // the step of rung 0
 uniform float u_finestLength;
 
 #ifdef EFFECT_LABEL_LOOKS
-const int mostLocalSamples = 4500; // looks are looped over
+const int mostLocalSamples = 9200; // looks take two loops more
 #else
 const int mostLocalSamples = 12000;
 #endif

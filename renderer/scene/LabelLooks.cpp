@@ -14,6 +14,20 @@ bool counts(const Region& region, std::size_t place) {
   return region.weights[place] > 0.0 && !isEmpty(region.labels->boxAround(place));
 }
 
+const TransferFunction& functionOf(const Scene& scene, std::size_t place) {
+  const std::size_t look = lookOfLabel(scene.keep, place);
+  return look == 0 ? scene.transferFunction : scene.keep.looks[look - 1];
+}
+
+// The place of a function among others, behind which it is put where it is new.
+std::uint8_t placeOf(std::vector<TransferFunction>& functions, const TransferFunction& function) {
+  const auto known = std::find(functions.begin(), functions.end(), function);
+  const auto place = static_cast<std::uint8_t>(known - functions.begin());
+  if (known == functions.end())
+    functions.push_back(function);
+  return place;
+}
+
 // Where a function takes more than one value.
 bool hasStepAt(const TransferFunction& function, double value) {
   return std::count_if(function.points.begin(), function.points.end(),
@@ -39,24 +53,27 @@ LabelLooks labelLooks(const Scene& scene) {
   LabelLooks looks{{scene.transferFunction}, {}};
   if (region.looks.empty() || !region.labels || !integrates(scene.projection))
     return looks;
-  looks.ofLabel.resize(region.weights.size());
   bool isOwnShown = false;
+  looks.ofLabel.resize(region.weights.size());
   for (std::size_t place = 0; place < region.weights.size(); ++place) {
-    const std::size_t look = lookOfLabel(region, place);
     if (!counts(region, place))
       continue;
-    if (look == 0) {
-      isOwnShown = true;
-      continue;
-    }
-    const TransferFunction& function = region.looks[look - 1];
-    const auto known = std::find(looks.functions.begin(), looks.functions.end(), function);
-    looks.ofLabel[place] = static_cast<std::uint8_t>(known - looks.functions.begin());
-    if (known == looks.functions.end())
-      looks.functions.push_back(function);
+    looks.ofLabel[place] = placeOf(looks.functions, functionOf(scene, place));
     isOwnShown = isOwnShown || looks.ofLabel[place] == 0;
   }
-  if (looks.areAny() && !isOwnShown)
+  if (!looks.areAny())
+    return {{scene.transferFunction}, {}};
+  // What weighs nothing has a share of its look all the same, of one that nothing shows an empty one.
+  const TransferFunction nothing{scene.transferFunction.unitDistanceMm, {}};
+  for (std::size_t place = 0; place < region.weights.size(); ++place) {
+    if (counts(region, place) || lookOfLabel(region, place) == 0)
+      continue;
+    const TransferFunction& function = functionOf(scene, place);
+    const bool isShown =
+        std::find(looks.functions.begin(), looks.functions.end(), function) != looks.functions.end();
+    looks.ofLabel[place] = placeOf(looks.functions, isShown ? function : nothing);
+  }
+  if (!isOwnShown)
     looks.functions.front().points.clear();
   return looks;
 }

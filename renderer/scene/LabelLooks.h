@@ -16,14 +16,14 @@ struct LabelLooks {
   /// The scene's own first, without points where all labels that show have another; one alone: no other one
   /// shows.
   std::vector<TransferFunction> functions;
-  std::vector<std::uint8_t> ofLabel;       ///< the function of each label, by its place in the list
+  std::vector<std::uint8_t> ofLabel; ///< the function of each label, by its place in the list
 
   bool areAny() const { return functions.size() > 1; }
   bool operator==(const LabelLooks&) const = default;
 };
 
-/// The looks that count in a picture of the scene: those of labels that some voxel has and that weigh more
-/// than 0, where they differ from the scene's own function and samples are classified one by one.
+/// The looks that count in a picture of the scene: none but the scene's own function unless a label that some
+/// voxel has, and that weighs more than 0, has another one, and samples are classified one by one.
 LabelLooks labelLooks(const Scene& scene);
 
 /// Whether labelLooks has any but the scene's own.

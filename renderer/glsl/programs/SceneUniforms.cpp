@@ -211,8 +211,7 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
   const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
-  // Looks of labels are at most eight at a place, behind a look at the place's voxels.
-  const int looks = textures.looks().isEmpty() ? 0 : 9;
+  const int looks = textures.looks().isEmpty() ? 0 : 2;
   const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);
 }
