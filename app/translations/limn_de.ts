@@ -7094,6 +7094,58 @@
         <source>Own weights between voxels</source>
         <translation>Eigene Gewichte zwischen Voxeln</translation>
     </message>
+    <message>
+        <source>The graphics driver has no room for the looks of labels; draw without them, or with --engine cpu.</source>
+        <translation>Der Grafiktreiber hat keinen Platz für die Darstellungen von Labels; zeichnen Sie ohne sie oder mit --engine cpu.</translation>
+    </message>
+    <message>
+        <source>The looks of labels are not kept: one curve is written for all of them.</source>
+        <translation>Die Darstellungen von Labels bleiben nicht erhalten: Für alle wird eine Kurve geschrieben.</translation>
+    </message>
+    <message>
+        <source>The scene gives a look to label %1, which %2 does not have; take the look out or choose another label map.</source>
+        <translation>Die Szene gibt dem Label %1 eine Darstellung, das %2 nicht hat; nehmen Sie die Darstellung heraus oder wählen Sie eine andere Labelkarte.</translation>
+    </message>
+    <message>
+        <source>is missing; a look is a list of control points</source>
+        <translation>fehlt; eine Darstellung ist eine Liste von Punkten</translation>
+    </message>
+    <message>
+        <source>no label has a look of its own</source>
+        <translation>kein Label hat eine eigene Darstellung</translation>
+    </message>
+    <message>
+        <source>no label that shows has another look than the picture</source>
+        <translation>kein sichtbares Label hat eine andere Darstellung als das Bild</translation>
+    </message>
+    <message>
+        <source>this kind of picture takes one value of a ray, not of a label</source>
+        <translation>diese Art von Bild nimmt einen Wert eines Strahls, nicht eines Labels</translation>
+    </message>
+    <message>
+        <source>some labels have looks of their own</source>
+        <translation>einige Labels haben eigene Darstellungen</translation>
+    </message>
+    <message>
+        <source>where looks of labels meet only samples can follow them, not whole steps</source>
+        <translation>wo Darstellungen von Labels aneinandergrenzen, können ihnen nur Abtastpunkte folgen, nicht ganze Schritte</translation>
+    </message>
+    <message>
+        <source>Looks of labels</source>
+        <translation>Darstellungen von Labels</translation>
+    </message>
+    <message>
+        <source>A look is given to a label that the volume does not have.</source>
+        <translation>Eine Darstellung gehört zu einem Label, das das Volumen nicht hat.</translation>
+    </message>
+    <message>
+        <source>The labels have more than %1 different looks, which is as many as can be drawn; give some of them the same look.</source>
+        <translation>Die Labels haben mehr als %1 verschiedene Darstellungen, und so viele lassen sich höchstens zeichnen; geben Sie einigen dieselbe Darstellung.</translation>
+    </message>
+    <message>
+        <source>Slices cannot draw looks of labels; use --engine gl, cpu or reference, or take the looks out of the scene.</source>
+        <translation>Schnitte können keine Darstellungen von Labels zeichnen; verwenden Sie --engine gl, cpu oder reference, oder nehmen Sie die Darstellungen aus der Szene.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>

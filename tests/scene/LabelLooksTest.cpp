@@ -121,8 +121,9 @@ TEST(LabelLooks, functionsWithCommonPointsAreTheSameFunctions) {
     for (std::size_t i = 0; i < functions.size(); ++i) {
       const Classified exact = classify(functions[i], value), same = classify(common[i], value);
       ASSERT_NEAR(same.opacity, exact.opacity, 1e-12);
-      if (exact.opacity > 0.0)
+      if (exact.opacity > 0.0) {
         ASSERT_LE(glm::length(same.color - exact.color), 1e-12);
+      }
       most = std::max(most, exact.opacity);
     }
     // Between points the largest of lines lies below the line between the largest.
