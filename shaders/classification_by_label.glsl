@@ -14,7 +14,7 @@ uniform vec3 u_looksOffset;
 uniform vec3 u_lastLooks;
 uniform sampler3D u_labels; // of each texel its look (of 65535) and its weight
 uniform float u_lookSegments; // from one look to the next
-uniform float u_lookUnits[33]; // the scene's unit distance in those of each look
+uniform float u_lookUnits[33]; // how many unit distances of each look are in a length
 
 // All that is known without a place.
 struct Material {
@@ -44,7 +44,7 @@ Material materialOf(float scalar) {
 // What the looks around a place absorb together.
 struct Mixed {
   vec3 color;
-  float extinction; // per unit distance of the scene's own function
+  float extinction; // per length
 };
 
 // The eight voxels around a place: each a part of a vector, those below along z in the first.

@@ -62,7 +62,7 @@ void LookStore::findVoxels(const LabelMap& labels, const std::shared_ptr<Room>& 
       labels.places());
 }
 
-LookTerms LookStore::terms() const {
+LookTerms LookStore::terms(const std::function<float(double)>& unitsPer) const {
   LookTerms terms;
   if (isEmpty())
     return terms;
@@ -77,10 +77,8 @@ LookTerms LookStore::terms() const {
   terms.ofBlocks = m_blocks.data();
   terms.blocks = m_box.upper - m_box.lower;
   terms.firstBlock = m_box.lower;
-  const double unit = m_looks.functions.front().unitDistanceMm;
   for (std::size_t i = 0; i < m_tables.size(); ++i)
-    terms.all.push_back(
-        {&m_tables[i], &m_segments[i], static_cast<float>(unit / m_looks.functions[i].unitDistanceMm)});
+    terms.all.push_back({&m_tables[i], &m_segments[i], unitsPer(m_looks.functions[i].unitDistanceMm)});
   terms.together = &m_union;
   terms.segmentsTogether = &m_unionSegments;
   return terms;

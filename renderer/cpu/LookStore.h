@@ -7,6 +7,7 @@
 #include "scene/regions/BlockLooks.h"
 #include "scene/steps/EmptySpace.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,8 +22,8 @@ public:
 
   bool isEmpty() const { return !m_looks.areAny(); }
 
-  /// Points into this.
-  LookTerms terms() const;
+  /// Points into this; `unitsPer(unit distance)` tells how many of one are in a length.
+  LookTerms terms(const std::function<float(double)>& unitsPer) const;
 
   /// Of every look, the scene's own first, and which of them blocks have.
   const std::vector<PiecewiseTable>& tables() const { return m_tables; }

@@ -244,13 +244,17 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
                               const std::function<bool()>& isCancelled) {
   const Grid& grid = scene.volume->grid();
   PictureTerms terms;
+  const auto unitsPer = [&grid](double unitDistanceMm) {
+    const double length = smallestSpacingMm(grid);
+    return asFloat(std::min(length / unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / length)));
+  };
   terms.effects = effects;
   terms.voxels = m_voxels->source();
   terms.region = m_region.source();
   terms.function = &m_function;
   terms.segments = &m_segments;
   if (effects.has(Effect::labelLooks)) {
-    terms.looks = m_looks.terms();
+    terms.looks = m_looks.terms(unitsPer);
     terms.function = terms.looks.together;
     terms.segments = terms.looks.segmentsTogether;
   }
@@ -277,8 +281,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.lengthMm = smallestSpacingMm(grid);
   terms.stepLengths = scene.quality.stepVoxels;
   terms.spacing = grid.spacingMm / terms.lengthMm;
-  terms.perUnitDistance = asFloat(std::min(terms.lengthMm / scene.transferFunction.unitDistanceMm,
-                                           beyondAll / (boxDiagonalMm(grid) / terms.lengthMm)));
+  if (!effects.has(Effect::labelLooks))
+    terms.perUnitDistance = unitsPer(scene.transferFunction.unitDistanceMm);
   terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
   if (effects.has(Effect::gradient) && m_whole)
     m_gradientScales.know(m_whole->moduli, m_whole->percent);

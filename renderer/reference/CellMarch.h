@@ -126,7 +126,7 @@ private:
   template <class NodeAt, class Add, class IsEnd>
   bool integrate(const Piece& piece, int cuts, const NodeAt& nodeAt, const Add& add, const IsEnd& isEnd) {
     const double length = piece.to - piece.from;
-    const double depth = length / m_terms.scene.transferFunction.unitDistanceMm;
+    const double depth = length / m_terms.unitMm;
     const auto look = [&](double share) {
       ++m_spent;
       const double place = share == 1.0 ? piece.to : piece.from + share * length;

@@ -132,6 +132,8 @@ struct PictureTerms {
       effects.has(Effect::localSteps) && !isByCells ? localStepTerms(scene) : std::nullopt;
   LabelLooks looks = labelLooks(scene);
   bool hasLooks = looks.areAny();
+  /// Over which extinctions are told: the unit distance, of looks, which have each their own, a length.
+  double unitMm = hasLooks ? smallestMm : scene.transferFunction.unitDistanceMm;
   LookSegments segments = hasLooks ? lookSegments(looks.functions) : LookSegments{};
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
@@ -263,7 +265,7 @@ public:
 
   /// What a length of this extinction absorbs, 0..1.
   double alphaOf(double extinction, double lengthMm) const {
-    return oneMinusExpNeg(extinction * lengthMm / m_terms.scene.transferFunction.unitDistanceMm);
+    return oneMinusExpNeg(extinction * lengthMm / m_terms.unitMm);
   }
 
   /// Where the field first reaches the isovalue in what is kept; absent where it stays below.
@@ -295,7 +297,7 @@ public:
 
 private:
   // What the looks of the voxels around a place absorb together (DEFINITION section 10), each opacity times
-  // `factor`, over the unit distance of the scene's own function.
+  // `factor`.
   Absorbed mixedAt(double place, double scalar, const std::optional<std::size_t>& gap, double factor) const {
     const LookShares shares =
         lookSharesAt(m_terms.looks, m_terms.scene.keep, centredAt(place) + m_terms.centre);
@@ -310,7 +312,7 @@ private:
         material = {classified.opacity, 0.0, classified.color, {}};
       }
       const double extinction = one.share * minusLog1mOpacity(one.weight * factor * material.opacity) *
-                                m_terms.scene.transferFunction.unitDistanceMm / function.unitDistanceMm;
+                                std::min(m_terms.unitMm / function.unitDistanceMm, beyondAll);
       mixed.extinction += extinction;
       mixed.color += extinction * material.color;
     }
@@ -326,6 +328,9 @@ private:
   }
 
   Cell cellAt(double place) const { return m_field.cellAt(centredAt(place) + m_terms.centre); }
+
+  // So many unit distances hide everything, and their extinction has a product with any other number.
+  static constexpr double beyondAll = 1e200;
 
   static constexpr int halvings = 14; // to less than 1e-4 of a step
 

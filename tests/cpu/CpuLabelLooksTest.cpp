@@ -10,9 +10,12 @@
 #include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
+#include "support/JudgedTime.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <iostream>
 
 namespace limn {
@@ -40,6 +43,59 @@ void expectAsTheReference(const Scene& scene, const std::string& what) {
   std::cout << what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean << " levels\n";
   EXPECT_LE(error.p99_9, 1.0) << what;
   EXPECT_LE(error.mean, 0.01) << what; // the engine's bound without looks
+}
+
+// Eight labels with looks in cubes of 32 voxels; each shows as much as the scene's own curve, in other
+// colours, so that all rays take the samples that they take without.
+Scene sceneToTime() {
+  Scene scene = headScene(phantomVolume({.spacingMm = 1.5}), ShadingModel::classic);
+  scene.camera = orbited(scene.camera, 0.5, 0.3);
+  scene.keep = cubesRegion(scene.volume->grid().dims, 32, std::vector<double>(9, 1.0));
+  scene.quality.preintegrated = Preintegration::never;
+  scene.quality.stepVoxels = 0.5;
+  return scene;
+}
+
+Scene withEightLooks(Scene scene) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t place = 1; place <= 8; ++place) {
+    looks[place] = scene.transferFunction;
+    for (ControlPoint& point : looks[place].points)
+      point.color = glm::dvec3(point.color.b, point.color.r, 0.1 * static_cast<double>(place));
+  }
+  scene.keep = withLooks(scene.keep, looks);
+  return scene;
+}
+
+double medianLookMs(std::vector<double> times) {
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+  return times[times.size() / 2];
+}
+
+template <class Draw>
+double lookMsOf(const Draw& draw) {
+  const auto begin = std::chrono::steady_clock::now();
+  draw();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST(CpuLooks, eightOfThemTakeLittleMoreTimeThanNone) {
+  const Scene plain = sceneToTime();
+  const Scene looks = withEightLooks(plain);
+  for (const auto tolerance : {std::optional<double>(), std::optional<double>(1.0)}) {
+    Scene without = plain, with = looks;
+    without.quality.toleranceLevels = with.quality.toleranceLevels = tolerance;
+    CpuRenderer one, other;
+    std::vector<double> msWithout, msWith;
+    one.render(without, {256, 256});
+    other.render(with, {256, 256});
+    for (int run = 0; run < 5; ++run) { // in turns: a machine that slows slows both
+      msWithout.push_back(lookMsOf([&] { one.render(without, {256, 256}); }));
+      msWith.push_back(lookMsOf([&] { other.render(with, {256, 256}); }));
+    }
+    test::judgeMs(tolerance ? "8 looks, cell by cell" : "8 looks, equal steps", medianLookMs(msWith),
+                  1.6 * medianLookMs(msWithout));
+  }
 }
 
 TEST(CpuLooks, allModelsAndCamerasAgreeWithTheReference) {

@@ -12,7 +12,10 @@
 #include "slices/SliceRenderer.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
+#include "support/JudgedTime.h"
 
+#include <algorithm>
+#include <chrono>
 #include <iostream>
 
 namespace limn {
@@ -31,6 +34,40 @@ Scene cubesOfLooks(ShadingModel model, int looks, Camera::Projection projection)
   scene.quality.preintegrated = Preintegration::never;
   scene.quality.stepVoxels = 0.5;
   return scene;
+}
+
+// Eight labels with looks in cubes of 32 voxels; each shows as much as the scene's own curve, in other
+// colours, so that all rays take the samples that they take without.
+Scene sceneToTime() {
+  Scene scene = headScene(phantomVolume({.spacingMm = 1.5}), ShadingModel::classic);
+  scene.camera = orbited(scene.camera, 0.5, 0.3);
+  scene.keep = cubesRegion(scene.volume->grid().dims, 32, std::vector<double>(9, 1.0));
+  scene.quality.preintegrated = Preintegration::never;
+  scene.quality.stepVoxels = 0.5;
+  return scene;
+}
+
+Scene withEightLooks(Scene scene) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t place = 1; place <= 8; ++place) {
+    looks[place] = scene.transferFunction;
+    for (ControlPoint& point : looks[place].points)
+      point.color = glm::dvec3(point.color.b, point.color.r, 0.1 * static_cast<double>(place));
+  }
+  scene.keep = withLooks(scene.keep, looks);
+  return scene;
+}
+
+double medianLookMs(std::vector<double> times) {
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+  return times[times.size() / 2];
+}
+
+template <class Draw>
+double lookMsOf(const Draw& draw) {
+  const auto begin = std::chrono::steady_clock::now();
+  draw();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 class CasterLooks : public test::GlTest {
@@ -90,6 +127,20 @@ TEST_F(CasterLooks, stepsThatAnErrorControlsKeepToTheTolerance) {
               << found.scene.quality.fineness.value_or(0.0) << "\n";
     EXPECT_LE(error.p99_9, 1.0);
   }
+}
+
+TEST_F(CasterLooks, eightOfThemTakeLittleMoreTimeThanNone) {
+  const Scene without = sceneToTime();
+  const Scene with = withEightLooks(without);
+  RayCaster one, other;
+  std::vector<double> msWithout, msWith;
+  one.render(without, {256, 256});
+  other.render(with, {256, 256});
+  for (int run = 0; run < 5; ++run) { // in turns: a machine that slows slows both
+    msWithout.push_back(lookMsOf([&] { one.render(without, {256, 256}); }));
+    msWith.push_back(lookMsOf([&] { other.render(with, {256, 256}); }));
+  }
+  test::judgeMs("8 looks", medianLookMs(msWith), 1.6 * medianLookMs(msWithout));
 }
 
 TEST_F(CasterLooks, equalLooksInAllLabelsAreOneLook) {

@@ -53,7 +53,7 @@ FewSegments fewSegments(const PiecewiseTable& table);
 
 /// The looks that labels have of their own (scene/LabelLooks).
 struct LookTerms {
-  /// One function and what it takes to the scene's unit distance from its own.
+  /// One function and how many of its unit distances are in a length.
   struct Look {
     const PiecewiseTable* table = nullptr;
     const FewSegments* segments = nullptr;
@@ -92,8 +92,8 @@ struct PictureTerms {
   glm::dvec3 centre{0.0};
   double lengthMm = 1.0; ///< the unit of lengths
   double stepLengths = 1.0;
-  glm::dvec3 spacing{1.0}; ///< in unit lengths
-  float perUnitDistance = 1.0f;
+  glm::dvec3 spacing{1.0};      ///< in unit lengths
+  float perUnitDistance = 1.0f; ///< unit distances in a length; 1 where labels have looks with their own
   float lastTransmittance = 0.0f;
 
   glm::vec3 gradientScale{0.0f}; ///< from a difference of voxels over two of them to the unit

@@ -31,7 +31,7 @@ public:
   struct Mixed {
     Mask seen;     // where some look has an opacity, whatever the factor makes of it
     V3 color;      // if asked for
-    VF extinction; // over the unit distance of the scene's own function
+    VF extinction; // per length
   };
 
   /// Samples at continuous voxel indices with the scalars there, their opacities times `factor`.

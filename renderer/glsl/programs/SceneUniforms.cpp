@@ -161,7 +161,13 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_labels", TextureUnit::labels);
 }
 
-void setLooks(const Setter& set, const SceneTextures& textures) {
+// So many unit distances hide everything; the whole box must not have more than a float holds.
+double unitsPerLength(const Grid& grid, double unitDistanceMm) {
+  const double unit = lengthUnitMm(grid);
+  return std::min(unit / unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit));
+}
+
+void setLooks(const Setter& set, const Scene& scene, const SceneTextures& textures) {
   const LookTextures& looks = textures.looks();
   if (looks.isEmpty())
     return;
@@ -170,8 +176,10 @@ void setLooks(const Setter& set, const SceneTextures& textures) {
   set("u_looksOffset", volume.blockOffset());
   set("u_lastLooks", glm::dvec3(volume.ranges().blocks() - 1));
   set("u_lookSegments", static_cast<double>(looks.segmentsPerLook()));
-  for (std::size_t look = 0; look < looks.units().size(); ++look)
-    set(("u_lookUnits[" + std::to_string(look) + "]").c_str(), looks.units()[look]);
+  set("u_perUnitDistance", 1.0);
+  for (std::size_t look = 0; look < looks.unitDistances().size(); ++look)
+    set(("u_lookUnits[" + std::to_string(look) + "]").c_str(),
+        unitsPerLength(scene.volume->grid(), looks.unitDistances()[look]));
 }
 
 void bind(TextureUnit unit, unsigned target, unsigned texture) {
@@ -225,10 +233,8 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   set("u_functionDomain", glm::dvec3(textures.function().domain()));
   const Grid& grid = scene.volume->grid();
   const double unit = lengthUnitMm(grid);
-  // So many unit distances hide everything; the whole box must not have more than a float holds.
-  set("u_perUnitDistance",
-      std::min(unit / scene.transferFunction.unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit)));
-  setLooks(set, textures);
+  set("u_perUnitDistance", unitsPerLength(grid, scene.transferFunction.unitDistanceMm));
+  setLooks(set, scene, textures);
   setGradient(set, scene, textures);
   setLighting(set, scene);
   setCut(set, scene);

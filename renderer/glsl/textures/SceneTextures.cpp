@@ -194,10 +194,10 @@ void LookTextures::update(const Scene& scene, const VolumeTexture& volume) {
 
 void LookTextures::tabulate(const std::vector<TransferFunction>& functions, const ValueRange& range) {
   m_tables.clear();
-  m_units.clear();
+  m_unitDistances.clear();
   for (const TransferFunction& function : withCommonPoints(functions)) {
     m_tables.push_back(tableOf(function, range));
-    m_units.push_back(functions.front().unitDistanceMm / function.unitDistanceMm);
+    m_unitDistances.push_back(function.unitDistanceMm);
   }
   m_together = tableOf(unionOf(functions), range);
   m_segmentsPerLook = static_cast<int>(m_tables.front().segments.size()) / 4;

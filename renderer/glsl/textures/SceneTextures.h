@@ -124,8 +124,8 @@ public:
   /// From the segments of one look in `together` to those of the next.
   int segmentsPerLook() const { return m_segmentsPerLook; }
 
-  /// The scene's unit distance in those of each look.
-  const std::vector<double>& units() const { return m_units; }
+  /// The unit distance of each look, mm.
+  const std::vector<double>& unitDistances() const { return m_unitDistances; }
 
   /// Of each block its look, or 255 where several meet; of each texel its look and its weight. Names.
   unsigned blocks() const { return m_blockTexture->name(); }
@@ -142,7 +142,7 @@ private:
   std::vector<PiecewiseTable> m_tables;
   PiecewiseTable m_together;
   int m_segmentsPerLook = 0;
-  std::vector<double> m_units;
+  std::vector<double> m_unitDistances;
   BlockLooks m_ofBlocks;
   std::optional<GlTexture> m_blockTexture;
   std::optional<GlTexture> m_labelTexture;
