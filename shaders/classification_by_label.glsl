@@ -8,23 +8,23 @@ uniform sampler2D u_functionSegments;
 uniform sampler2D u_functionOccupancy; // row 0: of all together; row 1 + q: of look q
 uniform vec3 u_functionDomain; // first x, bins per unit, last bin
 uniform float u_perUnitDistance;
-uniform sampler3D u_blockLooks; // of each block its look, or 255 where several meet
-uniform vec3 u_looksPerTexture; // blocks; where they begin; the last of them
-uniform vec3 u_looksOffset;
-uniform vec3 u_lastLooks;
+uniform sampler3D u_cellLooks; // of each cell its look, or 255 where several meet
+uniform vec3 u_cellsPerTexture;
+uniform vec3 u_lastCell;
 uniform sampler3D u_labels; // of each texel its look (of 65535) and its weight
 uniform float u_lookSegments; // from one look to the next
 uniform float u_lookUnits[33]; // how many unit distances of each look are in a length
 
-// All that is known without a place.
+// All that is known without a place; the look only where a block of fetches finds it.
 struct Material {
   float scalar;
+  float look;
 };
 
-// The look of a sample in whose block all voxels have one, otherwise -1.
-float lookOfBlock(vec3 position) {
-  vec3 block = clamp(floor(position * u_looksPerTexture + u_looksOffset), vec3(0.0), u_lastLooks);
-  float look = floor(texelFetch(u_blockLooks, ivec3(block), 0).r * 255.0 + 0.5);
+// The look of a sample all of whose eight voxels have one, otherwise -1. The first texel is an apron.
+float lookOfCell(vec3 position) {
+  vec3 cell = clamp(floor(position * u_cellsPerTexture - 1.5), vec3(0.0), u_lastCell);
+  float look = floor(texelFetch(u_cellLooks, ivec3(cell), 0).r * 255.0 + 0.5);
   return look < 255.0 ? look : -1.0;
 }
 
@@ -38,7 +38,7 @@ bool mayBeSeen(float scalar) {
 }
 
 Material materialOf(float scalar) {
-  return Material(scalar);
+  return Material(scalar, -1.0);
 }
 
 // What the looks around a place absorb together.
@@ -54,22 +54,8 @@ struct Around {
   vec4 weightsBelow, weightsAbove;
 };
 
-// All eight have one look; where that is -1, none has a share.
-Around aroundAlike(float look, vec3 position) {
+Around voxelsAround(vec3 position) {
   Around around;
-  around.looksBelow = vec4(look);
-  around.looksAbove = vec4(look);
-  around.below = vec4(look < 0.0 ? 0.0 : 1.0, 0.0, 0.0, 0.0);
-  around.above = vec4(0.0);
-  around.weightsBelow = vec4(1.0);
-#ifdef EFFECT_REGION
-  around.weightsBelow = vec4(weightAt(position));
-#endif
-  around.weightsAbove = around.weightsBelow;
-  return around;
-}
-
-void fetchAround(vec3 position, inout Around around) {
   vec3 size = vec3(textureSize(u_labels, 0));
   vec3 place = clamp(position * size - 0.5, vec3(0.0), size - 1.0);
   vec3 w = place - floor(place);
@@ -90,6 +76,7 @@ void fetchAround(vec3 position, inout Around around) {
   vec4 inPlane = vec4(1.0 - w.x, w.x, 1.0 - w.x, w.x) * vec4(vec2(1.0 - w.y), vec2(w.y));
   around.below = (1.0 - w.z) * inPlane;
   around.above = w.z * inPlane;
+  return around;
 }
 
 // The look of the first voxel that has a share.
@@ -109,16 +96,20 @@ struct Place {
   float within; // behind its start
 };
 
+vec4 valueOf(Place place, float look) {
+  float segment = place.segment + look * u_lookSegments;
+  vec4 slope = segmentTexel(u_functionSegments, segment, 1);
+  return segmentTexel(u_functionSegments, segment, 0) + place.within * slope;
+}
+
 // Adds what the next look takes, if any voxel is left, and leaves the others.
 void addLook(Place place, float factor, inout Around around, inout Mixed mixed) {
-  float look = max(nextLook(around), 0.0);
+  float look = nextLook(around);
   vec4 below = vec4(equal(around.looksBelow, vec4(look))) * around.below;
   vec4 above = vec4(equal(around.looksAbove, vec4(look))) * around.above;
   float share = dot(below + above, vec4(1.0));
   float weight = (dot(below, around.weightsBelow) + dot(above, around.weightsAbove)) / (share > 0.0 ? share : 1.0);
-  float segment = place.segment + look * u_lookSegments;
-  vec4 slope = segmentTexel(u_functionSegments, segment, 1);
-  vec4 value = segmentTexel(u_functionSegments, segment, 0) + place.within * slope;
+  vec4 value = valueOf(place, look);
   float extinction = share * minusLog1mOpacity(factor * weight * value.a) * u_lookUnits[int(look)];
   mixed.extinction += extinction;
   mixed.color += extinction * clamp(value.rgb, 0.0, 1.0);
@@ -126,25 +117,14 @@ void addLook(Place place, float factor, inout Around around, inout Mixed mixed) 
   around.above -= above;
 }
 
-// The looks at a place of this scalar, their opacities times a factor. The loops, of one turn each, are branches: a
-// software driver runs both sides of others. Around few places more than three looks meet.
-Mixed mixedAt(vec3 position, float scalar, float factor) {
-  Place place;
-  float start;
-  place.segment = segmentAt(u_functionBins, u_functionSegments, u_functionDomain, scalar, start);
-  place.within = scalar - start;
-  float look = lookOfBlock(position);
-  Around around = aroundAlike(look, position);
+// Where looks meet, around few places more than three. The loop, of one turn, is a branch: a software driver runs both
+// sides of others.
+Mixed mixedLooks(Place place, vec3 position, float factor) {
+  Around around = voxelsAround(position);
   Mixed mixed = Mixed(vec3(0.0), 0.0);
   addLook(place, factor, around, mixed);
-  bool isMixed = look < 0.0;
-  while (isMixed) {
-    fetchAround(position, around);
-    addLook(place, factor, around, mixed);
-    addLook(place, factor, around, mixed);
-    addLook(place, factor, around, mixed);
-    isMixed = false;
-  }
+  addLook(place, factor, around, mixed);
+  addLook(place, factor, around, mixed);
   bool isMore = dot(around.below + around.above, vec4(1.0)) > 0.0;
   while (isMore) {
     addLook(place, factor, around, mixed);
@@ -155,5 +135,32 @@ Mixed mixedAt(vec3 position, float scalar, float factor) {
     isMore = false;
   }
   mixed.color /= mixed.extinction > 0.0 ? mixed.extinction : 1.0;
+  return mixed;
+}
+
+// The looks at a place of this material, their opacities times a factor.
+Mixed mixedAt(vec3 position, Material material, float factor) {
+  Place place;
+  float start;
+  place.segment = segmentAt(u_functionBins, u_functionSegments, u_functionDomain, material.scalar, start);
+  place.within = material.scalar - start;
+#ifdef EFFECT_LOCAL_STEPS
+  float look = lookOfCell(position);
+#else
+  float look = material.look;
+#endif
+#ifdef EFFECT_REGION
+  float weighed = factor * weightAt(position);
+#else
+  float weighed = factor;
+#endif
+  float own = max(look, 0.0);
+  vec4 value = valueOf(place, own);
+  Mixed mixed = Mixed(clamp(value.rgb, 0.0, 1.0), minusLog1mOpacity(weighed * value.a) * u_lookUnits[int(own)]);
+  bool isMixed = look < 0.0;
+  while (isMixed) {
+    mixed = mixedLooks(place, position, factor);
+    isMixed = false;
+  }
   return mixed;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What gather.glsl fetches at a sample, in place of fetched.glsl: the scalar, and the look of all voxels of its block.
+// What gather.glsl fetches at a sample, in place of fetched.glsl: the scalar, and the look of its eight voxels.
 
 #define Fetched vec2
 
 Fetched fetchedAt(vec3 position) {
-  return vec2(scalarAt(position), lookOfBlock(position));
+  return vec2(scalarAt(position), lookOfCell(position));
 }
 
 bool mayBeSeen(Fetched fetched) {
@@ -12,5 +12,5 @@ bool mayBeSeen(Fetched fetched) {
 }
 
 Material materialOf(Fetched fetched) {
-  return Material(fetched.x);
+  return Material(fetched.x, fetched.y);
 }

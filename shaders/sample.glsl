@@ -96,7 +96,7 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float r;
   vec4 gradient = gradientOf(position, r);
 #ifdef EFFECT_LABEL_LOOKS
-  Mixed mixed = mixedAt(position, material.scalar, opacityFactor(gradient.w, r));
+  Mixed mixed = mixedAt(position, material, opacityFactor(gradient.w, r));
   return Shaded(shaded(mixed.color, march, gradient, r, i), mixed.extinction);
 #else
   float extinction = material.extinction;

@@ -27,7 +27,7 @@ struct Shaded {
 
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
 #ifdef EFFECT_LABEL_LOOKS
-  return Shaded(vec3(0.0), mixedAt(position, material.scalar, 1.0).extinction);
+  return Shaded(vec3(0.0), mixedAt(position, material, 1.0).extinction);
 #else
   float extinction = material.extinction;
 #ifdef EFFECT_REGION

@@ -44,22 +44,9 @@ void LookStore::tabulate(const ValueRange& range) {
 }
 
 void LookStore::findVoxels(const LabelMap& labels, const std::shared_ptr<Room>& room, const Effort& effort) {
-  const glm::ivec3& dims = labels.dims();
-  const std::vector<std::uint8_t> lookOf = m_looks.ofLabel;
   m_labels.reset(); // should it be cancelled
-  m_voxels = RoomVector<std::uint8_t>(room);
-  m_voxels.resize(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
-  const std::size_t pieces = (m_voxels.size() + voxelsPerPiece - 1) / voxelsPerPiece;
-  std::visit(
-      [&](const auto& places) {
-        forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
-          const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
-          const std::size_t end = std::min<std::size_t>(from + voxelsPerPiece, m_voxels.size());
-          for (std::size_t voxel = from; voxel < end; ++voxel)
-            m_voxels[voxel] = lookOf[places[voxel]];
-        });
-      },
-      labels.places());
+  m_voxels = looksOfVoxels(labels, m_looks.ofLabel, effort, room);
+  m_cells = cellLooks(labels.dims(), m_voxels, effort, room);
 }
 
 LookTerms LookStore::terms(const std::function<float(double)>& unitsPer) const {
@@ -74,9 +61,7 @@ LookTerms LookStore::terms(const std::function<float(double)>& unitsPer) const {
   terms.voxels.dims = dims;
   terms.voxels.strideY = dims.y > 1 ? dims.x : 0;
   terms.voxels.strideZ = dims.z > 1 ? std::int64_t{dims.x} * dims.y : 0;
-  terms.ofBlocks = m_blocks.data();
-  terms.blocks = m_box.upper - m_box.lower;
-  terms.firstBlock = m_box.lower;
+  terms.ofCells = m_cells.data();
   for (std::size_t i = 0; i < m_tables.size(); ++i)
     terms.all.push_back({&m_tables[i], &m_segments[i], unitsPer(m_looks.functions[i].unitDistanceMm)});
   terms.together = &m_union;

@@ -30,7 +30,9 @@ public:
   const BlockLooks& blocks() const { return m_blocks; }
 
   /// What it takes beside the region, bytes.
-  std::size_t ownBytes() const { return m_voxels.size() + m_blocks.size() * sizeof(LookBits); }
+  std::size_t ownBytes() const {
+    return m_voxels.size() + m_cells.size() + m_blocks.size() * sizeof(LookBits);
+  }
 
 private:
   void tabulate(const ValueRange& range);
@@ -41,6 +43,7 @@ private:
   LabelLooks m_looks;
   BlockBox m_box;
   RoomVector<std::uint8_t> m_voxels; // the look of each
+  RoomVector<std::uint8_t> m_cells;  // and of each cell
   BlockLooks m_blocks;
   std::vector<PiecewiseTable> m_tables;
   std::vector<FewSegments> m_segments;

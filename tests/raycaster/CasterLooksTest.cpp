@@ -192,9 +192,9 @@ TEST_F(CasterLooks, withoutLooksTheProgramKnowsNothingOfThem) {
   EXPECT_NE(caster.fragmentShader(scene).find("u_labels"), std::string::npos);
   scene.keep = withLooks(scene.keep, {});
   const std::string text = caster.fragmentShader(scene);
-  for (const char* word : {"LABEL_LOOKS\n", "u_labels", "u_blockLooks", "u_lookUnits"})
+  for (const char* word : {"LABEL_LOOKS\n", "u_labels", "u_cellLooks", "u_lookUnits"})
     EXPECT_EQ(text.find(std::string("#define EFFECT_") + word), std::string::npos);
-  for (const char* name : {"u_labels", "u_blockLooks", "u_lookUnits"})
+  for (const char* name : {"u_labels", "u_cellLooks", "u_lookUnits"})
     EXPECT_EQ(text.find(name), std::string::npos) << name;
 }
 

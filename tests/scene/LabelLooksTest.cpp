@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 
 namespace limn {
 namespace {
@@ -76,7 +77,7 @@ TEST(LabelLooks, sharesAreTrilinearAndSumToOneAndTheirWeightsToTheRegions) {
 }
 
 TEST(LabelLooks, onlyWhatSomeVoxelShowsCounts) {
-  Scene scene = labelledScene(2, {1.0, 1.0, 0.0, 1.0});
+  Scene scene = labelledScene(5, {1.0, 1.0, 0.0, 1.0});
   scene.transferFunction = bandAt(3.0);
   EXPECT_FALSE(hasLabelLooks(scene));
   scene.keep = withLooks(scene.keep, {{1, scene.transferFunction}});
@@ -153,6 +154,26 @@ TEST(LabelLooks, blocksKnowTheLooksOfTheirVoxelsAndOfTheNextOnes) {
       }
 }
 
+TEST(LabelLooks, aCellHasTheLookThatAllItsVoxelsHave) {
+  const Scene scene = labelledScene(5, {1.0, 1.0, 1.0, 1.0});
+  const RoomVector<std::uint8_t> looks = looksOfVoxels(*scene.keep.labels, {0, 5, 2, 5});
+  const RoomVector<std::uint8_t> cells = cellLooks(lookDims, looks);
+  int several = 0;
+  for (int z = 0; z < lookDims.z; ++z)
+    for (int y = 0; y < lookDims.y; ++y)
+      for (int x = 0; x < lookDims.x; ++x) {
+        std::set<std::uint8_t> there;
+        for (int corner = 0; corner < 8; ++corner) {
+          const glm::ivec3 at =
+              glm::min(glm::ivec3(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2)), lookDims - 1);
+          there.insert(looks[voxelOffset(lookDims, at.x, at.y, at.z)]);
+        }
+        ASSERT_EQ(cells[voxelOffset(lookDims, x, y, z)], there.size() == 1 ? *there.begin() : severalLooks);
+        several += there.size() > 1 ? 1 : 0;
+      }
+  EXPECT_GT(several, 0);
+}
+
 TEST(LabelLooks, voxelsAreVisibleByTheLookOfTheirLabel) {
   Scene scene = labelledScene(6, {1.0, 0.02, 0.0, 1.0});
   scene.transferFunction = bandAt(3.0);
@@ -182,7 +203,7 @@ TEST(LabelLooks, voxelsAreVisibleByTheLookOfTheirLabel) {
 }
 
 TEST(LabelLooks, stepsFollowTheFinestLookOfABlockAndSkipWhatNoneShows) {
-  Scene scene = labelledScene(7, {1.0, 1.0, 1.0, 1.0});
+  Scene scene = labelledScene(5, {1.0, 1.0, 1.0, 1.0});
   scene.transferFunction = bandAt(-50.0); // nothing
   scene.keep = withLooks(scene.keep, {{1, bandAt(10.0)}});
   const BlockFacts facts = blockFacts(*scene.volume);

@@ -59,11 +59,9 @@ struct LookTerms {
     const FewSegments* segments = nullptr;
     float perUnit = 1.0f;
   };
-  std::vector<Look> all;              ///< the scene's own first; none: no label has another
-  VoxelSource voxels;                 ///< the look of each voxel, bytes
-  const LookBits* ofBlocks = nullptr; ///< of each block of 4³ cells, x fastest
-  glm::ivec3 blocks{0};
-  glm::ivec3 firstBlock{0};
+  std::vector<Look> all;                    ///< the scene's own first; none: no label has another
+  VoxelSource voxels;                       ///< the look of each voxel, bytes
+  const std::uint8_t* ofCells = nullptr;    ///< of each cell, by its voxel of smallest indices (cellLooks)
   const PiecewiseTable* together = nullptr; ///< one function whose pieces are those of all
   const FewSegments* segmentsTogether = nullptr;
 };

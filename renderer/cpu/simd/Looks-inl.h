@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What labels with looks of their own make of samples (DEFINITION section 10). A sample among voxels of one
-// look alone is classified by that look; only where looks meet are the labels of its eight voxels read.
+// What labels with looks of their own make of samples (DEFINITION section 10). A sample all of whose
+// voxels have one look is classified by that look; only where looks meet are those of the eight voxels read.
 #if defined(LIMN_CPU_LOOKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef LIMN_CPU_LOOKS_INL_H
 #undef LIMN_CPU_LOOKS_INL_H
@@ -11,7 +11,7 @@
 #include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Field-inl.h"
 #include "cpu/simd/Function-inl.h"
-#include "scene/steps/BlockRanges.h"
+#include "scene/regions/BlockLooks.h"
 
 #include <bit>
 
@@ -37,42 +37,51 @@ public:
   /// Samples at continuous voxel indices with the scalars there, their opacities times `factor`.
   HWY_NOINLINE Mixed mixedAt(const V3& index, VF scalar, VF factor, Mask wanted, bool withColor) const {
     HWY_ALIGN float alone[most];
-    const LookBits bits = looksAround(index, wanted, alone);
-    if (std::has_single_bit(bits))
+    const LookBits bits = looksOfCells(index, wanted, alone);
+    const VF look = hn::Load(floats, alone);
+    const Mask meets = hn::AndNot(hn::Ge(look, hn::Zero(floats)), wanted);
+    if (hn::AllFalse(floats, meets) && std::has_single_bit(bits))
       return byOne(std::countr_zero(bits), index, scalar, factor, wanted, withColor);
-    return bySeveral(bits, hn::Load(floats, alone), index, scalar, factor, wanted, withColor);
+    return bySeveral(bits, look, meets, index, scalar, factor, wanted, withColor);
   }
 
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
   static constexpr int mostFunctions = static_cast<int>(mostLooks) + 1;
 
-  // The looks of the blocks in which the wanted samples lie. `alone` says the look of a sample whose block
-  // has but one, else -1.
-  HWY_INLINE LookBits looksAround(const V3& index, Mask wanted, float alone[most]) const {
-    const VF perBlock = all(1.0f / blockSize);
-    HWY_ALIGN std::int32_t x[most], y[most], z[most];
-    hn::Store(blockOf(hn::Mul(index.x, perBlock), 0), ints, x);
-    hn::Store(blockOf(hn::Mul(index.y, perBlock), 1), ints, y);
-    hn::Store(blockOf(hn::Mul(index.z, perBlock), 2), ints, z);
+  // The looks of the cells of which each has one. `alone` says it for each sample, and -1 where looks meet.
+  HWY_INLINE LookBits looksOfCells(const V3& index, Mask wanted, float alone[most]) const {
+    const Cells cells = Field<VoxelSource::Kind::byte>(m_looks.voxels).cellsAt(index);
+    HWY_ALIGN std::int32_t x[most], row[most];
+    hn::Store(cells.x, ints, x);
+    hn::Store(hn::Add(hn::Mul(cells.z, hn::Set(ints, m_looks.voxels.dims.y)), cells.y), ints, row);
     const std::uint32_t lanesWanted = bitsOf(wanted);
+    const std::int64_t length = m_looks.voxels.dims.x;
     LookBits any = 0;
     for (int lane = 0; lane < lanes(); ++lane) {
       alone[lane] = -1.0f;
       if ((lanesWanted >> lane & 1u) == 0)
         continue;
-      const LookBits own = m_looks.ofBlocks[voxelOffset(m_looks.blocks, x[lane], y[lane], z[lane])];
-      any |= own;
-      if (std::has_single_bit(own))
-        alone[lane] = static_cast<float>(std::countr_zero(own));
+      const std::uint8_t own = m_looks.ofCells[row[lane] * length + x[lane]];
+      if (own == severalLooks)
+        continue;
+      any |= LookBits{1} << own;
+      alone[lane] = static_cast<float>(own);
     }
     return any;
   }
 
-  HWY_INLINE VI blockOf(VF place, int axis) const {
-    const VI block = intOf(hn::Floor(place));
-    const VI within = hn::Sub(block, hn::Set(ints, m_looks.firstBlock[axis]));
-    return hn::Max(hn::Min(within, hn::Set(ints, m_looks.blocks[axis] - 1)), hn::Zero(ints));
+  // The looks of the voxels around some samples.
+  HWY_INLINE static LookBits looksIn(const VF look[8], Mask wanted) {
+    const std::uint32_t lanesWanted = bitsOf(wanted);
+    LookBits any = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      HWY_ALIGN std::int32_t looks[most];
+      hn::Store(hn::ConvertTo(ints, look[corner]), ints, looks);
+      for (std::uint32_t left = lanesWanted; left != 0; left &= left - 1)
+        any |= LookBits{1} << looks[std::countr_zero(left)];
+    }
+    return any;
   }
 
   HWY_INLINE Function functionOf(int look) const {
@@ -115,11 +124,7 @@ private:
     VF look[8], share[8], weight[8];
   };
 
-  HWY_INLINE void lookAround(const V3& index, Around& around) const {
-    const Field<VoxelSource::Kind::byte> looks(m_looks.voxels);
-    looks.cornersAt(index, around.look, around.share);
-    if (!m_hasRegion)
-      return;
+  HWY_INLINE void weighAround(const V3& index, Around& around) const {
     if (m_terms.region.kind == VoxelSource::Kind::byte)
       Field<VoxelSource::Kind::byte>(m_terms.region).cornersAt(index, around.weight, around.share);
     else
@@ -137,17 +142,23 @@ private:
     }
   }
 
-  HWY_NOINLINE Mixed bySeveral(LookBits bits, VF alone, const V3& index, VF scalar, VF factor, Mask wanted,
-                               bool withColor) const {
+  HWY_NOINLINE Mixed bySeveral(LookBits bits, VF alone, Mask meets, const V3& index, VF scalar, VF factor,
+                               Mask wanted, bool withColor) const {
     Mixed mixed{hn::Lt(all(0.0f), hn::Zero(floats)), zero(), hn::Zero(floats)};
+    const bool anyMeets = !hn::AllFalse(floats, meets);
+    Around around;
+    if (anyMeets) {
+      const Field<VoxelSource::Kind::byte> looksAround(m_looks.voxels);
+      looksAround.cornersAt(index, around.look, around.share);
+      bits |= looksIn(around.look, meets);
+    }
     int looks[mostFunctions];
     VF opacities[mostFunctions];
     Mask seen[mostFunctions];
     int count = 0;
     for (; bits != 0; bits &= bits - 1) {
       const int look = std::countr_zero(bits);
-      const Mask mayHave = hn::And(
-          wanted, hn::Or(hn::Lt(alone, hn::Zero(floats)), hn::Eq(alone, all(static_cast<float>(look)))));
+      const Mask mayHave = hn::And(wanted, hn::Or(meets, hn::Eq(alone, all(static_cast<float>(look)))));
       seen[count] = functionOf(look).opacityWhereSeen(scalar, mayHave, opacities[count]);
       if (hn::AllFalse(floats, seen[count]))
         continue;
@@ -156,24 +167,21 @@ private:
     }
     if (count == 0)
       return mixed;
-    const Mask isAlone = hn::Ge(alone, hn::Zero(floats));
-    // Where no look has been found to show, none of the eight voxels is asked for.
-    const bool meets = !hn::AllFalse(floats, hn::AndNot(isAlone, mixed.seen));
     const VF ofAlone = m_hasRegion ? weightAt(index) : all(1.0f);
-    Around around;
-    if (meets)
-      lookAround(index, around);
+    const bool mixes = anyMeets && !hn::AllFalse(floats, hn::And(meets, mixed.seen));
+    if (mixes && m_hasRegion)
+      weighAround(index, around);
     mixed.seen = hn::Lt(all(0.0f), hn::Zero(floats));
     VF extinctions[mostFunctions];
     for (int i = 0; i < count; ++i) {
       VF share = all(1.0f), weight = ofAlone;
-      if (meets) {
+      if (mixes) {
         VF met, weighed;
         shareOf(around, all(static_cast<float>(looks[i])), m_hasRegion, met, weighed);
         const VF safe = hn::IfThenElse(hn::Gt(met, hn::Zero(floats)), met, all(1.0f));
-        share = hn::IfThenElse(isAlone, share, met);
+        share = hn::IfThenElse(meets, met, share);
         if (m_hasRegion)
-          weight = hn::IfThenElse(isAlone, weight, hn::Div(weighed, safe));
+          weight = hn::IfThenElse(meets, hn::Div(weighed, safe), weight);
       }
       seen[i] = hn::And(seen[i], hn::And(hn::Gt(share, hn::Zero(floats)), hn::Gt(weight, hn::Zero(floats))));
       const VF opacity = m_hasRegion ? hn::Mul(opacities[i], weight) : opacities[i];

@@ -157,7 +157,7 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_blockSteps", TextureUnit::blockSteps);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
-  unit("u_blockLooks", TextureUnit::blockLooks);
+  unit("u_cellLooks", TextureUnit::cellLooks);
   unit("u_labels", TextureUnit::labels);
 }
 
@@ -171,10 +171,9 @@ void setLooks(const Setter& set, const Scene& scene, const SceneTextures& textur
   const LookTextures& looks = textures.looks();
   if (looks.isEmpty())
     return;
-  const VolumeTexture& volume = textures.volume();
-  set("u_looksPerTexture", volume.blocksPerTexture());
-  set("u_looksOffset", volume.blockOffset());
-  set("u_lastLooks", glm::dvec3(volume.ranges().blocks() - 1));
+  const glm::dvec3 size(textures.volume().size());
+  set("u_cellsPerTexture", size);
+  set("u_lastCell", size - 3.0);
   set("u_lookSegments", static_cast<double>(looks.segmentsPerLook()));
   set("u_perUnitDistance", 1.0);
   for (std::size_t look = 0; look < looks.unitDistances().size(); ++look)
@@ -209,7 +208,7 @@ void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
   bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
   if (!textures.looks().isEmpty()) {
-    bind(TextureUnit::blockLooks, GL_TEXTURE_3D, textures.looks().blocks());
+    bind(TextureUnit::cellLooks, GL_TEXTURE_3D, textures.looks().cells());
     bind(TextureUnit::labels, GL_TEXTURE_3D, textures.looks().labels());
   }
 }

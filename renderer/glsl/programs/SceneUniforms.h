@@ -20,7 +20,7 @@ enum class TextureUnit {
   functionTable,
   storedGradient,
   classifiedVolume,
-  blockLooks,
+  cellLooks,
   labels
 };
 

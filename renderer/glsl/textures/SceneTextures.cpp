@@ -210,21 +210,32 @@ void LookTextures::tabulate(const std::vector<TransferFunction>& functions, cons
   }
 }
 
+namespace {
+
+void requireRoom() {
+  if (glGetError() != GL_NO_ERROR)
+    throw Error(Error::Kind::openGl,
+                Message::tr("The graphics driver has no room for the looks of labels; draw "
+                            "without them, or with --engine cpu."));
+}
+
+} // namespace
+
 void LookTextures::uploadLabels(const Region& region, const std::vector<std::uint8_t>& lookOf,
                                 const VolumeTexture& volume) {
   const Region texels = reduced(region, volume.reduction());
   const LabelMap& map = *texels.labels;
   const glm::ivec3& blocks = volume.ranges().blocks();
   m_ofBlocks = blockLooks(map, lookOf, {blocks, glm::ivec3(blockSize)});
-  std::vector<std::uint8_t> alone;
-  alone.reserve(m_ofBlocks.size());
-  for (const LookBits bits : m_ofBlocks)
-    alone.push_back(std::has_single_bit(bits) ? static_cast<std::uint8_t>(std::countr_zero(bits)) : 255);
-  m_blockTexture.emplace();
-  glBindTexture(GL_TEXTURE_3D, m_blockTexture->name());
+  const glm::ivec3& dims = map.dims();
+  m_cellTexture.reset(); // two need not fit together
+  m_cellTexture.emplace();
+  glBindTexture(GL_TEXTURE_3D, m_cellTexture->name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, blocks.x, blocks.y, blocks.z, 0, GL_RED, GL_UNSIGNED_BYTE,
-               alone.data());
+  forgetDriverErrors();
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, dims.x, dims.y, dims.z, 0, GL_RED, GL_UNSIGNED_BYTE,
+               cellLooks(dims, looksOfVoxels(map, lookOf)).data());
+  requireRoom();
   setNearest(GL_TEXTURE_3D);
 
   // Each texel with an apron, a copy of the outermost: looks are clamped there as the field is.
@@ -234,10 +245,7 @@ void LookTextures::uploadLabels(const Region& region, const std::vector<std::uin
   glBindTexture(GL_TEXTURE_3D, m_labelTexture->name());
   forgetDriverErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, GL_RG16, size.x, size.y, size.z, 0, GL_RG, GL_UNSIGNED_SHORT, nullptr);
-  if (glGetError() != GL_NO_ERROR)
-    throw Error(Error::Kind::openGl,
-                Message::tr("The graphics driver has no room for the looks of labels; draw "
-                            "without them, or with --engine cpu."));
+  requireRoom();
   setNearest(GL_TEXTURE_3D);
   std::vector<glm::u16vec2> ofLabel;
   for (std::size_t place = 0; place < texels.weights.size(); ++place)
@@ -249,7 +257,7 @@ void LookTextures::uploadLabels(const Region& region, const std::vector<std::uin
       for (int x = 0; x < size.x; ++x) {
         const glm::ivec2 at = glm::clamp(glm::ivec2(x, y) - 1, glm::ivec2(0), glm::ivec2(size) - 3);
         plane[static_cast<std::size_t>(y) * size.x + x] =
-            ofLabel[map.placeAt(voxelOffset(map.dims(), at.x, at.y, k))];
+            ofLabel[map.placeAt(voxelOffset(dims, at.x, at.y, k))];
       }
     glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, z, size.x, size.y, 1, GL_RG, GL_UNSIGNED_SHORT, plane.data());
   }

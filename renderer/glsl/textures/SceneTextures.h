@@ -127,8 +127,8 @@ public:
   /// The unit distance of each look, mm.
   const std::vector<double>& unitDistances() const { return m_unitDistances; }
 
-  /// Of each block its look, or 255 where several meet; of each texel its look and its weight. Names.
-  unsigned blocks() const { return m_blockTexture->name(); }
+  /// Of each cell its look, or 255 where several meet; of each texel its look and its weight. Names.
+  unsigned cells() const { return m_cellTexture->name(); }
   unsigned labels() const { return m_labelTexture->name(); }
 
 private:
@@ -144,7 +144,7 @@ private:
   int m_segmentsPerLook = 0;
   std::vector<double> m_unitDistances;
   BlockLooks m_ofBlocks;
-  std::optional<GlTexture> m_blockTexture;
+  std::optional<GlTexture> m_cellTexture;
   std::optional<GlTexture> m_labelTexture;
 };
 

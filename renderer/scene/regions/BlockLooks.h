@@ -23,4 +23,16 @@ using BlockLooks = RoomVector<LookBits>;
 BlockLooks blockLooks(const LabelMap& labels, const std::vector<std::uint8_t>& lookOf, const BlockGrid& grid,
                       const Effort& effort = {}, const std::shared_ptr<Room>& room = {});
 
+/// The look of each voxel, x fastest, by that of its label. Throws Cancelled; what Room does.
+RoomVector<std::uint8_t> looksOfVoxels(const LabelMap& labels, const std::vector<std::uint8_t>& lookOf,
+                                       const Effort& effort = {}, const std::shared_ptr<Room>& room = {});
+
+/// Where voxels of several looks meet.
+inline constexpr std::uint8_t severalLooks = 255;
+
+/// For each voxel the look of the cell that goes on from it, where all of its eight voxels have the same,
+/// otherwise severalLooks; beyond the last voxel of an axis that one counts again. Throws as above.
+RoomVector<std::uint8_t> cellLooks(const glm::ivec3& dims, const RoomVector<std::uint8_t>& looks,
+                                   const Effort& effort = {}, const std::shared_ptr<Room>& room = {});
+
 } // namespace limn
