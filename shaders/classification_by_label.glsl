@@ -117,50 +117,49 @@ void addLook(Place place, float factor, inout Around around, inout Mixed mixed) 
   around.above -= above;
 }
 
-// Where looks meet, around few places more than three. The loop, of one turn, is a branch: a software driver runs both
-// sides of others.
+// Where looks meet, around few places more than two.
 Mixed mixedLooks(Place place, vec3 position, float factor) {
   Around around = voxelsAround(position);
   Mixed mixed = Mixed(vec3(0.0), 0.0);
-  addLook(place, factor, around, mixed);
-  addLook(place, factor, around, mixed);
-  addLook(place, factor, around, mixed);
-  bool isMore = dot(around.below + around.above, vec4(1.0)) > 0.0;
+  bool isMore = true;
   while (isMore) {
     addLook(place, factor, around, mixed);
     addLook(place, factor, around, mixed);
-    addLook(place, factor, around, mixed);
-    addLook(place, factor, around, mixed);
-    addLook(place, factor, around, mixed);
-    isMore = false;
+    isMore = dot(around.below + around.above, vec4(1.0)) > 0.0;
   }
   mixed.color /= mixed.extinction > 0.0 ? mixed.extinction : 1.0;
   return mixed;
 }
 
-// The looks at a place of this material, their opacities times a factor.
-Mixed mixedAt(vec3 position, Material material, float factor) {
-  Place place;
+Place placeOf(float scalar) {
   float start;
-  place.segment = segmentAt(u_functionBins, u_functionSegments, u_functionDomain, material.scalar, start);
-  place.within = material.scalar - start;
-#ifdef EFFECT_LOCAL_STEPS
-  float look = lookOfCell(position);
-#else
-  float look = material.look;
-#endif
+  float segment = segmentAt(u_functionBins, u_functionSegments, u_functionDomain, scalar, start);
+  return Place(segment, scalar - start);
+}
+
+// One look at a place of this scalar, its opacity times a factor.
+Mixed alikeAt(vec3 position, Place place, float look, float factor) {
 #ifdef EFFECT_REGION
-  float weighed = factor * weightAt(position);
-#else
-  float weighed = factor;
+  factor *= weightAt(position);
 #endif
-  float own = max(look, 0.0);
-  vec4 value = valueOf(place, own);
-  Mixed mixed = Mixed(clamp(value.rgb, 0.0, 1.0), minusLog1mOpacity(weighed * value.a) * u_lookUnits[int(own)]);
-  bool isMixed = look < 0.0;
-  while (isMixed) {
-    mixed = mixedLooks(place, position, factor);
-    isMixed = false;
-  }
-  return mixed;
+  vec4 value = valueOf(place, look);
+  return Mixed(clamp(value.rgb, 0.0, 1.0), minusLog1mOpacity(factor * value.a) * u_lookUnits[int(look)]);
+}
+
+// The same of a material whose look is known.
+Mixed alikeAt(vec3 position, Material material, float factor) {
+  return alikeAt(position, placeOf(material.scalar), material.look, factor);
+}
+
+// The looks at a place of this material. In equal steps they are several where this is asked (gather.glsl).
+Mixed mixedAt(vec3 position, Material material, float factor) {
+  Place place = placeOf(material.scalar);
+#if !defined(EFFECT_LOCAL_STEPS) && !defined(EFFECT_LONG_RAYS)
+  return mixedLooks(place, position, factor);
+#else
+  float look = lookOfCell(position);
+  Mixed alike = alikeAt(position, place, max(look, 0.0), factor);
+  Mixed mixed = mixedLooks(place, position, factor);
+  return Mixed(look < 0.0 ? mixed.color : alike.color, look < 0.0 ? mixed.extinction : alike.extinction);
+#endif
 }

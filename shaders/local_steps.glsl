@@ -12,7 +12,7 @@ uniform float u_rung0Length;  // the step of rung 0
 uniform float u_finestLength;
 
 #ifdef EFFECT_LABEL_LOOKS
-const int mostLocalSamples = 9200; // looks take two loops more
+const int mostLocalSamples = 7200; // looks take four turns of a loop more
 #else
 const int mostLocalSamples = 12000;
 #endif

@@ -92,13 +92,25 @@ struct Shaded {
   float extinction; // per unit distance
 };
 
+#ifdef EFFECT_LABEL_LOOKS
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float r;
   vec4 gradient = gradientOf(position, r);
-#ifdef EFFECT_LABEL_LOOKS
   Mixed mixed = mixedAt(position, material, opacityFactor(gradient.w, r));
   return Shaded(shaded(mixed.color, march, gradient, r, i), mixed.extinction);
+}
+
+// All of its voxels have one look.
+Shaded shadedAlike(March march, vec3 position, Material material, float i) {
+  float r;
+  vec4 gradient = gradientOf(position, r);
+  Mixed alike = alikeAt(position, material, opacityFactor(gradient.w, r));
+  return Shaded(shaded(alike.color, march, gradient, r, i), alike.extinction);
+}
 #else
+Shaded shadedSample(March march, vec3 position, Material material, float i) {
+  float r;
+  vec4 gradient = gradientOf(position, r);
   float extinction = material.extinction;
 #ifdef EFFECT_CHANGED_OPACITY
   float factor = opacityFactor(gradient.w, r);
@@ -109,8 +121,8 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
     extinction = minusLog1mOpacity(factor * material.opacity);
 #endif
   return Shaded(shaded(material.color, march, gradient, r, i), extinction);
-#endif
 }
+#endif
 
 // Composite front to back a piece of so many unit distances, which have the opacity `alpha`.
 void add(inout Gathered ray, Shaded piece, float units, float alpha) {

@@ -218,7 +218,7 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
   const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
-  const int looks = textures.looks().isEmpty() ? 0 : 2;
+  const int looks = textures.looks().isEmpty() ? 0 : 5;
   const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);
 }
