@@ -5,6 +5,7 @@
 #include "scene/volume/VolumePart.h"
 
 #include <algorithm>
+#include <map>
 
 namespace limn {
 namespace {
@@ -76,6 +77,17 @@ LabelLooks labelLooks(const Scene& scene) {
   if (!isOwnShown)
     looks.functions.front().points.clear();
   return looks;
+}
+
+Region withLookOf(const Region& region, std::size_t place, const std::optional<TransferFunction>& look) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t label = 0; label < region.lookOf.size(); ++label)
+    if (const std::size_t own = lookOfLabel(region, label); own > 0)
+      looks.emplace(label, region.looks[own - 1]);
+  looks.erase(place);
+  if (look)
+    looks.emplace(place, *look);
+  return withLooks(region, looks);
 }
 
 bool hasLabelLooks(const Scene& scene) {

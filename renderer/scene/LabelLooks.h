@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct LabelLooks {
 /// The looks that count in a picture of the scene: none but the scene's own function unless a label that some
 /// voxel has, and that weighs more than 0, has another one, and samples are classified one by one.
 LabelLooks labelLooks(const Scene& scene);
+
+/// The region whose label at this place in the list has this look, or the scene's where there is none. Throws
+/// as withLooks.
+Region withLookOf(const Region& region, std::size_t place, const std::optional<TransferFunction>& look);
 
 /// Whether labelLooks has any but the scene's own.
 bool hasLabelLooks(const Scene& scene);
