@@ -130,10 +130,15 @@ const TransferFunction& CurveController::curveInHand() const {
 
 Scene CurveController::withCurveInHand(const TransferFunction& function) const {
   Scene next = m_context.session.scene();
-  if (m_label)
-    next.keep = withLookOf(next.keep, *m_label, function);
-  else
+  if (!m_label) {
     next.transferFunction = function;
+    return next;
+  }
+  try {
+    next.keep = withLookOf(next.keep, *m_label, function);
+  } catch (const Error& error) { // too many looks
+    m_context.showError(translated(error));
+  }
   return next;
 }
 
@@ -141,13 +146,10 @@ void CurveController::edit(const TransferFunction& function, const Gesture& gest
   if (!m_label)
     return m_context.session.setTransferFunction(function, gesture);
   const std::string& name = m_context.session.scene().keep.labels->labels()[*m_label].name;
-  try {
-    m_context.session.edit(withCurveInHand(function),
-                           {gesture.id, tr("%1: %2").arg(QString::fromStdString(name), gesture.text)});
-  } catch (const Error& error) { // too many looks
-    m_context.showError(translated(error));
-    showScene(m_context.session.scene());
-  }
+  const Scene next = withCurveInHand(function);
+  m_context.session.edit(next, {gesture.id, tr("%1: %2").arg(QString::fromStdString(name), gesture.text)});
+  if (next == m_context.session.scene())
+    showScene(next); // also where nothing came of it
 }
 
 // A label whose look is gone is in hand no longer.

@@ -89,8 +89,8 @@ public:
 
   const TransferFunction& curveInHand() const;
 
-  /// The scene with `function` as the curve that is in hand. Throws Error (input) where labels would have too
-  /// many looks.
+  /// The scene with `function` as the curve that is in hand; where labels would have too many looks that is
+  /// said, and it is the scene as it is.
   Scene withCurveInHand(const TransferFunction& function) const;
 
 private:
