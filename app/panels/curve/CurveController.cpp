@@ -147,9 +147,9 @@ void CurveController::edit(const TransferFunction& function, const Gesture& gest
     return m_context.session.setTransferFunction(function, gesture);
   const std::string& name = m_context.session.scene().keep.labels->labels()[*m_label].name;
   const Scene next = withCurveInHand(function);
-  m_context.session.edit(next, {gesture.id, tr("%1: %2").arg(QString::fromStdString(name), gesture.text)});
   if (next == m_context.session.scene())
-    showScene(next); // also where nothing came of it
+    return showScene(next); // the canvas has what was refused
+  m_context.session.edit(next, {gesture.id, tr("%1: %2").arg(QString::fromStdString(name), gesture.text)});
 }
 
 // A label whose look is gone is in hand no longer.
