@@ -94,6 +94,19 @@ TEST(LabelLooks, onlyWhatSomeVoxelShowsCounts) {
   EXPECT_TRUE(labelLooks(scene).functions.front().points.empty());
 }
 
+TEST(LabelLooks, ofOneLabelChangeWithoutTheOthers) {
+  Region region = labelledScene(5, {1.0, 0.5, 0.0, 1.0}).keep;
+  const Region before = region;
+  region = withLookOf(region, 1, bandAt(9.0));
+  region = withLookOf(region, 3, bandAt(9.0));
+  EXPECT_EQ(region.looks.size(), 1u) << "equal ones are one";
+  region = withLookOf(region, 3, bandAt(4.0));
+  EXPECT_EQ(region.looks[lookOfLabel(region, 1) - 1], normalised(bandAt(9.0)));
+  EXPECT_EQ(region.looks[lookOfLabel(region, 3) - 1], normalised(bandAt(4.0)));
+  EXPECT_EQ(lookOfLabel(region, 2), 0u);
+  EXPECT_EQ(withLookOf(withLookOf(region, 1, {}), 3, {}), before);
+}
+
 TEST(LabelLooks, areAnEffectOfTheirOwnThatTakesPreintegrationsPlace) {
   Scene scene = labelledScene(3, {1.0, 1.0, 1.0, 1.0});
   scene.transferFunction = bandAt(3.0);
