@@ -8,10 +8,10 @@ uniform sampler2D u_functionSegments;
 uniform sampler2D u_functionOccupancy; // row 0: of all together; row 1 + q: of look q
 uniform vec3 u_functionDomain; // first x, bins per unit, last bin
 uniform float u_perUnitDistance;
-uniform sampler3D u_cellLooks; // of each cell its look, or 255 where several meet
+uniform sampler3D u_cellLooks; // of each cell its look + 1 (of 255), or 0 where several meet
 uniform vec3 u_cellsPerTexture;
-uniform vec3 u_lastCell;
-uniform sampler3D u_labels; // of each texel its look (of 65535) and its weight
+uniform sampler3D u_labels; // of each cell the looks (of 255) of its four voxels of smallest z
+uniform float u_lastLayer; // of those
 uniform float u_lookSegments; // from one look to the next
 uniform float u_lookUnits[33]; // how many unit distances of each look are in a length
 
@@ -21,11 +21,14 @@ struct Material {
   float look;
 };
 
-// The look of a sample all of whose eight voxels have one, otherwise -1. The first texel is an apron.
+// Where a place lies, in voxels from the first: texels have an apron, and positions end at the outermost centres.
+vec3 voxelAt(vec3 position) {
+  return max(position * u_cellsPerTexture - 1.5, vec3(0.0));
+}
+
+// The look of a sample all of whose eight voxels have one, otherwise -1.
 float lookOfCell(vec3 position) {
-  vec3 cell = clamp(floor(position * u_cellsPerTexture - 1.5), vec3(0.0), u_lastCell);
-  float look = floor(texelFetch(u_cellLooks, ivec3(cell), 0).r * 255.0 + 0.5);
-  return look < 255.0 ? look : -1.0;
+  return floor(texelFetch(u_cellLooks, ivec3(voxelAt(position)), 0).r * 255.0 + 0.5) - 1.0;
 }
 
 // Whether a scalar may have an opacity at all under a look, or where that is -1 under any.
@@ -47,32 +50,36 @@ struct Mixed {
   float extinction; // per length
 };
 
-// The eight voxels around a place: each a part of a vector, those below along z in the first.
+// The eight voxels around a place: each a part of a vector, those of smaller z in the first.
 struct Around {
   vec4 looksBelow, looksAbove;
   vec4 below, above; // shares
+#ifdef EFFECT_REGION
   vec4 weightsBelow, weightsAbove;
+#endif
 };
 
+#ifdef EFFECT_REGION
+// The weights of four voxels; the first texel of the region is an apron.
+vec4 weightsFrom(ivec3 cell) {
+  ivec3 texel = cell + 1;
+  return vec4(texelFetch(u_region, texel, 0).r, texelFetch(u_region, texel + ivec3(1, 0, 0), 0).r,
+              texelFetch(u_region, texel + ivec3(0, 1, 0), 0).r, texelFetch(u_region, texel + ivec3(1, 1, 0), 0).r);
+}
+#endif
+
 Around voxelsAround(vec3 position) {
+  vec3 place = voxelAt(position);
+  ivec3 cell = ivec3(place);
+  ivec3 next = ivec3(cell.xy, int(min(float(cell.z) + 1.0, u_lastLayer)));
+  vec3 w = place - vec3(cell);
   Around around;
-  vec3 size = vec3(textureSize(u_labels, 0));
-  vec3 place = clamp(position * size - 0.5, vec3(0.0), size - 1.0);
-  vec3 w = place - floor(place);
-  ivec3 low = ivec3(floor(place));
-  ivec3 high = ivec3(min(floor(place) + 1.0, size - 1.0));
-  vec2 v0 = texelFetch(u_labels, low, 0).rg;
-  vec2 v1 = texelFetch(u_labels, ivec3(high.x, low.yz), 0).rg;
-  vec2 v2 = texelFetch(u_labels, ivec3(low.x, high.y, low.z), 0).rg;
-  vec2 v3 = texelFetch(u_labels, ivec3(high.xy, low.z), 0).rg;
-  vec2 v4 = texelFetch(u_labels, ivec3(low.xy, high.z), 0).rg;
-  vec2 v5 = texelFetch(u_labels, ivec3(high.x, low.y, high.z), 0).rg;
-  vec2 v6 = texelFetch(u_labels, ivec3(low.x, high.yz), 0).rg;
-  vec2 v7 = texelFetch(u_labels, high, 0).rg;
-  around.looksBelow = floor(vec4(v0.r, v1.r, v2.r, v3.r) * 65535.0 + 0.5);
-  around.looksAbove = floor(vec4(v4.r, v5.r, v6.r, v7.r) * 65535.0 + 0.5);
-  around.weightsBelow = vec4(v0.g, v1.g, v2.g, v3.g);
-  around.weightsAbove = vec4(v4.g, v5.g, v6.g, v7.g);
+  around.looksBelow = floor(texelFetch(u_labels, cell, 0) * 255.0 + 0.5);
+  around.looksAbove = floor(texelFetch(u_labels, next, 0) * 255.0 + 0.5);
+#ifdef EFFECT_REGION
+  around.weightsBelow = weightsFrom(cell);
+  around.weightsAbove = weightsFrom(next);
+#endif
   vec4 inPlane = vec4(1.0 - w.x, w.x, 1.0 - w.x, w.x) * vec4(vec2(1.0 - w.y), vec2(w.y));
   around.below = (1.0 - w.z) * inPlane;
   around.above = w.z * inPlane;
@@ -108,9 +115,11 @@ void addLook(Place place, float factor, inout Around around, inout Mixed mixed) 
   vec4 below = vec4(equal(around.looksBelow, vec4(look))) * around.below;
   vec4 above = vec4(equal(around.looksAbove, vec4(look))) * around.above;
   float share = dot(below + above, vec4(1.0));
-  float weight = (dot(below, around.weightsBelow) + dot(above, around.weightsAbove)) / (share > 0.0 ? share : 1.0);
+#ifdef EFFECT_REGION
+  factor *= (dot(below, around.weightsBelow) + dot(above, around.weightsAbove)) / (share > 0.0 ? share : 1.0);
+#endif
   vec4 value = valueOf(place, look);
-  float extinction = share * minusLog1mOpacity(factor * weight * value.a) * u_lookUnits[int(look)];
+  float extinction = share * minusLog1mOpacity(factor * value.a) * u_lookUnits[int(look)];
   mixed.extinction += extinction;
   mixed.color += extinction * clamp(value.rgb, 0.0, 1.0);
   around.below -= below;

@@ -173,7 +173,7 @@ void setLooks(const Setter& set, const Scene& scene, const SceneTextures& textur
     return;
   const glm::dvec3 size(textures.volume().size());
   set("u_cellsPerTexture", size);
-  set("u_lastCell", size - 3.0);
+  set("u_lastLayer", size.z - 3.0);
   set("u_lookSegments", static_cast<double>(looks.segmentsPerLook()));
   set("u_perUnitDistance", 1.0);
   for (std::size_t look = 0; look < looks.unitDistances().size(); ++look)

@@ -174,8 +174,7 @@ void LookTextures::update(const Scene& scene, const VolumeTexture& volume) {
   const Region& keep = scene.keep;
   const bool wasAny = m_looks.areAny();
   const bool hasFunctions = wasAny && m_looks.functions == looks.functions;
-  const bool hasLabels =
-      wasAny && m_looks.ofLabel == looks.ofLabel && m_labels == keep.labels && m_weights == keep.weights;
+  const bool hasLabels = wasAny && m_looks.ofLabel == looks.ofLabel && m_labels == keep.labels;
   if (hasFunctions && hasLabels)
     return;
   if (!looks.areAny()) {
@@ -188,7 +187,6 @@ void LookTextures::update(const Scene& scene, const VolumeTexture& volume) {
   if (!hasLabels)
     uploadLabels(keep, looks.ofLabel, volume);
   m_labels = keep.labels;
-  m_weights = keep.weights;
   m_looks = looks;
 }
 
@@ -210,56 +208,43 @@ void LookTextures::tabulate(const std::vector<TransferFunction>& functions, cons
   }
 }
 
-namespace {
-
-void requireRoom() {
-  if (glGetError() != GL_NO_ERROR)
-    throw Error(Error::Kind::openGl,
-                Message::tr("The graphics driver has no room for the looks of labels; draw "
-                            "without them, or with --engine cpu."));
-}
-
-} // namespace
-
 void LookTextures::uploadLabels(const Region& region, const std::vector<std::uint8_t>& lookOf,
                                 const VolumeTexture& volume) {
   const Region texels = reduced(region, volume.reduction());
   const LabelMap& map = *texels.labels;
-  const glm::ivec3& blocks = volume.ranges().blocks();
-  m_ofBlocks = blockLooks(map, lookOf, {blocks, glm::ivec3(blockSize)});
   const glm::ivec3& dims = map.dims();
+  m_ofBlocks = blockLooks(map, lookOf, {volume.ranges().blocks(), glm::ivec3(blockSize)});
+  const RoomVector<std::uint8_t> looks = looksOfVoxels(map, lookOf);
+  RoomVector<std::uint8_t> cells = cellLooks(dims, looks);
+  for (std::uint8_t& look : cells)
+    look = look == severalLooks ? std::uint8_t{0} : static_cast<std::uint8_t>(look + 1);
   m_cellTexture.reset(); // two need not fit together
+  m_labelTexture.reset();
+  forgetDriverErrors();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   m_cellTexture.emplace();
   glBindTexture(GL_TEXTURE_3D, m_cellTexture->name());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  forgetDriverErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, dims.x, dims.y, dims.z, 0, GL_RED, GL_UNSIGNED_BYTE,
-               cellLooks(dims, looksOfVoxels(map, lookOf)).data());
-  requireRoom();
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, dims.x, dims.y, dims.z, 0, GL_RED, GL_UNSIGNED_BYTE, cells.data());
   setNearest(GL_TEXTURE_3D);
-
-  // Each texel with an apron, a copy of the outermost: looks are clamped there as the field is.
-  const glm::ivec3& size = volume.size();
-  m_labelTexture.reset(); // two need not fit together
   m_labelTexture.emplace();
   glBindTexture(GL_TEXTURE_3D, m_labelTexture->name());
-  forgetDriverErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_RG16, size.x, size.y, size.z, 0, GL_RG, GL_UNSIGNED_SHORT, nullptr);
-  requireRoom();
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, dims.x, dims.y, dims.z, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   setNearest(GL_TEXTURE_3D);
-  std::vector<glm::u16vec2> ofLabel;
-  for (std::size_t place = 0; place < texels.weights.size(); ++place)
-    ofLabel.emplace_back(lookOf[place], std::lround(65535.0 * texels.weights[place]));
-  std::vector<glm::u16vec2> plane(static_cast<std::size_t>(size.x) * size.y);
-  for (int z = 0; z < size.z; ++z) {
-    const int k = std::clamp(z - 1, 0, size.z - 3);
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) {
-        const glm::ivec2 at = glm::clamp(glm::ivec2(x, y) - 1, glm::ivec2(0), glm::ivec2(size) - 3);
-        plane[static_cast<std::size_t>(y) * size.x + x] =
-            ofLabel[map.placeAt(voxelOffset(dims, at.x, at.y, k))];
+  if (glGetError() != GL_NO_ERROR)
+    throw Error(Error::Kind::openGl,
+                Message::tr("The graphics driver has no room for the looks of labels; draw "
+                            "without them, or with --engine cpu."));
+  std::vector<glm::u8vec4> plane(static_cast<std::size_t>(dims.x) * dims.y);
+  for (int z = 0; z < dims.z; ++z) {
+    for (int y = 0; y < dims.y; ++y) {
+      const std::uint8_t* here = &looks[voxelOffset(dims, 0, y, z)];
+      const std::uint8_t* above = &looks[voxelOffset(dims, 0, std::min(y + 1, dims.y - 1), z)];
+      for (int x = 0; x < dims.x; ++x) {
+        const int next = std::min(x + 1, dims.x - 1);
+        plane[voxelOffset(dims, x, y, 0)] = {here[x], here[next], above[x], above[next]};
       }
-    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, z, size.x, size.y, 1, GL_RG, GL_UNSIGNED_SHORT, plane.data());
+    }
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, z, dims.x, dims.y, 1, GL_RGBA, GL_UNSIGNED_BYTE, plane.data());
   }
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }

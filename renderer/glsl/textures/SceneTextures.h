@@ -127,7 +127,8 @@ public:
   /// The unit distance of each look, mm.
   const std::vector<double>& unitDistances() const { return m_unitDistances; }
 
-  /// Of each cell its look, or 255 where several meet; of each texel its look and its weight. Names.
+  /// Of each cell its look + 1, or 0 where several meet; and of each the looks of four of its
+  /// voxels. Names.
   unsigned cells() const { return m_cellTexture->name(); }
   unsigned labels() const { return m_labelTexture->name(); }
 
@@ -138,7 +139,6 @@ private:
 
   LabelLooks m_looks;
   std::shared_ptr<const LabelMap> m_labels;
-  std::vector<double> m_weights;
   std::vector<PiecewiseTable> m_tables;
   PiecewiseTable m_together;
   int m_segmentsPerLook = 0;
