@@ -2,6 +2,7 @@
 #include "app/picture/OrientationController.h"
 
 #include "app/window/WindowContext.h"
+#include "regions/Cutting.h"
 #include "scene/view/Camera.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/view/CompareView.h"
@@ -61,6 +62,13 @@ QString voxelViewName(const Grid& grid, StandardView view) {
     return isLast ? OrientationController::tr("From the last slice")
                   : OrientationController::tr("From the first slice");
   }
+}
+
+// The scene with its voxels where `volume` has them; what was cut by hand stays cut.
+Scene lyingAs(Scene scene, const std::shared_ptr<const Volume>& volume) {
+  scene.keep.cuts = cutsMoved(scene.keep.cuts, scene.volume->grid(), volume->grid());
+  scene.volume = volume;
+  return scene;
 }
 
 } // namespace
@@ -208,8 +216,7 @@ void OrientationController::ask() {
 void OrientationController::orient(const std::string& letters) {
   if (!m_volume || m_volume->info().orientationByHand == letters)
     return;
-  Scene next = m_context.session.scene();
-  next.volume = m_answered = orientedByHand(*m_volume, letters);
+  const Scene next = lyingAs(m_context.session.scene(), m_answered = orientedByHand(*m_volume, letters));
   m_context.session.edit(next,
                          {nextGestureId(), tr("set orientation %1").arg(QString::fromStdString(letters))});
 }
@@ -218,8 +225,7 @@ void OrientationController::orient(const std::string& letters) {
 void OrientationController::takeBack() {
   if (!m_answered || m_context.session.scene().volume != m_answered)
     return;
-  Scene next = m_context.session.scene();
-  next.volume = m_asFound;
+  const Scene next = lyingAs(m_context.session.scene(), m_asFound);
   m_context.session.edit(next, {nextGestureId(), tr("take back the orientation")});
 }
 

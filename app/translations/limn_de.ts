@@ -267,10 +267,6 @@
         <translation>Mausrad</translation>
     </message>
     <message>
-        <source>zoom towards the pointer</source>
-        <translation>zum Zeiger hin zoomen</translation>
-    </message>
-    <message>
         <source>zoom</source>
         <translation>zoomen</translation>
     </message>
@@ -1299,7 +1295,7 @@
     </message>
     <message>
         <source>99.9 % of pixels within %1 of 255 levels of the exact picture (95 % sure).</source>
-        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher).</translation>
+        <translation>99,9&#xa0;% der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95&#xa0;% sicher).</translation>
     </message>
     <message>
         <source>Estimated within %1 of 255 levels of the exact picture.</source>
@@ -1742,6 +1738,30 @@
     <message>
         <source>Nothing is seen there.</source>
         <translation>Dort ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>tools: cut along a line, pick a piece</source>
+        <translation>Werkzeuge: entlang einer Linie schneiden, Teil wählen</translation>
+    </message>
+    <message>
+        <source>Enter, Backspace</source>
+        <translation>Eingabe, Rücktaste</translation>
+    </message>
+    <message>
+        <source>close a line of corners, take the last one back</source>
+        <translation>Linie aus Ecken schließen, letzte Ecke zurücknehmen</translation>
+    </message>
+    <message>
+        <source>zoom towards the pointer; range of a picked piece</source>
+        <translation>zum Zeiger hin zoomen; Bereich eines gewählten Teils</translation>
+    </message>
+    <message>
+        <source>Body only, cut by hand</source>
+        <translation>Nur Körper, von Hand beschnitten</translation>
+    </message>
+    <message>
+        <source>Cut by hand</source>
+        <translation>Von Hand beschnitten</translation>
     </message>
 </context>
 <context>
@@ -2272,6 +2292,231 @@
     <message>
         <source>Gradient: unused</source>
         <translation>Gradient: ungenutzt</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CutBar</name>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>Through all</source>
+        <translation>Durch alles</translation>
+    </message>
+    <message>
+        <source>What is seen</source>
+        <translation>Nur Sichtbares</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Only this</source>
+        <translation>Nur dieses</translation>
+    </message>
+    <message>
+        <source>Takes away what the line goes around.</source>
+        <translation>Nimmt weg, was die Linie umschließt.</translation>
+    </message>
+    <message>
+        <source>Takes away all that the line does not go around.</source>
+        <translation>Nimmt alles weg, was die Linie nicht umschließt.</translation>
+    </message>
+    <message>
+        <source>Cuts through the whole volume.</source>
+        <translation>Schneidet durch das ganze Volumen.</translation>
+    </message>
+    <message>
+        <source>Cuts only as deep as what is seen inside the line.</source>
+        <translation>Schneidet nur so tief, wie innerhalb der Linie etwas zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Hides this piece.</source>
+        <translation>Blendet dieses Teil aus.</translation>
+    </message>
+    <message>
+        <source>Hides all but this piece.</source>
+        <translation>Blendet alles außer diesem Teil aus.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Lays the tool aside (Esc).</source>
+        <translation>Legt das Werkzeug weg (Esc).</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Draw around it, or click corners</source>
+        <translation>Umfahren oder Ecken anklicken</translation>
+    </message>
+    <message>
+        <source>Shift draws straight on; Enter, a double click or the first corner closes a line of corners, Backspace takes the last one back, Esc all.</source>
+        <translation>Umschalt zeichnet gerade weiter; Eingabe, ein Doppelklick oder die erste Ecke schließt eine Linie aus Ecken, die Rücktaste nimmt die letzte zurück, Esc alle.</translation>
+    </message>
+    <message>
+        <source>The wheel widens or narrows the range of values; another click picks another piece, Esc none.</source>
+        <translation>Das Rad erweitert oder verengt den Wertebereich; ein weiterer Klick wählt ein anderes Teil, Esc keines.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CutController</name>
+    <message>
+        <source>%1 – %2 · %3 ml · mean %4</source>
+        <translation>%1 – %2 · %3 ml · Mittel %4</translation>
+    </message>
+    <message>
+        <source>Looking for what hangs together…</source>
+        <translation>Suche, was zusammenhängt…</translation>
+    </message>
+    <message>
+        <source>Click what is meant</source>
+        <translation>Anklicken, was gemeint ist</translation>
+    </message>
+    <message>
+        <source>cut away inside a line</source>
+        <translation>innerhalb einer Linie wegschneiden</translation>
+    </message>
+    <message>
+        <source>cut away outside a line</source>
+        <translation>außerhalb einer Linie wegschneiden</translation>
+    </message>
+    <message>
+        <source>Nothing is seen inside the line, so nothing was cut.</source>
+        <translation>Innerhalb der Linie ist nichts zu sehen, daher wurde nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Nothing that the curve shows lies there, so there is no piece to pick.</source>
+        <translation>Dort liegt nichts, was die Kurve zeigt, also gibt es kein Teil zu wählen.</translation>
+    </message>
+    <message>
+        <source>keep a piece alone</source>
+        <translation>nur ein Teil behalten</translation>
+    </message>
+    <message>
+        <source>hide a piece</source>
+        <translation>ein Teil ausblenden</translation>
+    </message>
+    <message>
+        <source>the piece that hangs together</source>
+        <translation>das zusammenhängende Teil</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CutSection</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 aktiv</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on</source>
+        <translation>%1 von %2 aktiv</translation>
+    </message>
+    <message>
+        <source>Scissors, inside</source>
+        <translation>Schere, innen</translation>
+    </message>
+    <message>
+        <source>Scissors, outside</source>
+        <translation>Schere, außen</translation>
+    </message>
+    <message>
+        <source>%1, what is seen</source>
+        <translation>%1, nur Sichtbares</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Piece %1, alone</source>
+        <translation>Teil %1, allein</translation>
+    </message>
+    <message>
+        <source>Piece %1, hidden</source>
+        <translation>Teil %1, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Pick a piece</source>
+        <translation>Teil wählen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>What was cut away, in order; marked cuts hold.</source>
+        <translation>Was weggeschnitten wurde, der Reihe nach; angekreuzte Schnitte gelten.</translation>
+    </message>
+    <message>
+        <source>Cuts along a line that you draw on the picture (X).</source>
+        <translation>Schneidet entlang einer Linie, die Sie auf das Bild zeichnen (X).</translation>
+    </message>
+    <message>
+        <source>Hides the connected piece that you click, or all but it (K).</source>
+        <translation>Blendet das zusammenhängende Teil aus, das Sie anklicken, oder alles andere (K).</translation>
+    </message>
+    <message>
+        <source>Makes the chosen cut earlier.</source>
+        <translation>Zieht den gewählten Schnitt vor.</translation>
+    </message>
+    <message>
+        <source>Makes the chosen cut later.</source>
+        <translation>Stellt den gewählten Schnitt zurück.</translation>
+    </message>
+    <message>
+        <source>Takes the chosen cut back.</source>
+        <translation>Nimmt den gewählten Schnitt zurück.</translation>
+    </message>
+    <message>
+        <source>switch cut %1 on</source>
+        <translation>Schnitt %1 einschalten</translation>
+    </message>
+    <message>
+        <source>switch cut %1 off</source>
+        <translation>Schnitt %1 ausschalten</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>move cut %1</source>
+        <translation>Schnitt %1 verschieben</translation>
+    </message>
+    <message>
+        <source>delete cut %1</source>
+        <translation>Schnitt %1 löschen</translation>
     </message>
 </context>
 <context>
@@ -5631,10 +5876,6 @@
         <translation>Die Szene gewichtet das Label %1, das %2 nicht hat; nehmen Sie das Gewicht heraus, oder wählen Sie eine andere Labelkarte.</translation>
     </message>
     <message>
-        <source>must be &quot;all&quot;, &quot;body&quot; or {&quot;labels&quot;: FILE, &quot;weights&quot;: {…}}</source>
-        <translation>muss „all“, „body“ oder {„labels“: DATEI, „weights“: {…}} sein</translation>
-    </message>
-    <message>
         <source>is missing; name the file of the label map</source>
         <translation>fehlt; nennen Sie die Datei der Labelkarte</translation>
     </message>
@@ -7146,6 +7387,66 @@
         <source>Slices cannot draw looks of labels; use --engine gl, cpu or reference, or take the looks out of the scene.</source>
         <translation>Schnitte können keine Darstellungen von Labels zeichnen; verwenden Sie --engine gl, cpu oder reference, oder nehmen Sie die Darstellungen aus der Szene.</translation>
     </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Cut %1 finds no piece: nothing in its range of values is left at its place.</source>
+        <translation>Schnitt %1 findet kein Teil: An seiner Stelle ist nichts in seinem Wertebereich übrig.</translation>
+    </message>
+    <message>
+        <source>Cut %1 takes nothing away: its line goes around nothing that is left.</source>
+        <translation>Schnitt %1 nimmt nichts weg: Seine Linie umschließt nichts, was noch übrig ist.</translation>
+    </message>
+    <message>
+        <source>The cuts take everything away.</source>
+        <translation>Die Schnitte nehmen alles weg.</translation>
+    </message>
+    <message>
+        <source>What was cut away by hand is shown by other programs.</source>
+        <translation>Was von Hand weggeschnitten wurde, zeigen andere Programme.</translation>
+    </message>
+    <message>
+        <source>must be a list of 3 to %1 places [x, y]</source>
+        <translation>muss eine Liste von 3 bis %1 Stellen [x, y] sein</translation>
+    </message>
+    <message>
+        <source>is missing; it is the one under which the line was drawn</source>
+        <translation>fehlt; es ist die Kamera, unter der die Linie gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>is missing; it is a place of the piece</source>
+        <translation>fehlt; es ist eine Stelle des Teils</translation>
+    </message>
+    <message>
+        <source>is missing; it is the lowest and the highest value of the piece</source>
+        <translation>fehlt; es ist der niedrigste und der höchste Wert des Teils</translation>
+    </message>
+    <message>
+        <source>is missing, and so are piece and labels; an entry is one of these</source>
+        <translation>fehlt, ebenso piece und labels; ein Eintrag ist eines davon</translation>
+    </message>
+    <message>
+        <source>names two things to be kept; the body or one segmentation can be</source>
+        <translation>nennt zweierlei zu Behaltendes; möglich ist der Körper oder eine Segmentierung</translation>
+    </message>
+    <message>
+        <source>has an entry that is no object, &quot;all&quot; or &quot;body&quot;</source>
+        <translation>hat einen Eintrag, der weder ein Objekt noch „all“ noch „body“ ist</translation>
+    </message>
+    <message>
+        <source>must be &quot;all&quot;, &quot;body&quot;, {&quot;labels&quot;: FILE, &quot;weights&quot;: {…}} or a list of these and of cuts</source>
+        <translation>muss „all“, „body“, {„labels“: DATEI, „weights“: {…}} oder eine Liste hiervon und von Schnitten sein</translation>
+    </message>
+    <message>
+        <source>The segmentation has %1 labels, which leaves no number for what is cut away; cut without it.</source>
+        <translation>Die Segmentierung hat %1 Labels; damit bleibt keine Nummer für das Weggeschnittene. Schneiden Sie ohne sie.</translation>
+    </message>
+    <message>
+        <source>what was cut away is hidden</source>
+        <translation>was weggeschnitten wurde, ist ausgeblendet</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -7655,6 +7956,30 @@
         <source>The picture is still being drawn; copy it in a moment.</source>
         <translation>Das Bild wird noch gezeichnet; kopieren Sie es in einem Augenblick.</translation>
     </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>draw around what shall be cut away</source>
+        <translation>umfahren, was weggeschnitten werden soll</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>a click picks what hangs together, a drag rotates</source>
+        <translation>ein Klick wählt, was zusammenhängt; Ziehen dreht</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureMenu</name>
@@ -7705,6 +8030,14 @@
     <message>
         <source>Look from</source>
         <translation>Blick von</translation>
+    </message>
+    <message>
+        <source>Pick this piece</source>
+        <translation>Dieses Teil wählen</translation>
+    </message>
+    <message>
+        <source>Lights up what hangs together here, to be hidden or kept alone.</source>
+        <translation>Hebt hervor, was hier zusammenhängt, um es auszublenden oder allein zu behalten.</translation>
     </message>
 </context>
 <context>
@@ -8727,6 +9060,10 @@
     <message>
         <source>Finds the body and hides the table, the head holder and what else lies beside it.</source>
         <translation>Findet den Körper und blendet Tisch, Kopfhalterung und anderes daneben aus.</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schneiden</translation>
     </message>
 </context>
 <context>

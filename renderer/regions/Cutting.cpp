@@ -146,6 +146,25 @@ bool needsCutting(const Region& region) {
   return isAny && hasPiece(region.cuts) && shownLabels(withoutCuts(region)) != region.shownWhenCut;
 }
 
+std::vector<Cut> cutsMoved(std::vector<Cut> cuts, const Grid& from, const Grid& to) {
+  const glm::dmat3 turn = to.direction * glm::transpose(from.direction);
+  const bool isMirror = glm::determinant(turn) < 0.0;
+  const auto moved = [&](const glm::dvec3& mm) { return indexToWorld(to, worldToIndex(from, mm)); };
+  for (Cut& cut : cuts) {
+    if (auto* piece = std::get_if<ConnectedPiece>(&cut.how)) {
+      piece->seedMm = moved(piece->seedMm);
+      continue;
+    }
+    auto& scissors = std::get<Scissors>(cut.how);
+    scissors.camera.position = moved(scissors.camera.position);
+    scissors.camera.target = moved(scissors.camera.target);
+    scissors.camera.up = turn * scissors.camera.up;
+    for (glm::dvec2& corner : scissors.polygon)
+      corner.x = isMirror ? -corner.x : corner.x;
+  }
+  return cuts;
+}
+
 BitGrid keptVoxels(const Region& region, const Volume& volume, const Effort& effort) {
   if (!region.labels)
     return BitGrid(volume.grid().dims, volume.room()).complement();

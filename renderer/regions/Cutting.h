@@ -28,6 +28,10 @@ CutRegion cutRegion(const Volume& volume, const Region& region, std::vector<Cut>
 /// Whether the labels of a region do not show its cuts, or show pieces that were found among other labels.
 bool needsCutting(const Region& region);
 
+/// Cuts that take the same voxels once these lie as `to` says, as `from` said before: a line that a mirror
+/// turned over is drawn in the mirrored picture.
+std::vector<Cut> cutsMoved(std::vector<Cut> cuts, const Grid& from, const Grid& to);
+
 /// The voxels of a piece among those of `kept`, grown; empty where the voxel nearest to the seed is none of
 /// them or lies outside the range. Throws Cancelled.
 BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPiece& piece,

@@ -5,6 +5,7 @@
 #include "regions/PiecePick.h"
 #include "regions/ScissorSet.h"
 #include "scene/basics/Error.h"
+#include "scene/volume/Orientation.h"
 #include "support/JudgedTime.h"
 
 #include <gtest/gtest.h>
@@ -251,6 +252,21 @@ TEST(Cuts, oneAfterTheOtherAreWhatAllAtOnceAre) {
   const CutRegion none = cutRegion(*volume, region, {});
   EXPECT_EQ(none.region, Region{});
   EXPECT_EQ(none.left, static_cast<std::size_t>(30 * 21 * 17));
+}
+
+TEST(Cuts, takeTheSameVoxelsWhereThoseAreTurnedAndMirroredByHand) {
+  const glm::ivec3 dims(30, 21, 17);
+  const auto volume = cloudy(dims);
+  const Camera camera = cameraOn(volume->grid(), {0.2, -1, 0.3}, 150.0, Camera::Projection::perspective);
+  const std::vector<Cut> cuts{{Scissors{camera, 1.0, star(0.15, 5), true, glm::dvec2(0.0, 152.0)}, true},
+                              {ConnectedPiece{boxCentreMm(volume->grid()), {0.0, 101.0}, 1, true}, true}};
+  const BitGrid before = removedFrom(cutRegion(*volume, {}, cuts), dims);
+  for (const char* letters : {"RPS", "ISA", "PIR"}) {
+    const auto turned = orientedByHand(*volume, letters);
+    const std::vector<Cut> moved = cutsMoved(cuts, volume->grid(), turned->grid());
+    EXPECT_EQ(differing(removedFrom(cutRegion(*turned, {}, moved), dims), before), 0u) << letters;
+    EXPECT_GT(differing(removedFrom(cutRegion(*turned, {}, cuts), dims), before), 0u) << letters;
+  }
 }
 
 TEST(Cuts, addOneLabelToThoseOfASegmentationAndLeaveTheirWeights) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/frame/TourController.h"
 #include "app/panels/presets/ThumbnailController.h"
+#include "app/picture/CutController.h"
 #include "app/picture/RegionController.h"
 #include "app/pictures/PicturedWindow.h"
 #include "app/pictures/SmallVolumes.h"
@@ -19,6 +20,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <array>
 
 // Pictures of the window and of its parts.
 
@@ -175,6 +177,42 @@ TEST_F(PanelPictures, ofACutThroughHalfOfTheVolume) {
   half.upper.y = 0.5; // seen from the front
   session().setCrop(half, {nextGestureId(), QStringLiteral("crop")});
   take(QStringLiteral("crop-box-cutting"));
+}
+
+// Places are shares of the picture's height from its middle, as the sample lies when it opens.
+TEST_F(PanelPictures, ofCutsByHand) {
+  ASSERT_TRUE(openVolume());
+  setLayout(CompareLayout::single);
+  const QRectF picture = view().logicalRect(0);
+  const auto at = [&](double x, double y) {
+    return view().mapTo(window.get(), (picture.center() + picture.height() * QPointF(x, y)).toPoint());
+  };
+  const auto moveTo = [&](const QPoint& place) {
+    QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, {}, place);
+  };
+  action("tool-scissors").trigger();
+  const std::array<QPointF, 8> aroundTheJaw{{{-0.3, 0.16},
+                                             {-0.18, 0.2},
+                                             {0.0, 0.2},
+                                             {0.18, 0.2},
+                                             {0.3, 0.16},
+                                             {0.3, 0.46},
+                                             {0.0, 0.48},
+                                             {-0.3, 0.46}}};
+  QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, at(-0.3, 0.16));
+  for (const QPointF& corner : aroundTheJaw)
+    moveTo(at(corner.x(), corner.y()));
+  take(QStringLiteral("cut-line"));
+  QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, at(-0.3, 0.46));
+  auto& regions = *window->findChild<RegionController*>();
+  ASSERT_TRUE(test::waitUntil([&] { return !regions.isBusy(); }));
+  take(QStringLiteral("cut-away"));
+  action("undo").trigger();
+  action("tool-piece").trigger();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, at(0.0, -0.2));
+  auto& cutting = *window->findChild<CutController*>();
+  ASSERT_TRUE(test::waitUntil([&] { return !cutting.isBusy(); }));
+  take(QStringLiteral("cut-piece"));
 }
 
 TEST_F(PanelPictures, ofLooksThatAreCompared) {

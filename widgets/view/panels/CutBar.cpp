@@ -61,14 +61,14 @@ CutBar::CutBar(QWidget* parent)
   connect(m_alone, &QPushButton::clicked, this, &CutBar::aloneRequested);
   connect(close, &QPushButton::clicked, this, &CutBar::closeRequested);
   parent->installEventFilter(this);
-  m_text->setToolTip(tr("Shift draws straight on; Enter, a double click or the first corner closes a line of "
-                        "corners, Backspace takes the last one back, Esc all."));
   setAccessibleName(tr("Cutting"));
   hide();
 }
 
 void CutBar::showScissors(bool removesInside, bool onlySeen) {
   m_text->setText(tr("Draw around it, or click corners"));
+  m_text->setToolTip(tr("Shift draws straight on; Enter, a double click or the first corner closes a line of "
+                        "corners, Backspace takes the last one back, Esc all."));
   (removesInside ? m_inside : m_outside)->setChecked(true);
   (onlySeen ? m_seen : m_through)->setChecked(true);
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
@@ -81,6 +81,8 @@ void CutBar::showScissors(bool removesInside, bool onlySeen) {
 
 void CutBar::showPiece(const QString& text, bool isPicked) {
   m_text->setText(text);
+  m_text->setToolTip(tr("The wheel widens or narrows the range of values; another click picks another piece, "
+                        "Esc none."));
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
     button->hide();
   m_hide->setVisible(isPicked);
