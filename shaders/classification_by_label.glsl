@@ -7,7 +7,7 @@ uniform sampler2D u_functionBins;
 uniform sampler2D u_functionSegments;
 uniform sampler2D u_functionOccupancy; // row 0: of all together; row 1 + q: of look q
 uniform vec3 u_functionDomain; // first x, bins per unit, last bin
-uniform float u_perUnitDistance;
+const float u_perUnitDistance = 1.0; // each look has its own
 uniform sampler3D u_cellLooks; // of each cell its look + 1 (of 255), or 0 where several meet
 uniform vec3 u_cellsPerTexture;
 uniform sampler3D u_labels; // of each cell the looks (of 255) of its four voxels of smallest z

@@ -175,7 +175,6 @@ void setLooks(const Setter& set, const Scene& scene, const SceneTextures& textur
   set("u_cellsPerTexture", size);
   set("u_lastLayer", size.z - 3.0);
   set("u_lookSegments", static_cast<double>(looks.segmentsPerLook()));
-  set("u_perUnitDistance", 1.0);
   for (std::size_t look = 0; look < looks.unitDistances().size(); ++look)
     set(("u_lookUnits[" + std::to_string(look) + "]").c_str(),
         unitsPerLength(scene.volume->grid(), looks.unitDistances()[look]));
@@ -218,7 +217,7 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
   const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
-  const int looks = textures.looks().isEmpty() ? 0 : 5;
+  const int looks = textures.looks().isEmpty() ? 0 : 6;
   const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);
 }

@@ -3,13 +3,13 @@
 
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
+#include "glsl/textures/LookTextures.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/LabelLooks.h"
 #include "scene/Scene.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/GradientScales.h"
-#include "scene/regions/BlockLooks.h"
 #include "scene/regions/BlockWeights.h"
 #include "scene/steps/BlockSteps.h"
 #include "scene/steps/EmptySpace.h"
@@ -102,50 +102,6 @@ public:
 private:
   GlTexture m_texture;
   glm::ivec3 m_blocks{0};
-};
-
-/// The looks of labels on the graphics card beside the texels of a volume; none where no label has one that
-/// shows.
-class LookTextures {
-public:
-  /// Uploads what differs from the scene before, beside the same volume's texture; changes texture bindings.
-  /// Throws Error (openGl) where the driver has no room for it.
-  void update(const Scene& scene, const VolumeTexture& volume);
-
-  bool isEmpty() const { return !m_looks.areAny(); }
-
-  /// Of every look, with common knots, the scene's own first; and which of them blocks have.
-  const std::vector<PiecewiseTable>& tables() const { return m_tables; }
-  const BlockLooks& ofBlocks() const { return m_ofBlocks; }
-
-  /// Of all together: bins as those of each, the largest of their opacities; then the rows of each.
-  const PiecewiseTable& together() const { return m_together; }
-
-  /// From the segments of one look in `together` to those of the next.
-  int segmentsPerLook() const { return m_segmentsPerLook; }
-
-  /// The unit distance of each look, mm.
-  const std::vector<double>& unitDistances() const { return m_unitDistances; }
-
-  /// Of each cell its look + 1, or 0 where several meet; and of each the looks of four of its
-  /// voxels. Names.
-  unsigned cells() const { return m_cellTexture->name(); }
-  unsigned labels() const { return m_labelTexture->name(); }
-
-private:
-  void tabulate(const std::vector<TransferFunction>& functions, const ValueRange& range);
-  void uploadLabels(const Region& region, const std::vector<std::uint8_t>& lookOf,
-                    const VolumeTexture& volume);
-
-  LabelLooks m_looks;
-  std::shared_ptr<const LabelMap> m_labels;
-  std::vector<PiecewiseTable> m_tables;
-  PiecewiseTable m_together;
-  int m_segmentsPerLook = 0;
-  std::vector<double> m_unitDistances;
-  BlockLooks m_ofBlocks;
-  std::optional<GlTexture> m_cellTexture;
-  std::optional<GlTexture> m_labelTexture;
 };
 
 /// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures

@@ -219,7 +219,7 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
                                       : Message::tr("it is switched off"));
   // Per sample at most three iterations of nested loops, and rays that run together wait for one another.
   const double loops =
-      (scene.projection == Projection::compositeIsosurface ? 6.0 : 5.0) + (hasLabelLooks(scene) ? 5.0 : 0.0);
+      (scene.projection == Projection::compositeIsosurface ? 6.0 : 5.0) + (hasLabelLooks(scene) ? 6.0 : 0.0);
   plan.clause(Effect::longRays, loops * longestRaySamples(scene) > mostSamples,
               Message::tr("the longest ray has too many samples for nested loops"),
               Message::tr("every ray is short enough"));

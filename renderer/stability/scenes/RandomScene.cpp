@@ -400,8 +400,7 @@ RandomScene randomScene(std::uint64_t seed) {
   scene.image.height = random.size.y;
   random.isComparable = recipe.isComparable;
   const bool blends = scene.projection == Projection::composite || scene.projection == Projection::xray;
-  random.isSliceable =
-      blends && !recipe.hasTolerance && samples <= 256.0 && scene.keep.looks.empty();
+  random.isSliceable = blends && !recipe.hasTolerance && samples <= 256.0 && scene.keep.looks.empty();
   random.description = describe(random, recipe, volume.description, camera.description);
   return random;
 }
