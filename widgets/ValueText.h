@@ -33,7 +33,8 @@ QString valueText(double value, const QString& unit, int decimals);
 /// An error in 8-bit levels that is promised, two digits, rounded up: "0.66".
 QString promisedLevels(double levels);
 
-/// The decimals with which numbers between ends that lie `span` apart are read: about four digits of the span.
+/// The decimals with which numbers between ends that lie `span` apart are read: about four digits of the
+/// span.
 int decimalsOfSpan(double span);
 
 /// The decimals that tell apart two numbers `step` > 0 apart, 0..9.

@@ -103,7 +103,7 @@ void CutController::showTool() {
 void CutController::showBar() {
   const ViewTool tool = m_context.view.tool();
   if (!m_volume || (tool != ViewTool::scissors && tool != ViewTool::piece))
-    m_bar->hide();
+    m_bar->putAway();
   else if (tool == ViewTool::scissors)
     m_bar->showScissors(m_removesInside, m_onlySeen);
   else if (m_shown)

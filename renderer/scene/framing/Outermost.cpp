@@ -14,8 +14,10 @@ struct Outermost::Measure {
       : perVoxel((glm::transpose(grid.direction) * direction) * grid.spacingMm) {
     const glm::dvec3 perUnit = static_cast<double>(unitVoxels) * perVoxel;
     perBlock = static_cast<double>(blockUnits) * perUnit;
-    for (int bit = 0; bit < 64; ++bit)
-      ofBit[static_cast<std::size_t>(bit)] = perUnit.x * (bit % 8) + perUnit.y * (bit / 8);
+    for (int bit = 0; bit < 64; ++bit) {
+      const int x = bit % 8, y = bit / 8;
+      ofBit[static_cast<std::size_t>(bit)] = perUnit.x * x + perUnit.y * y;
+    }
     perWord = perUnit.z;
     constexpr double steps = blockUnits - 1;
     lowest = steps * (std::min(perUnit.x, 0.0) + std::min(perUnit.y, 0.0) + std::min(perUnit.z, 0.0));

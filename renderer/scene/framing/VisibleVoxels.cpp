@@ -269,8 +269,9 @@ public:
     const int bit = 8 * (y % side / m_unit);
     const auto word = static_cast<std::size_t>(z % side / m_unit);
     for (int i = from / side; i <= (to - 1) / side; ++i) {
-      const std::uint64_t voxels = voxelsFrom(bits, static_cast<std::size_t>(i * side), side);
-      VisibleBlock& block = m_blocks[static_cast<std::size_t>(i)];
+      const auto place = static_cast<std::size_t>(i);
+      const std::uint64_t voxels = voxelsFrom(bits, place * static_cast<std::size_t>(side), side);
+      VisibleBlock& block = m_blocks[place];
       block.voxels += static_cast<std::uint32_t>(std::popcount(voxels));
       block.units[word] |= unitsOf(voxels) << bit;
     }

@@ -5,9 +5,11 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -91,9 +93,24 @@ void CutBar::showPiece(const QString& text, bool isPicked) {
   place();
 }
 
+void CutBar::putAway() {
+  m_isAside = false;
+  hide();
+}
+
 bool CutBar::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == parent() && event->type() == QEvent::Resize && isVisible())
+  if (watched != parent())
+    return PicturePanel::eventFilter(watched, event);
+  if (event->type() == QEvent::Resize && isVisible())
     place();
+  // While a line is drawn the picture is seen whole.
+  const auto* mouse = dynamic_cast<const QMouseEvent*>(event);
+  if (event->type() == QEvent::MouseMove && isVisible() && mouse->buttons().testFlag(Qt::LeftButton)) {
+    m_isAside = true;
+    hide();
+  } else if (event->type() == QEvent::MouseButtonRelease && std::exchange(m_isAside, false)) {
+    show();
+  }
   return PicturePanel::eventFilter(watched, event);
 }
 

@@ -20,6 +20,8 @@ public:
   void showScissors(bool removesInside, bool onlySeen);
   /// For pieces: `text` says which piece lies ready, or what to do; only one that does can be hidden.
   void showPiece(const QString& text, bool isPicked);
+  /// No tool that cuts is in hand.
+  void putAway();
 
 signals:
   void insideChosen(bool removesInside);
@@ -42,6 +44,7 @@ private:
   QPushButton* m_seen;
   QPushButton* m_hide;
   QPushButton* m_alone;
+  bool m_isAside = false; ///< hidden until the button is let go
 };
 
 } // namespace limn
