@@ -2246,6 +2246,10 @@
         <source>Transfer f&amp;unction</source>
         <translation>&amp;Transferfunktion</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>limn::CurvePanel</name>
@@ -2292,6 +2296,18 @@
     <message>
         <source>Gradient: unused</source>
         <translation>Gradient: ungenutzt</translation>
+    </message>
+    <message>
+        <source>Whose curve</source>
+        <translation>Wessen Kurve</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Whose curve is shown and edited: the one for all tissue, or that of a label that has its own (Properties ▸ Labels).&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wessen Kurve gezeigt und bearbeitet wird: die für alles Gewebe oder die eines Labels, das eine eigene hat (Eigenschaften ▸ Labels).&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>All tissue</source>
+        <translation>Alles Gewebe</translation>
     </message>
 </context>
 <context>
@@ -3660,10 +3676,6 @@
         <translation>Alle zeigen</translation>
     </message>
     <message>
-        <source>Marked labels are shown; a number says how much of its opacity one keeps.</source>
-        <translation>Markierte Labels werden gezeigt; eine Zahl gibt an, wie viel Deckkraft ein Label behält.</translation>
-    </message>
-    <message>
         <source>Opens a segmentation of the volume: DICOM SEG, NRRD, NIfTI.</source>
         <translation>Öffnet eine Segmentierung des Volumens: DICOM SEG, NRRD, NIfTI.</translation>
     </message>
@@ -3682,6 +3694,14 @@
     <message>
         <source>%1 of %2 hidden or faded</source>
         <translation>%1 von %2 ausgeblendet oder abgeschwächt</translation>
+    </message>
+    <message>
+        <source>Search labels</source>
+        <translation>Labels suchen</translation>
+    </message>
+    <message>
+        <source>Marked labels are shown; a number says how much of its opacity one keeps. One with its own curve comes into the curve panel by a click.</source>
+        <translation>Angekreuzte Labels werden gezeigt; eine Zahl sagt, wie viel seiner Deckkraft eines behält. Eines mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
     </message>
 </context>
 <context>
@@ -3717,6 +3737,26 @@
     <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>Whether %1 has a curve of its own, in place of the one for all tissue.</source>
+        <translation>Ob %1 eine eigene Kurve hat statt der für alles Gewebe.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>give %1 its own curve</source>
+        <translation>%1 eine eigene Kurve geben</translation>
+    </message>
+    <message>
+        <source>give %1 the curve of all tissue</source>
+        <translation>%1 die Kurve für alles Gewebe geben</translation>
     </message>
 </context>
 <context>
