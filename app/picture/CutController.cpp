@@ -28,11 +28,8 @@ constexpr double pastSeenMm = 2.0; // further, so that what is seen goes with it
 // The ray through a place of the picture (DEFINITION section 8).
 Ray rayAt(const Camera& camera, const glm::dvec2& place) {
   const CameraBasis basis = basisOf(camera);
-  const double half = halfHeight(camera);
-  const glm::dvec3 beside = half * (place.x * basis.right + place.y * basis.up);
-  if (camera.projection == Camera::Projection::orthographic)
-    return {camera.position + beside, basis.forward};
-  return {camera.position, glm::normalize(basis.forward + beside)};
+  const glm::dvec3 beside = halfHeight(camera) * (place.x * basis.right + place.y * basis.up);
+  return *rayThroughPlace(camera, camera.position + basis.forward + beside); // never the eye itself
 }
 
 // The farthest place at which half of a ray's light is gathered inside the line, mm along the rays; nothing

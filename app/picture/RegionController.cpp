@@ -31,15 +31,6 @@ Region shownWholly(const Region& region) {
   return whole;
 }
 
-// What was cut before stays cut when other things are kept.
-FoundRegion cutAgain(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
-                     const Progress& progress) {
-  FoundRegion cut = cutIn(volume, found.region, cuts, progress);
-  if (!found.remark.empty())
-    cut.remark = found.remark;
-  return cut;
-}
-
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
 constexpr int worthSayingMs = 300;
 
@@ -163,8 +154,9 @@ void RegionController::start(const QString& what, const Gesture& gesture, Work w
     const Progress progress{[&effort](double done, const Message&) { effort.report(done); },
                             effort.isCancelled};
     FoundRegion found = work(*volume, progress);
+    // What was cut before stays cut when other things are kept.
     if (found.region.cuts.empty() && !cuts.empty())
-      found = cutAgain(*volume, found, cuts, progress);
+      found = cutIn(*volume, found, cuts, progress);
     return [this, found, gesture] {
       end();
       keep(found, gesture);

@@ -52,9 +52,12 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
     found.region.weights = weightsOf(found.region.labels->labels(), part.weights,
                                      std::filesystem::path(part.labels).filename().string());
   }
-  if (part.cuts.empty())
-    return found;
-  FoundRegion cut = cutIn(volume, found.region, part.cuts, progress);
+  return part.cuts.empty() ? found : cutIn(volume, found, part.cuts, progress);
+}
+
+FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
+                  const Progress& progress) {
+  FoundRegion cut = cutIn(volume, found.region, cuts, progress);
   if (!found.remark.empty())
     cut.remark = found.remark;
   return cut;

@@ -27,6 +27,10 @@ Region sureBodyOf(const Volume& volume, const Progress& progress = {});
 FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
                   const Progress& progress = {});
 
+/// The same of a region that was found first; the remark on how it was found goes before one on the cuts.
+FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
+                  const Progress& progress = {});
+
 /// What a scene asks to be kept of its volume; the label map is read from where the scene says. Throws Error
 /// (input) where it cannot be read or lacks a label that has a weight; Cancelled.
 FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress = {});

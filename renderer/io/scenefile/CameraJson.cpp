@@ -14,10 +14,6 @@ nlohmann::ordered_json listOf(const glm::dvec3& v) {
 
 } // namespace
 
-std::string placeIn(const char* list, std::size_t index) {
-  return std::string(list).append("[").append(std::to_string(index)).append("]");
-}
-
 Camera readCamera(JsonFields fields) {
   Camera camera;
   fields.choice("projection", camera.projection, cameraWords);

@@ -269,6 +269,10 @@ MeasuredDistance readDistance(JsonFields fields) {
 
 } // namespace
 
+std::string placeIn(const char* list, std::size_t index) {
+  return std::string(list).append("[").append(std::to_string(index)).append("]");
+}
+
 SceneDocument readScene(JsonFields fields) {
   requireVersion(fields, "limn_scene", Message::tr("scene"));
   SceneDocument document;
