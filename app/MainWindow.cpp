@@ -65,6 +65,10 @@ void MainWindow::connectPictureAndPanels() {
           &RegionController::askForLabels);
   connect(properties->labelSection(), &LabelSection::keepEdited, &m_picture.regions(),
           &RegionController::setKeep);
+  connect(properties->labelSection(), &LabelSection::curveRequested, &m_panels.curves(),
+          &CurveController::takeInHand);
+  connect(properties->labelSection(), &LabelSection::refused, this,
+          [this](const QString& sentence) { m_context.showError(sentence); });
   connect(properties->cutSection(), &CutSection::cutsEdited, &m_picture.regions(),
           &RegionController::setCuts);
   connect(properties->cutSection(), &CutSection::scissorsRequested, &m_context.view,

@@ -63,6 +63,30 @@ Gathered gather(March march, int count) {
   findVisible(march, count, i, position, fetched);
   while (i < count) {
     bool isVisible = true;
+#ifdef EFFECT_LABEL_LOOKS
+    // First those of one look, then those where looks meet: a software driver runs the body of a loop for all rays.
+    while (isVisible) {
+      bool isAlike = fetched.y >= 0.0;
+      while (isAlike) {
+        Shaded piece = shadedAlike(march, position, materialOf(fetched), float(i));
+        add(gathered, piece, march.units, oneMinusExpNeg(piece.extinction * march.units));
+        i = isFinished(gathered) ? count : i + 1;
+        position = i < count ? positionOf(march, float(i)) : u_textureLower;
+        fetched = fetchedAt(position);
+        isVisible = i < count && mayBeSeen(fetched);
+        isAlike = isVisible && fetched.y >= 0.0;
+      }
+      bool isMixed = isVisible;
+      while (isMixed) {
+        addMaterial(gathered, march, position, materialOf(fetched), float(i));
+        i = isFinished(gathered) ? count : i + 1;
+        position = i < count ? positionOf(march, float(i)) : u_textureLower;
+        fetched = fetchedAt(position);
+        isVisible = i < count && mayBeSeen(fetched);
+        isMixed = isVisible && fetched.y < 0.0;
+      }
+    }
+#else
     while (isVisible) {
       addMaterial(gathered, march, position, materialOf(fetched), float(i));
       i = isFinished(gathered) ? count : i + 1;
@@ -70,6 +94,7 @@ Gathered gather(March march, int count) {
       fetched = fetchedAt(position);
       isVisible = i < count && mayBeSeen(fetched);
     }
+#endif
     ++i; // that one is known
     findVisible(march, count, i, position, fetched);
   }

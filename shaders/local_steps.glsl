@@ -11,7 +11,11 @@ uniform float u_mostChange;
 uniform float u_rung0Length;  // the step of rung 0
 uniform float u_finestLength;
 
+#ifdef EFFECT_LABEL_LOOKS
+const int mostLocalSamples = 7200; // looks take four turns of a loop more
+#else
 const int mostLocalSamples = 12000;
+#endif
 const float muchMore = 8.0;
 const float muchLess = 0.25;
 const float beyondAll = 1e30;

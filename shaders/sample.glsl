@@ -92,6 +92,22 @@ struct Shaded {
   float extinction; // per unit distance
 };
 
+#ifdef EFFECT_LABEL_LOOKS
+Shaded shadedSample(March march, vec3 position, Material material, float i) {
+  float r;
+  vec4 gradient = gradientOf(position, r);
+  Mixed mixed = mixedAt(position, material, opacityFactor(gradient.w, r));
+  return Shaded(shaded(mixed.color, march, gradient, r, i), mixed.extinction);
+}
+
+// All of its voxels have one look.
+Shaded shadedAlike(March march, vec3 position, Material material, float i) {
+  float r;
+  vec4 gradient = gradientOf(position, r);
+  Mixed alike = alikeAt(position, material, opacityFactor(gradient.w, r));
+  return Shaded(shaded(alike.color, march, gradient, r, i), alike.extinction);
+}
+#else
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float r;
   vec4 gradient = gradientOf(position, r);
@@ -106,6 +122,7 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
 #endif
   return Shaded(shaded(material.color, march, gradient, r, i), extinction);
 }
+#endif
 
 // Composite front to back a piece of so many unit distances, which have the opacity `alpha`.
 void add(inout Gathered ray, Shaded piece, float units, float alpha) {

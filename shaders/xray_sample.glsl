@@ -25,6 +25,16 @@ struct Shaded {
   float extinction; // per unit distance
 };
 
+#ifdef EFFECT_LABEL_LOOKS
+Shaded shadedSample(March march, vec3 position, Material material, float i) {
+  return Shaded(vec3(0.0), mixedAt(position, material, 1.0).extinction);
+}
+
+// All of its voxels have one look.
+Shaded shadedAlike(March march, vec3 position, Material material, float i) {
+  return Shaded(vec3(0.0), alikeAt(position, material, 1.0).extinction);
+}
+#else
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float extinction = material.extinction;
 #ifdef EFFECT_REGION
@@ -34,6 +44,7 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
 #endif
   return Shaded(vec3(0.0), extinction);
 }
+#endif
 
 float transmittanceOf(Gathered ray) {
   return exp2(-log2OfE * ray.depth);

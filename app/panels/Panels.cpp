@@ -211,8 +211,9 @@ void CropBoxController::followFocus(const QWidget* now) {
   show();
 }
 
-EmphasisController::EmphasisController(WindowContext& context, TransferFunctionCanvas& canvas)
-    : QObject(&context.window), m_context(context), m_light(new PointLight(canvas)) {
+EmphasisController::EmphasisController(WindowContext& context, const CurveController& curves)
+    : QObject(&context.window), m_context(context), m_curves(curves),
+      m_light(new PointLight(*curves.panel().valueEditor()->canvas())) {
   connect(m_light, &PointLight::changed, this, &EmphasisController::show);
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene&) { m_light->turnOff(); });
 }
@@ -220,10 +221,12 @@ EmphasisController::EmphasisController(WindowContext& context, TransferFunctionC
 // The curve in the plot may be one that is previewed itself, and has other points than the session's.
 void EmphasisController::show(std::optional<std::size_t> point) {
   Scene scene = m_context.session.scene();
-  const bool isShown = scene.volume && point && *point < scene.transferFunction.points.size();
-  emit lit(isShown ? point : std::nullopt);
+  const TransferFunction& curve = m_curves.curveInHand();
+  const bool isShown = scene.volume && point && *point < curve.points.size();
+  // Slices know the scene's own curve alone.
+  emit lit(isShown && !m_curves.labelInHand() ? point : std::nullopt);
   if (isShown)
-    scene.transferFunction = withPointEmphasised(scene.transferFunction, *point);
+    scene = m_curves.withCurveInHand(withPointEmphasised(curve, *point));
   m_context.view.setScene(scene); // until the session's own ends it
 }
 
@@ -234,12 +237,16 @@ Panels::Panels(WindowContext& context)
       m_effects(dockedAtRight<EffectsPanel>(context, tr("Effec&ts"), "effectsDock",
                                             SessionDocument::Panel::effects)),
       m_accuracy(context), m_ray(context), m_curves(context), m_cropBox(context, *m_properties.cropSection()),
-      m_suggestions(context), m_emphasis(context, *m_curves.panel().valueEditor()->canvas()),
-      m_earlier(context), m_looks(context, m_presets), m_thumbnails(context, m_presets) {
+      m_suggestions(context), m_emphasis(context, m_curves), m_earlier(context), m_looks(context, m_presets),
+      m_thumbnails(context, m_presets) {
   addHistory();
   connectProperties();
   addEffects();
   connect(&m_presets, &PresetController::previewed, this, &Panels::showPreview);
+  m_presets.setShownAs([this](const Preset& preset) {
+    return m_curves.labelInHand() ? std::optional(m_curves.withCurveInHand(preset.transferFunction))
+                                  : std::nullopt;
+  });
   connect(&m_suggestions, &SuggestionController::previewed, this,
           [this](const Scene& scene) { showPreview(scene, {}); });
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) { showScene(scene); });

@@ -23,7 +23,6 @@ class CropSection;
 class EffectsPanel;
 class PointLight;
 class PropertiesPanel;
-class TransferFunctionCanvas;
 struct WindowContext;
 
 /// The curves of the kinds of pictures of one volume: maximum, minimum, average and X-ray say nothing with a
@@ -73,7 +72,7 @@ class EmphasisController : public QObject {
   Q_OBJECT
 
 public:
-  EmphasisController(WindowContext& context, TransferFunctionCanvas& canvas);
+  EmphasisController(WindowContext& context, const CurveController& curves);
 
 signals:
   /// The slices are to light up what this point governs, or nothing.
@@ -83,6 +82,7 @@ private:
   void show(std::optional<std::size_t> point);
 
   WindowContext& m_context;
+  const CurveController& m_curves;
   PointLight* m_light;
 };
 
@@ -126,6 +126,7 @@ public:
   RayController& ray() { return m_ray; }
   EmphasisController& emphasis() { return m_emphasis; }
   CurvePanel& curve() const { return m_curves.panel(); }
+  CurveController& curves() { return m_curves; }
   PropertiesPanel& properties() { return m_properties; }
 
   /// Shows a volume that was opened; `histogram` is of its values. Null: none is open any more.

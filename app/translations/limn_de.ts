@@ -2246,6 +2246,10 @@
         <source>Transfer f&amp;unction</source>
         <translation>&amp;Transferfunktion</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>limn::CurvePanel</name>
@@ -2292,6 +2296,18 @@
     <message>
         <source>Gradient: unused</source>
         <translation>Gradient: ungenutzt</translation>
+    </message>
+    <message>
+        <source>Whose curve</source>
+        <translation>Wessen Kurve</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Whose curve is shown and edited: the one for all tissue, or that of a label that has its own (Properties ▸ Labels).&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wessen Kurve gezeigt und bearbeitet wird: die für alles Gewebe oder die eines Labels, das eine eigene hat (Eigenschaften ▸ Labels).&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>All tissue</source>
+        <translation>Alles Gewebe</translation>
     </message>
 </context>
 <context>
@@ -3660,10 +3676,6 @@
         <translation>Alle zeigen</translation>
     </message>
     <message>
-        <source>Marked labels are shown; a number says how much of its opacity one keeps.</source>
-        <translation>Markierte Labels werden gezeigt; eine Zahl gibt an, wie viel Deckkraft ein Label behält.</translation>
-    </message>
-    <message>
         <source>Opens a segmentation of the volume: DICOM SEG, NRRD, NIfTI.</source>
         <translation>Öffnet eine Segmentierung des Volumens: DICOM SEG, NRRD, NIfTI.</translation>
     </message>
@@ -3682,6 +3694,14 @@
     <message>
         <source>%1 of %2 hidden or faded</source>
         <translation>%1 von %2 ausgeblendet oder abgeschwächt</translation>
+    </message>
+    <message>
+        <source>Search labels</source>
+        <translation>Labels suchen</translation>
+    </message>
+    <message>
+        <source>Marked labels are shown; a number says how much of its opacity one keeps. One with its own curve comes into the curve panel by a click.</source>
+        <translation>Angekreuzte Labels werden gezeigt; eine Zahl sagt, wie viel seiner Deckkraft eines behält. Eines mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
     </message>
 </context>
 <context>
@@ -3717,6 +3737,26 @@
     <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>Whether %1 has a curve of its own, in place of the one for all tissue.</source>
+        <translation>Ob %1 eine eigene Kurve hat statt der für alles Gewebe.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>give %1 its own curve</source>
+        <translation>%1 eine eigene Kurve geben</translation>
+    </message>
+    <message>
+        <source>give %1 the curve of all tissue</source>
+        <translation>%1 die Kurve für alles Gewebe geben</translation>
     </message>
 </context>
 <context>
@@ -7334,6 +7374,58 @@
     <message>
         <source>Own weights between voxels</source>
         <translation>Eigene Gewichte zwischen Voxeln</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no room for the looks of labels; draw without them, or with --engine cpu.</source>
+        <translation>Der Grafiktreiber hat keinen Platz für die Darstellungen von Labels; zeichnen Sie ohne sie oder mit --engine cpu.</translation>
+    </message>
+    <message>
+        <source>The looks of labels are not kept: one curve is written for all of them.</source>
+        <translation>Die Darstellungen von Labels bleiben nicht erhalten: Für alle wird eine Kurve geschrieben.</translation>
+    </message>
+    <message>
+        <source>The scene gives a look to label %1, which %2 does not have; take the look out or choose another label map.</source>
+        <translation>Die Szene gibt dem Label %1 eine Darstellung, das %2 nicht hat; nehmen Sie die Darstellung heraus oder wählen Sie eine andere Labelkarte.</translation>
+    </message>
+    <message>
+        <source>is missing; a look is a list of control points</source>
+        <translation>fehlt; eine Darstellung ist eine Liste von Punkten</translation>
+    </message>
+    <message>
+        <source>no label has a look of its own</source>
+        <translation>kein Label hat eine eigene Darstellung</translation>
+    </message>
+    <message>
+        <source>no label that shows has another look than the picture</source>
+        <translation>kein sichtbares Label hat eine andere Darstellung als das Bild</translation>
+    </message>
+    <message>
+        <source>this kind of picture takes one value of a ray, not of a label</source>
+        <translation>diese Art von Bild nimmt einen Wert eines Strahls, nicht eines Labels</translation>
+    </message>
+    <message>
+        <source>some labels have looks of their own</source>
+        <translation>einige Labels haben eigene Darstellungen</translation>
+    </message>
+    <message>
+        <source>where looks of labels meet only samples can follow them, not whole steps</source>
+        <translation>wo Darstellungen von Labels aneinandergrenzen, können ihnen nur Abtastpunkte folgen, nicht ganze Schritte</translation>
+    </message>
+    <message>
+        <source>Looks of labels</source>
+        <translation>Darstellungen von Labels</translation>
+    </message>
+    <message>
+        <source>A look is given to a label that the volume does not have.</source>
+        <translation>Eine Darstellung gehört zu einem Label, das das Volumen nicht hat.</translation>
+    </message>
+    <message>
+        <source>The labels have more than %1 different looks, which is as many as can be drawn; give some of them the same look.</source>
+        <translation>Die Labels haben mehr als %1 verschiedene Darstellungen, und so viele lassen sich höchstens zeichnen; geben Sie einigen dieselbe Darstellung.</translation>
+    </message>
+    <message>
+        <source>Slices cannot draw looks of labels; use --engine gl, cpu or reference, or take the looks out of the scene.</source>
+        <translation>Schnitte können keine Darstellungen von Labels zeichnen; verwenden Sie --engine gl, cpu oder reference, oder nehmen Sie die Darstellungen aus der Szene.</translation>
     </message>
     <message>
         <source>Cutting</source>

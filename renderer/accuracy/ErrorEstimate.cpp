@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/ErrorEstimate.h"
 
+#include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/function/FunctionDetail.h"
 #include "scene/steps/RayFrame.h"
@@ -82,9 +83,11 @@ bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegr
   if (isPreintegrated || !integrates(scene.projection))
     return true;
   const double perStep = steepestPerMm * stepMm(scene);
-  const TransferFunction function =
-      overVoxelAtLeast(scene.transferFunction, smallestSpacingMm(scene.volume->grid()));
-  return narrowestVisibleBand(function, leastBandHeight, scene.volume->range()) >= perStep;
+  const std::vector<TransferFunction> functions = labelLooks(scene).functions;
+  return std::all_of(functions.begin(), functions.end(), [&](const TransferFunction& one) {
+    const TransferFunction function = overVoxelAtLeast(one, smallestSpacingMm(scene.volume->grid()));
+    return narrowestVisibleBand(function, leastBandHeight, scene.volume->range()) >= perStep;
+  });
 }
 
 } // namespace limn

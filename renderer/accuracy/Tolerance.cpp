@@ -2,8 +2,9 @@
 #include "accuracy/Tolerance.h"
 
 #include "accuracy/ErrorEstimate.h"
+#include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
-#include "scene/steps/BlockSteps.h"
+#include "scene/steps/BlockWalk.h"
 #include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
@@ -309,9 +310,12 @@ Found searchCarefully(Comparison& comparison, const Ladder& ladder, double bound
 
 bool resolvesFunction(const Scene& scene) {
   const double smallest = smallestSpacingMm(scene.volume->grid());
-  if (bandsToResolve(scene.transferFunction, smallest).empty())
+  const std::vector<TransferFunction> functions = labelLooks(scene).functions;
+  if (std::all_of(functions.begin(), functions.end(), [smallest](const TransferFunction& function) {
+        return bandsToResolve(function, smallest).empty();
+      }))
     return true;
-  return blockSteps(blockFacts(*scene.volume), scene.transferFunction, smallest).resolvesFunction;
+  return blockSteps(scene, blockFacts(*scene.volume)).resolvesFunction;
 }
 
 Message levelsText(double levels) {

@@ -140,6 +140,7 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
     m_gradientOpacityKept = curve;
   }
   m_region.update(scene.keep, m_voxels->part(), m_volume->room(), effort);
+  m_looks.update(scene, m_voxels->part(), effort);
   updateEmptySpace(scene, effort);
 }
 
@@ -193,6 +194,10 @@ void SceneData::updateEmptySpace(const Scene& scene, const Effort& effort) {
   if (hasSurface)
     visibility.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
   visibility.weights = &m_region.blocks();
+  if (!m_looks.isEmpty()) {
+    visibility.looks = &m_looks.tables();
+    visibility.blockLooks = &m_looks.blocks();
+  }
   m_emptySpaceKept.reset(); // should it be cancelled
   mapEmptySpace(m_voxels->blocks(), visibility, m_empty, effort);
   m_emptySpaceKept = key;
@@ -239,11 +244,20 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
                               const std::function<bool()>& isCancelled) {
   const Grid& grid = scene.volume->grid();
   PictureTerms terms;
+  const auto unitsPer = [&grid](double unitDistanceMm) {
+    const double length = smallestSpacingMm(grid);
+    return asFloat(std::min(length / unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / length)));
+  };
   terms.effects = effects;
   terms.voxels = m_voxels->source();
   terms.region = m_region.source();
   terms.function = &m_function;
   terms.segments = &m_segments;
+  if (effects.has(Effect::labelLooks)) {
+    terms.looks = m_looks.terms(unitsPer);
+    terms.function = terms.looks.together;
+    terms.segments = terms.looks.segmentsTogether;
+  }
   terms.gradientCurve = &m_gradientCurve;
   terms.light = lightingTerms(scene.shading);
   if (effects.has(Effect::localSteps))
@@ -267,8 +281,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.lengthMm = smallestSpacingMm(grid);
   terms.stepLengths = scene.quality.stepVoxels;
   terms.spacing = grid.spacingMm / terms.lengthMm;
-  terms.perUnitDistance = asFloat(std::min(terms.lengthMm / scene.transferFunction.unitDistanceMm,
-                                           beyondAll / (boxDiagonalMm(grid) / terms.lengthMm)));
+  if (!effects.has(Effect::labelLooks))
+    terms.perUnitDistance = unitsPer(scene.transferFunction.unitDistanceMm);
   terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
   if (effects.has(Effect::gradient) && m_whole)
     m_gradientScales.know(m_whole->moduli, m_whole->percent);
@@ -284,7 +298,9 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
 double SceneData::memoryMb() const {
   if (!m_voxels || m_volume->room())
     return 0.0;
-  return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_empty.distances.size()) / 1e6;
+  return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_looks.ownBytes() +
+                             m_empty.distances.size()) /
+         1e6;
 }
 
 } // namespace limn::cpu

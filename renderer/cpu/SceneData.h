@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/LookStore.h"
 #include "cpu/VoxelStore.h"
 #include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
@@ -103,6 +104,7 @@ private:
   std::shared_ptr<const Volume> m_volume;
   std::optional<VoxelStore> m_voxels;
   RegionStore m_region;
+  LookStore m_looks;
   std::optional<double> m_steepness;
   GradientScales m_gradientScales;
   GradientScale m_gradientScale;

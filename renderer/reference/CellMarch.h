@@ -48,7 +48,11 @@ class CellMarch {
 public:
   CellMarch(const PictureTerms& terms, const RaySamples<T>& samples)
       : m_terms(terms), m_samples(samples), m_points(terms.scene.transferFunction.points),
-        m_chords(terms, samples) {}
+        m_chords(terms, samples), m_values(terms.segments.values) {
+    if (!terms.hasLooks)
+      for (const ControlPoint& point : m_points)
+        m_values.push_back(point.value);
+  }
 
   /// Integrates front to back: `node(place, segment, scalar)` says what lies at a place whose scalar belongs
   /// to a segment of the function (point `segment - 1` to point `segment`), `add(light)` composites a piece
@@ -83,8 +87,8 @@ private:
     const ChordCubic cubic = m_chords.scalars(entry, exit);
     std::vector<double>& places = m_places;
     places.assign({0.0, 1.0});
-    for (const ControlPoint& point : m_points)
-      cubic.addCrossings(point.value, places);
+    for (const double value : m_values)
+      cubic.addCrossings(value, places);
     std::sort(places.begin(), places.end());
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       if (places[i + 1] - places[i] < 1e-12)
@@ -97,23 +101,32 @@ private:
     }
   }
 
-  // The first of the points above a value.
+  // The first of the points above a value, or the gap of looks that holds it.
   std::size_t segmentOf(double value) const {
-    const auto above = std::upper_bound(m_points.begin(), m_points.end(), value,
-                                        [](double v, const ControlPoint& point) { return v < point.value; });
-    return static_cast<std::size_t>(above - m_points.begin());
+    return static_cast<std::size_t>(std::upper_bound(m_values.begin(), m_values.end(), value) -
+                                    m_values.begin());
   }
 
+  static bool showsAnything(const std::vector<ControlPoint>& points, std::size_t segment) {
+    return (segment > 0 && points[segment - 1].opacity > 0.0) ||
+           (segment < points.size() && points[segment].opacity > 0.0);
+  }
+
+  // Under any look that there is: which voxels are near is asked at nodes.
   bool showsAnything(std::size_t segment) const {
-    return (segment > 0 && m_points[segment - 1].opacity > 0.0) ||
-           (segment < m_points.size() && m_points[segment].opacity > 0.0);
+    if (!m_terms.hasLooks)
+      return showsAnything(m_points, segment);
+    for (std::size_t i = 0; i < m_terms.looks.functions.size(); ++i)
+      if (showsAnything(m_terms.looks.functions[i].points, m_terms.segments.segments[segment][i]))
+        return true;
+    return false;
   }
 
   // Adds a piece, or its parts where its light does not stand still. Returns whether the ray has ended.
   template <class NodeAt, class Add, class IsEnd>
   bool integrate(const Piece& piece, int cuts, const NodeAt& nodeAt, const Add& add, const IsEnd& isEnd) {
     const double length = piece.to - piece.from;
-    const double depth = length / m_terms.scene.transferFunction.unitDistanceMm;
+    const double depth = length / m_terms.unitMm;
     const auto look = [&](double share) {
       ++m_spent;
       const double place = share == 1.0 ? piece.to : piece.from + share * length;
@@ -183,6 +196,7 @@ private:
   const RaySamples<T>& m_samples;
   const std::vector<ControlPoint>& m_points;
   CellChords<T> m_chords;
+  std::vector<double> m_values; // between which all functions are lines
   double m_limit = 0.0;
   double m_transmittance = 1.0;
   int m_spent = 0;

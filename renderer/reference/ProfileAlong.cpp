@@ -63,9 +63,12 @@ private:
       const double place = i + m_ray.offset();
       Sample sample = plainSample(place);
       const auto material = m_ray.materialAt(place);
+      if (m_terms.hasLooks)
+        sample.color = material.color;
       if (material.opacity > 0.0) {
-        const double extinction = isXray ? m_ray.absorptionAt(place, material)
-                                         : m_ray.extinctionAt(place, material, m_ray.steepnessAt(place));
+        const double extinction =
+            isXray ? m_ray.absorptionAt(place, material)
+                   : m_ray.absorbedAt(place, material, m_ray.steepnessAt(place)).extinction;
         sample.opacityPerMm = m_ray.alphaOf(extinction, 1.0);
         sample.contribution = m_light * m_ray.alphaOf(extinction, m_ray.stepMm());
         m_light -= sample.contribution;

@@ -114,7 +114,8 @@ private:
 
   Piece pieceAt(double place, const Material& material) const {
     const Steepness steepness = m_ray.steepnessAt(place);
-    return {m_ray.extinctionAt(place, material, steepness), shaded(material.color, place, steepness)};
+    const auto absorbed = m_ray.absorbedAt(place, material, steepness);
+    return {absorbed.extinction, shaded(absorbed.color, place, steepness)};
   }
 
   // Composites front to back: adds a piece to the colour (rgb) and takes its share from the transmittance
@@ -145,7 +146,8 @@ private:
       return sum.a;
     };
     // Who may take more equal samples than a driver can may do so here.
-    const int most = m_terms.mostSamples > mostSamples ? m_terms.mostSamples : mostLocalSamples;
+    const int mostInShader = m_terms.hasLooks ? mostLocalSamplesOfLooks : mostLocalSamples;
+    const int most = m_terms.mostSamples > mostSamples ? m_terms.mostSamples : mostInShader;
     m_samples = marchLocally<Piece>(
         *m_terms.local, BlockWalk(*m_terms.local, m_ray.ray(), m_ray.span()), sample, change, addPiece,
         [&] { return isEnd(sum); }, most);
@@ -158,7 +160,7 @@ private:
     m_ray.countInMm();
     glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
     const auto node = [&](double place, std::size_t segment, double scalar) {
-      const Piece piece = nodeOf(place, m_ray.materialIn(segment, scalar));
+      const Piece piece = nodeOf(place, m_ray.materialIn(segment, place, scalar));
       return CellNode{piece.extinction, piece.color};
     };
     const auto add = [&](const CellLight& light) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/LabelLooks.h"
 #include "scene/basics/StableMath.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/MeanMaterial.h"
@@ -129,6 +130,11 @@ struct PictureTerms {
       effects.has(Effect::localSteps) && isByCells ? finenessOf(scene.quality) : std::nullopt;
   std::optional<LocalStepTerms> local =
       effects.has(Effect::localSteps) && !isByCells ? localStepTerms(scene) : std::nullopt;
+  LabelLooks looks = labelLooks(scene);
+  bool hasLooks = looks.areAny();
+  /// Over which extinctions are told: the unit distance, of looks, which have each their own, a length.
+  double unitMm = hasLooks ? smallestMm : scene.transferFunction.unitDistanceMm;
+  LookSegments segments = hasLooks ? lookSegments(looks.functions) : LookSegments{};
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
 
@@ -140,6 +146,13 @@ public:
   /// What one step absorbs: its opacity and extinction over the unit distance, and its colour.
   struct Material {
     double opacity = 0.0;
+    double extinction = 0.0;
+    glm::dvec3 color{0.0};
+    std::optional<std::size_t> gap; ///< of looks (LookSegments) where a piece of the functions is known
+  };
+
+  /// What a material absorbs at a place, over the unit distance, and its colour there.
+  struct Absorbed {
     double extinction = 0.0;
     glm::dvec3 color{0.0};
   };
@@ -186,25 +199,35 @@ public:
   bool isKept(double place) const { return weightAt(place) >= keptWeight; }
 
   Material materialAt(double place) const {
+    if (m_terms.hasLooks)
+      return mixedMaterial(place, scalarAt(place), std::nullopt);
     if (m_terms.effects.has(Effect::preintegration)) {
       const MeanMaterial mean = meanMaterial(m_terms.scene.transferFunction, scalarAt(place - m_offset),
                                              scalarAt(place + 1.0 - m_offset));
-      return {oneMinusExpNeg(mean.extinction), mean.extinction, mean.color};
+      return {oneMinusExpNeg(mean.extinction), mean.extinction, mean.color, {}};
     }
     const Classified classified = classify(m_terms.scene.transferFunction, scalarAt(place));
-    return {classified.opacity, minusLog1mOpacity(classified.opacity), classified.color};
+    return {classified.opacity, minusLog1mOpacity(classified.opacity), classified.color, {}};
   }
 
   /// What lies between two neighbouring points of the function, `segment - 1` and `segment`, the outer ones
-  /// without end.
-  Material materialIn(std::size_t segment, double scalar) const {
-    const std::vector<ControlPoint>& points = m_terms.scene.transferFunction.points;
+  /// without end; where labels have looks, in a gap of LookSegments.
+  Material materialIn(std::size_t segment, double place, double scalar) const {
+    if (m_terms.hasLooks)
+      return mixedMaterial(place, scalar, segment);
+    return materialIn(m_terms.scene.transferFunction, segment, scalar);
+  }
+
+  static Material materialIn(const TransferFunction& function, std::size_t segment, double scalar) {
+    const std::vector<ControlPoint>& points = function.points;
+    if (points.empty())
+      return {};
     const ControlPoint& below = points[segment > 0 ? segment - 1 : 0];
     const ControlPoint& above = points[std::min(segment, points.size() - 1)];
     const double width = above.value - below.value;
     const double share = width > 0.0 ? std::clamp((scalar - below.value) / width, 0.0, 1.0) : 0.0;
     const double opacity = below.opacity + share * (above.opacity - below.opacity);
-    return {opacity, minusLog1mOpacity(opacity), below.color + share * (above.color - below.color)};
+    return {opacity, minusLog1mOpacity(opacity), below.color + share * (above.color - below.color), {}};
   }
 
   Steepness steepnessAt(double place) const {
@@ -214,27 +237,35 @@ public:
     return {gradient, gradientRatio(m_terms.terms, m_terms.scale, gradient.w)};
   }
 
-  /// The extinction of a material there, over the unit distance.
-  double extinctionAt(double place, const Material& material, const Steepness& steepness) const {
-    if (!m_terms.changesOpacity)
-      return material.extinction;
-    // Change the opacity before it becomes an extinction, so that the picture does not depend on the step.
+  /// What a material absorbs there. Opacities change before they become extinctions, so that the picture does
+  /// not depend on the step.
+  Absorbed absorbedAt(double place, const Material& material, const Steepness& steepness) const {
     const CoefficientRange& o = m_terms.terms.opacity;
+    if (m_terms.hasLooks) {
+      double factor = mapped(steepness.ratio, o.atFlat, o.atBoundary);
+      if (m_terms.hasGradientOpacity)
+        factor *= gradientOpacityAt(*m_terms.scene.gradientOpacity, steepness.gradient.w);
+      return mixedAt(place, scalarAt(place), material.gap, factor);
+    }
+    if (!m_terms.changesOpacity)
+      return {material.extinction, material.color};
     double opacity = material.opacity * mapped(steepness.ratio, o.atFlat, o.atBoundary);
     if (m_terms.hasGradientOpacity)
       opacity *= gradientOpacityAt(*m_terms.scene.gradientOpacity, steepness.gradient.w);
-    return minusLog1mOpacity(opacity * weightAt(place));
+    return {minusLog1mOpacity(opacity * weightAt(place)), material.color};
   }
 
   /// The extinction of an X-ray, which knows no other factor of the opacity.
   double absorptionAt(double place, const Material& material) const {
+    if (m_terms.hasLooks)
+      return material.extinction;
     const double weight = weightAt(place);
     return weight == 1.0 ? material.extinction : minusLog1mOpacity(weight * material.opacity);
   }
 
   /// What a length of this extinction absorbs, 0..1.
   double alphaOf(double extinction, double lengthMm) const {
-    return oneMinusExpNeg(extinction * lengthMm / m_terms.scene.transferFunction.unitDistanceMm);
+    return oneMinusExpNeg(extinction * lengthMm / m_terms.unitMm);
   }
 
   /// Where the field first reaches the isovalue in what is kept; absent where it stays below.
@@ -265,7 +296,41 @@ public:
   }
 
 private:
+  // What the looks of the voxels around a place absorb together (DEFINITION section 10), each opacity times
+  // `factor`.
+  Absorbed mixedAt(double place, double scalar, const std::optional<std::size_t>& gap, double factor) const {
+    const LookShares shares =
+        lookSharesAt(m_terms.looks, m_terms.scene.keep, centredAt(place) + m_terms.centre);
+    Absorbed mixed;
+    for (const LookShare& one : shares.used()) {
+      const TransferFunction& function = m_terms.looks.functions[one.look];
+      Material material;
+      if (gap) {
+        material = materialIn(function, m_terms.segments.segments[*gap][one.look], scalar);
+      } else {
+        const Classified classified = classify(function, scalar);
+        material = {classified.opacity, 0.0, classified.color, {}};
+      }
+      const double extinction = one.share * minusLog1mOpacity(one.weight * factor * material.opacity) *
+                                std::min(m_terms.unitMm / function.unitDistanceMm, beyondAll);
+      mixed.extinction += extinction;
+      mixed.color += extinction * material.color;
+    }
+    if (mixed.extinction > 0.0)
+      mixed.color /= mixed.extinction;
+    return mixed;
+  }
+
+  // The same as a material that nothing changes further.
+  Material mixedMaterial(double place, double scalar, const std::optional<std::size_t>& gap) const {
+    const Absorbed mixed = mixedAt(place, scalar, gap, 1.0);
+    return {oneMinusExpNeg(mixed.extinction), mixed.extinction, mixed.color, gap};
+  }
+
   Cell cellAt(double place) const { return m_field.cellAt(centredAt(place) + m_terms.centre); }
+
+  // So many unit distances hide everything, and their extinction has a product with any other number.
+  static constexpr double beyondAll = 1e200;
 
   static constexpr int halvings = 14; // to less than 1e-4 of a step
 

@@ -104,6 +104,14 @@ std::vector<bool> shownLabels(const Region& before) {
   return shown;
 }
 
+// Of those the ones that have a look.
+std::vector<bool> shownOfLook(const Region& region, std::size_t look) {
+  std::vector<bool> shown = shownLabels(region);
+  for (std::size_t place = 0; place < shown.size(); ++place)
+    shown[place] = shown[place] && lookOfLabel(region, place) == look;
+  return shown;
+}
+
 bool isPiece(const Cut& cut) {
   return cut.isOn && std::holds_alternative<ConnectedPiece>(cut.how);
 }
@@ -228,10 +236,20 @@ CutRegion cutRegion(const Volume& volume, const Region& region, std::vector<Cut>
 Region lit(const Region& region, const BitGrid& lit, double weight, const Effort& effort) {
   Region shown = region;
   if (shown.labels) {
-    // What is hidden already stays hidden.
-    BitGrid beside = voxelsOf(*shown.labels, shownLabels(shown), {}, partOf(effort, 0.0, 0.3));
-    beside -= lit;
-    addLabel(shown, beside, besideLabel, weight, {}, partOf(effort, 0.3, 1.0));
+    // What is hidden already stays hidden; what fades keeps its look, so that each look fades by itself.
+    const std::size_t looks = shown.looks.size();
+    for (std::size_t look = 0; look <= looks; ++look) {
+      const double from = static_cast<double>(look) / static_cast<double>(looks + 1);
+      const double to = static_cast<double>(look + 1) / static_cast<double>(looks + 1);
+      BitGrid beside = voxelsOf(*region.labels, shownOfLook(region, look), {},
+                                partOf(effort, from, glm::mix(from, to, 0.3)));
+      beside -= lit;
+      addLabel(shown, beside, besideLabel, weight, {}, partOf(effort, glm::mix(from, to, 0.3), to));
+      if (looks > 0) {
+        shown.lookOf.resize(shown.weights.size());
+        shown.lookOf.back() = static_cast<std::uint8_t>(look);
+      }
+    }
   } else {
     addLabel(shown, lit.complement(), besideLabel, weight, {}, effort);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regions/PiecePick.h"
 
+#include "scene/LabelLooks.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -85,6 +87,8 @@ std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worl
   const glm::ivec3 middle(glm::floor(worldToIndex(grid, worldMm) + 0.5));
   glm::ivec3 seed(0);
   double most = 0.0, seedValue = 0.0;
+  const LabelLooks looks = labelLooks(scene);
+  const TransferFunction* ofSeed = &scene.transferFunction;
   for (int z = -reachVoxels; z <= reachVoxels; ++z)
     for (int y = -reachVoxels; y <= reachVoxels; ++y)
       for (int x = -reachVoxels; x <= reachVoxels; ++x) {
@@ -93,16 +97,19 @@ std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worl
             glm::any(glm::greaterThanEqual(voxel, grid.dims)) || !isKept(scene.keep, voxel))
           continue;
         const double value = valueAt(volume, glm::dvec3(voxel));
-        const double opacity = classify(scene.transferFunction, value).opacity;
+        const TransferFunction& function =
+            functionAt(looks, scene.keep, voxelOffset(grid.dims, voxel.x, voxel.y, voxel.z));
+        const double opacity = classify(function, value).opacity;
         if (opacity <= most)
           continue;
         most = opacity;
         seed = voxel;
         seedValue = value;
+        ofSeed = &function;
       }
   if (most < leastShown)
     return std::nullopt;
-  const auto range = rangeAround(scene.transferFunction, volume.range(), seedValue, leastOfSeed * most);
+  const auto range = rangeAround(*ofSeed, volume.range(), seedValue, leastOfSeed * most);
   return ConnectedPiece{indexToWorld(grid, glm::dvec3(seed)), *range, 1, false};
 }
 

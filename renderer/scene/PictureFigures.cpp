@@ -73,6 +73,8 @@ double contrastOf(const Image& image) {
 TissueScenes tissueScenes(const Scene& scene) {
   TissueScenes scenes{scene, scene};
   scenes.weights.transferFunction = blackBelow(scene.transferFunction, scene.isovalue);
+  for (TransferFunction& look : scenes.weights.keep.looks)
+    look = blackBelow(look, scene.isovalue);
   scenes.weights.projection = Projection::composite;
   scenes.weights.fog = {};
   // Without a knee the ambient term alone is the material's colour, whatever the model does to opacity.

@@ -35,7 +35,11 @@ std::vector<Scene> scenesOfEveryKind() {
     scenes.push_back(scene);
     scene.keep = cubesRegion(scene.volume->grid().dims, 11, {0.0, 1.0, 0.0, 0.3});
     scenes.push_back(scene);
+    scene.keep = withVariedLooks(scene.keep, scene.transferFunction);
+    scenes.push_back(scene);
     scene.quality.toleranceLevels.reset();
+    scenes.push_back(scene);
+    scene.keep = withLooks(scene.keep, {});
     scenes.push_back(scene);
   }
   return scenes;

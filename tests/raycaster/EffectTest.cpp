@@ -146,6 +146,23 @@ const Row rows[] = {
        s.shading.model = ShadingModel::none;
        s.quality.preintegrated = Preintegration::always;
      }},
+    {"looks of labels", Effect::labelLooks,
+     [](Scene& s) {
+       s.keep = withVariedLooks(cubes(s, {1.0, 1.0, 1.0}), s.transferFunction);
+     }},
+    {"looks of labels in a kept region, unlit, with jitter and crowded points", Effect::labelLooks,
+     [](Scene& s) {
+       s.keep = withVariedLooks(cubes(s, {1.0, 0.0, 0.4, 1.0}), s.transferFunction);
+       s.shading.model = ShadingModel::none;
+       s.quality.jitter = true;
+       for (const double value : {40.0, 40.1, 40.2, 40.3, 40.4, 40.5})
+         s.transferFunction = withPointAdded(s.transferFunction, value, value > 40.2 ? 0.3 : 0.05);
+     }},
+    {"X-ray of looks of labels", Effect::labelLooks,
+     [](Scene& s) {
+       s.projection = Projection::xray;
+       s.keep = withVariedLooks(cubes(s, {1.0, 0.3, 1.0}), s.transferFunction);
+     }},
     {"X-ray of a kept region", Effect::region,
      [](Scene& s) {
        s.keep = cubes(s, {0.0, 0.25});

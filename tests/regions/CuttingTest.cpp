@@ -396,5 +396,51 @@ TEST(CutTimes, aLargeVolumeAnswersWithin300Ms) {
         {ConnectedPiece{boxCentreMm(grid), {100.0, 400.0}, 1, false}, true});
 }
 
+// Halves of a volume along x, labels 0 and 1.
+Region halves(const glm::ivec3& dims) {
+  std::vector<std::uint8_t> places;
+  for (int n = 0; n < dims.x * dims.y * dims.z; ++n)
+    places.push_back(n % dims.x < dims.x / 2 ? 0 : 1);
+  const std::vector<Label> labels{{0, "left", glm::dvec3(1.0)}, {1, "right", glm::dvec3(1.0)}};
+  return {Region::Kind::labels, "s", std::make_shared<const LabelMap>(dims, places, labels), {1.0, 0.5}};
+}
+
+TEST(Cutting, looksOfLabelsSurviveCutsAndTheirWayBack) {
+  const Grid grid = obliqueGrid({12, 9, 7});
+  const Volume volume(grid, std::vector<float>(12 * 9 * 7, 1.0f), Rescale{}, std::nullopt, VolumeInfo{});
+  const TransferFunction look{2.0, {{0.0, glm::dvec3(1.0), 0.5}}};
+  const Region before = withLooks(halves(grid.dims), {{1, look}});
+  const Scissors scissors{
+      cameraOn(grid, {0.0, -1.0, 0.2}, 200.0, Camera::Projection::orthographic), 1.0, star(0.4, 7), true, {}};
+  const Region cut = cutRegion(volume, before, {{scissors, true}}).region;
+  ASSERT_TRUE(cut.isCut);
+  EXPECT_EQ(cut.looks, before.looks);
+  EXPECT_EQ(lookOfLabel(cut, 0), 0u);
+  EXPECT_EQ(lookOfLabel(cut, 1), 1u);
+  EXPECT_EQ(lookOfLabel(cut, 2), 0u) << "what is cut away";
+  EXPECT_EQ(cut.weights.back(), 0.0);
+  EXPECT_EQ(withoutCuts(cut), before);
+  // Looks that are given afterwards stay, too.
+  Region later = cutRegion(volume, withLooks(before, {}), {{scissors, true}}).region;
+  later = withLooks(later, {{1, look}});
+  EXPECT_EQ(withoutCuts(later).looks, before.looks);
+  EXPECT_EQ(lookOfLabel(withoutCuts(later), 1), 1u);
+}
+
+TEST(Cutting, whatFadesBesideAPieceKeepsItsLook) {
+  const glm::ivec3 dims(12, 9, 7);
+  const TransferFunction look{2.0, {{0.0, glm::dvec3(1.0), 0.5}}};
+  const Region region = withLooks(halves(dims), {{1, look}});
+  const BitGrid piece = setOf(dims, [](const glm::ivec3& at) { return at.y < 4; });
+  const Region shown = lit(region, piece, 0.25);
+  for (int n = 0; n < dims.x * dims.y * dims.z; ++n) {
+    const std::size_t place = shown.labels->placeAt(static_cast<std::size_t>(n));
+    const bool isLit = n / dims.x % dims.y < 4;
+    const bool isRight = n % dims.x >= dims.x / 2;
+    ASSERT_EQ(lookOfLabel(shown, place), isRight ? 1u : 0u);
+    ASSERT_EQ(shown.weights[place], !isLit ? 0.25 : isRight ? 0.5 : 1.0);
+  }
+}
+
 } // namespace
 } // namespace limn

@@ -114,6 +114,60 @@ TEST(SceneFile, whatIsKeptIsReadBack) {
   EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, (KeptPart{Region::Kind::body, "", {}, {}}));
 }
 
+TEST(SceneFile, looksOfLabelsAreReadBackAloneAndBesideCuts) {
+  const TransferFunction bone{2.5, {{200.0, {1.0, 0.9, 0.8}, 0.0}, {900.0, {1.0, 1.0, 1.0}, 0.75}}};
+  const TransferFunction vessel{1.0, {{100.0, {0.9, 0.1, 0.1}, 0.0}, {350.0, {1.0, 0.3, 0.2}, 0.5}}};
+  Scene scene;
+  const Region labels{Region::Kind::labels,
+                      "seg.nrrd",
+                      std::make_shared<const LabelMap>(
+                          glm::ivec3(1), std::vector<std::uint8_t>{0},
+                          std::vector<Label>{{0, "", {}}, {3, "", {}}, {-7, "", {}}, {9, "", {}}}),
+                      {1.0, 0.5, 1.0, 1.0}};
+  scene.keep = withLooks(labels, {{1, bone}, {2, vessel}, {3, bone}});
+  EXPECT_EQ(scene.keep.looks.size(), 2u) << "equal looks are one";
+  const KeptPart read = parseScene(sceneToJson(scene, "v"), "t").keep;
+  EXPECT_EQ(
+      read,
+      (KeptPart{Region::Kind::labels, "seg.nrrd", {{3, 0.5}}, {}, {{3, bone}, {-7, vessel}, {9, bone}}}));
+  EXPECT_EQ(withLooksOf(labels, read.looks, "seg.nrrd"), scene.keep);
+  // In the list of what is kept and of cuts, with what a person leaves out.
+  const KeptPart typed =
+      parseScene(withKeep(R"([{"labels": "s", "looks": {"3": {"points": [{"value": 5, "opacity": 0.5}]}}},
+                              {"piece": {"seed_mm": [1, 2, 3], "range": [5, 9]}}])"),
+                 "t")
+          .keep;
+  EXPECT_EQ(typed.looks, (std::map<int, TransferFunction>{{3, {1.0, {{5.0, glm::dvec3(1.0), 0.5}}}}}));
+  EXPECT_EQ(typed.cuts.size(), 1u);
+}
+
+TEST(SceneFile, aLookNeedsItsLabelAndOnlySoManyMayDiffer) {
+  std::vector<Label> labels;
+  for (int value = 0; value < 40; ++value)
+    labels.push_back({value, "", {}});
+  Region region{Region::Kind::labels, "s",
+                std::make_shared<const LabelMap>(glm::ivec3(1), std::vector<std::uint8_t>{0}, labels),
+                std::vector<double>(40, 1.0)};
+  std::map<int, TransferFunction> looks;
+  for (int value = 0; value < 32; ++value)
+    looks[value] = {1.0 + value, {}};
+  EXPECT_EQ(withLooksOf(region, looks, "s").looks.size(), 32u);
+  looks[33] = looks[32] = looks[31]; // no other look
+  EXPECT_EQ(withLooksOf(region, looks, "s").looks.size(), 32u);
+  looks[33].unitDistanceMm = 0.5;
+  const auto refusalOfLooks = [&region](const std::map<int, TransferFunction>& wanted) -> std::string {
+    try {
+      withLooksOf(region, wanted, "seg.nrrd");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusalOfLooks(looks).find("more than 32 different looks"), std::string::npos);
+  EXPECT_NE(refusalOfLooks({{41, {1.0, {}}}}).find("look to label 41, which seg.nrrd does not have"),
+            std::string::npos);
+}
+
 TEST(SceneFile, cutsAreReadBackInTheirOrderBesideWhatTheyCut) {
   Camera camera;
   camera.projection = Camera::Projection::orthographic;
@@ -152,6 +206,16 @@ TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
            {R"({"labels": "s", "weights": {"3": "half"}})", "keep.weights.3"},
            {R"({"labels": "s", "weights": {"bone": 1}})", "keep.weights.bone"},
            {R"({"labels": "s", "weights": [1]})", "keep.weights"},
+           {R"({"labels": "s", "looks": {"bone": {"points": []}}})", "keep.looks.bone"},
+           {R"({"labels": "s", "looks": {"3": {"unit_distance_mm": 1}}})", "keep.looks.3.points"},
+           {R"({"labels": "s", "looks": {"3": {"points": [], "unit_distance_mm": 0}}})",
+            "keep.looks.3.unit_distance_mm"},
+           {R"({"labels": "s", "looks": {"3": {"points": [{"opacity": 1}]}}})",
+            "keep.looks.3.points[0].value"},
+           {R"({"labels": "s", "looks": {"3": {"points": [{"value": 1, "opacity": 2}]}}})",
+            "keep.looks.3.points[0].opacity"},
+           {R"([{"labels": "s", "looks": {"3": {"points": 4}}}])", "keep[0].looks.3"},
+           {R"({"labels": "s", "looks": {"3": {"points": [], "colour": 1}}})", "keep.looks.3.colour"},
            {R"(["body", {"labels": "s"}])", "two things"},
            {R"(["head"])", "keep"},
            {R"([{}])", "keep[0].scissors"},

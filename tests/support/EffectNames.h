@@ -25,6 +25,7 @@ inline const std::vector<std::string> documentedEffects{"gradient",
                                                         "knee",
                                                         "two_sided",
                                                         "region",
+                                                        "label_looks",
                                                         "own_weights"};
 
 } // namespace limn::test

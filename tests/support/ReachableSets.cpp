@@ -74,6 +74,13 @@ const Groups others{
     {Effect::region, Effect::mip},
     {Effect::region, Effect::minip},
     {Effect::region, Effect::average},
+    {Effect::emptySpaceSkipping, Effect::labelLooks, Effect::region, Effect::earlyTermination},
+    {Effect::emptySpaceSkipping, Effect::labelLooks, Effect::gradientOpacity, Effect::denseFunctions},
+    {Effect::emptySpaceSkipping, Effect::labelLooks, Effect::hybrid, Effect::longRays},
+    {Effect::labelLooks, Effect::jitter, Effect::ownWeights},
+    {Effect::labelLooks, Effect::region, Effect::xray},
+    {Effect::labelLooks, Effect::region, Effect::localSteps, Effect::earlyTermination},
+    {Effect::labelLooks, Effect::localSteps, Effect::xray},
     {Effect::emptySpaceSkipping, Effect::ownWeights, Effect::preintegration, Effect::region},
     {Effect::emptySpaceSkipping, Effect::ownWeights, Effect::localSteps, Effect::gradientOpacity},
     {Effect::emptySpaceSkipping, Effect::ownWeights, Effect::localSteps, Effect::hybrid, Effect::region},
@@ -85,7 +92,8 @@ const Groups others{
 };
 
 // Refused or dropped by sliceEffects, or drawn by tests alone.
-const EffectSet notOfSlices{Effect::mip,
+const EffectSet notOfSlices{Effect::labelLooks,
+                            Effect::mip,
                             Effect::minip,
                             Effect::average,
                             Effect::isosurface,

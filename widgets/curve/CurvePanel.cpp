@@ -5,8 +5,11 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPixmap>
+#include <QSignalBlocker>
 #include <QToolButton>
 
 namespace limn {
@@ -22,16 +25,51 @@ QToolButton* makeButton(const QString& text, const QString& name, const QString&
   return button;
 }
 
+// Logical pixels.
+constexpr int mostOfAName = 200;
+constexpr int swatchSize = 12;
+
 } // namespace
 
 CurvePanel::CurvePanel(QWidget* parent)
-    : QStackedWidget(parent), m_value(new TransferFunctionEditor), m_gradient(new GradientOpacityEditor) {
+    : QStackedWidget(parent), m_value(new TransferFunctionEditor), m_gradient(new GradientOpacityEditor),
+      m_whose(new QComboBox) {
   addWidget(m_value);
   addWidget(m_gradient);
+  m_whose->setAccessibleName(tr("Whose curve"));
+  m_whose->setToolTip(
+      tr("<p>Whose curve is shown and edited: the one for all tissue, or that of a label that has "
+         "its own (Properties ▸ Labels).</p>"));
+  m_whose->setMaximumWidth(mostOfAName);
+  m_whose->hide();
+  connect(m_whose, &QComboBox::activated, this, [this](int row) {
+    emit curveChosen(row > 0 ? std::optional(m_labelCurves[row - 1].place) : std::nullopt);
+  });
   m_value->addLeading(makeSwitch(m_switches[0]));
+  m_value->addLeading(m_whose);
   m_gradient->editor()->addLeading(makeSwitch(m_switches[1]), 0);
   setGradientState(GradientState::off);
   showGradient(false);
+}
+
+void CurvePanel::setLabelCurves(const QList<LabelCurve>& curves, std::optional<std::size_t> inHand) {
+  const QSignalBlocker blocker(m_whose);
+  if (curves != m_labelCurves || m_whose->count() == 0) {
+    m_labelCurves = curves;
+    m_whose->clear();
+    m_whose->addItem(tr("All tissue"));
+    for (const LabelCurve& curve : curves) {
+      QPixmap swatch(swatchSize, swatchSize);
+      swatch.fill(curve.color);
+      m_whose->addItem(swatch, curve.name);
+    }
+  }
+  int row = 0;
+  for (qsizetype n = 0; n < curves.size(); ++n)
+    if (inHand == curves[n].place)
+      row = static_cast<int>(n) + 1;
+  m_whose->setCurrentIndex(row);
+  m_whose->setVisible(!curves.isEmpty());
 }
 
 void CurvePanel::setVolumeOpen(bool isOpen) {

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/LabelSection.h"
 
+#include "scene/LabelLooks.h"
+#include "scene/basics/Error.h"
+#include "widgets/Translated.h"
+
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
 #include <QPushButton>
+#include <QSortFilterProxyModel>
 #include <QSpinBox>
 #include <QStyledItemDelegate>
 #include <QTreeView>
@@ -96,7 +102,8 @@ Region withWeight(Region region, std::size_t place, double weight) {
 
 } // namespace
 
-void LabelTable::setRegion(const Region& region) {
+void LabelTable::setRegion(const Region& region, const TransferFunction& function) {
+  m_function = function;
   if (region == m_region)
     return;
   // Other weights of the same labels leave selection and scrolling alone.
@@ -124,7 +131,9 @@ QVariant LabelTable::data(const QModelIndex& index, int role) const {
   if (!index.isValid())
     return {};
   const auto place = static_cast<std::size_t>(index.row());
-  return index.column() == nameColumn ? nameData(place, role) : weightData(place, role);
+  return index.column() == nameColumn     ? nameData(place, role)
+         : index.column() == weightColumn ? weightData(place, role)
+                                          : curveData(place, role);
 }
 
 QVariant LabelTable::nameData(std::size_t place, int role) const {
@@ -158,20 +167,34 @@ QVariant LabelTable::weightData(std::size_t place, int role) const {
   return role == Qt::TextAlignmentRole ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
 }
 
+QVariant LabelTable::curveData(std::size_t place, int role) const {
+  const bool isOwn = lookOfLabel(m_region, place) > 0;
+  if (role == Qt::DisplayRole)
+    return isOwn ? tr("own") : QString();
+  if (role == Qt::CheckStateRole)
+    return isOwn ? Qt::Checked : Qt::Unchecked;
+  if (role == Qt::ToolTipRole)
+    return tr("Whether %1 has a curve of its own, in place of the one for all tissue.")
+        .arg(QString::fromStdString(m_region.labels->labels()[place].name));
+  return {};
+}
+
 QVariant LabelTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section == weightColumn)
     return QVariant(Qt::AlignRight | Qt::AlignVCenter); // over its numbers
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
     return {};
-  return section == nameColumn ? tr("Label") : tr("Shown");
+  return section == nameColumn ? tr("Label") : section == weightColumn ? tr("Shown") : tr("Curve");
 }
 
 Qt::ItemFlags LabelTable::flags(const QModelIndex& index) const {
   const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-  return flags | (index.column() == nameColumn ? Qt::ItemIsUserCheckable : Qt::ItemIsEditable);
+  return flags | (index.column() == weightColumn ? Qt::ItemIsEditable : Qt::ItemIsUserCheckable);
 }
 
 bool LabelTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (index.isValid() && index.column() == curveColumn && role == Qt::CheckStateRole)
+    return setCurve(static_cast<std::size_t>(index.row()), value.toInt() == Qt::Checked);
   const bool isMark = index.column() == nameColumn && role == Qt::CheckStateRole;
   const bool isWeight = index.column() == weightColumn && role == Qt::EditRole;
   if (!index.isValid() || (!isMark && !isWeight))
@@ -186,22 +209,47 @@ bool LabelTable::setData(const QModelIndex& index, const QVariant& value, int ro
   return true;
 }
 
+bool LabelTable::setCurve(std::size_t place, bool isOwn) {
+  const QString name = QString::fromStdString(m_region.labels->labels()[place].name);
+  Region edited;
+  try {
+    edited = withLookOf(m_region, place, isOwn ? std::optional(m_function) : std::nullopt);
+  } catch (const Error& error) { // too many looks
+    emit refused(translated(error));
+    return false;
+  }
+  emit regionEdited(edited, {nextGestureId(), isOwn ? tr("give %1 its own curve").arg(name)
+                                                    : tr("give %1 the curve of all tissue").arg(name)});
+  if (isOwn)
+    emit curveGiven(place);
+  return true;
+}
+
 LabelSection::LabelSection(QWidget* parent)
-    : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)), m_table(new QTreeView),
+    : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)),
+      m_found(new QSortFilterProxyModel(this)), m_search(new QLineEdit), m_table(new QTreeView),
       m_open(new QPushButton(tr("Open labels…"))), m_showAll(new QPushButton(tr("Show all"))) {
-  m_table->setModel(m_labels);
+  m_found->setSourceModel(m_labels);
+  m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  m_search->setPlaceholderText(tr("Search labels"));
+  m_search->setAccessibleName(tr("Search labels"));
+  m_search->setClearButtonEnabled(true);
+  connect(m_search, &QLineEdit::textChanged, m_found, &QSortFilterProxyModel::setFilterFixedString);
+  m_table->setModel(m_found);
   m_table->setItemDelegate(new RowDelegate(m_table));
   m_table->setItemDelegateForColumn(LabelTable::weightColumn, new PercentDelegate(m_table));
   m_table->setAccessibleName(tr("Labels"));
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                            QAbstractItemView::AnyKeyPressed);
-  m_table->setToolTip(tr("Marked labels are shown; a number says how much of its opacity one keeps."));
+  m_table->setToolTip(tr("Marked labels are shown; a number says how much of its opacity one keeps. One with "
+                         "its own curve comes into the curve panel by a click."));
   m_table->setRootIsDecorated(false);
   m_table->setUniformRowHeights(true); // ten thousand rows are not measured
   m_table->header()->setStretchLastSection(false);
   m_table->header()->setSectionResizeMode(LabelTable::nameColumn, QHeaderView::Stretch);
   m_table->header()->setSectionResizeMode(LabelTable::weightColumn, QHeaderView::ResizeToContents);
+  m_table->header()->setSectionResizeMode(LabelTable::curveColumn, QHeaderView::ResizeToContents);
   m_open->setAccessibleName(m_open->text());
   m_showAll->setAccessibleName(m_showAll->text());
   m_open->setToolTip(tr("Opens a segmentation of the volume: DICOM SEG, NRRD, NIfTI."));
@@ -210,9 +258,17 @@ LabelSection::LabelSection(QWidget* parent)
   buttons->addWidget(m_open);
   buttons->addWidget(m_showAll);
   buttons->addStretch();
+  contents()->addWidget(m_search);
   contents()->addWidget(m_table);
   contents()->addLayout(buttons);
   connect(m_labels, &LabelTable::regionEdited, this, &LabelSection::keepEdited);
+  connect(m_labels, &LabelTable::refused, this, &LabelSection::refused);
+  connect(m_labels, &LabelTable::curveGiven, this, &LabelSection::curveRequested);
+  connect(m_table, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    const auto place = static_cast<std::size_t>(m_found->mapToSource(index).row());
+    if (lookOfLabel(m_labels->region(), place) > 0)
+      emit curveRequested(place);
+  });
   connect(m_open, &QAbstractButton::clicked, this, &LabelSection::openRequested);
   connect(m_showAll, &QAbstractButton::clicked, this, [this] {
     Region all = m_labels->region();
@@ -224,8 +280,11 @@ LabelSection::LabelSection(QWidget* parent)
 
 void LabelSection::setScene(const Scene& scene) {
   const bool hadRows = m_labels->rowCount() > 0;
-  m_labels->setRegion(scene.keep);
+  m_labels->setRegion(scene.keep, scene.transferFunction);
   const int rows = m_labels->rowCount();
+  m_search->setVisible(rows > mostRowsShown);
+  if (rows <= mostRowsShown)
+    m_search->clear();
   if (rows > 0 && !hadRows)
     setFolded(false);
   m_table->setVisible(rows > 0);

@@ -8,22 +8,26 @@
 
 #include <QAbstractTableModel>
 
+class QLineEdit;
 class QPushButton;
+class QSortFilterProxyModel;
 class QTreeView;
 
 namespace limn {
 
-/// The labels of a region as rows: colour and name with a mark (shown, hidden, or between), and the weight in
-/// percent. Edits change nothing here: they are asked for, and the answer comes by setRegion.
+/// The labels of a region as rows: colour and name with a mark (shown, hidden, or between), the weight in
+/// percent, and whether the label has a curve of its own. Edits change nothing here: they are asked for, and
+/// the answer comes by setRegion.
 class LabelTable : public QAbstractTableModel {
   Q_OBJECT
 
 public:
-  enum Column { nameColumn, weightColumn, columns };
+  enum Column { nameColumn, weightColumn, curveColumn, columns };
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  void setRegion(const Region& region);
+  /// `function` is the scene's: with it a label's own curve begins.
+  void setRegion(const Region& region, const TransferFunction& function);
   const Region& region() const { return m_region; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -35,15 +39,22 @@ public:
 
 signals:
   void regionEdited(const limn::Region& region, const limn::Gesture& gesture);
+  /// The label at this place was given a curve of its own.
+  void curveGiven(std::size_t place);
+  void refused(const QString& sentence);
 
 private:
+  bool setCurve(std::size_t place, bool isOwn);
   QVariant nameData(std::size_t place, int role) const;
   QVariant weightData(std::size_t place, int role) const;
+  QVariant curveData(std::size_t place, int role) const;
 
   Region m_region;
+  TransferFunction m_function;
 };
 
-/// The labels of a segmentation that is open beside the volume: each is shown, hidden or faded.
+/// The labels of a segmentation that is open beside the volume: each is shown, hidden or faded, with the
+/// scene's curve or its own.
 class LabelSection : public FoldingSection {
   Q_OBJECT
 
@@ -55,9 +66,15 @@ public:
 signals:
   void keepEdited(const limn::Region& region, const limn::Gesture& gesture);
   void openRequested();
+  /// The curve of the label at this place shall be in hand.
+  void curveRequested(std::size_t place);
+  /// What was asked for cannot be, and why.
+  void refused(const QString& sentence);
 
 private:
   LabelTable* m_labels;
+  QSortFilterProxyModel* m_found;
+  QLineEdit* m_search;
   QTreeView* m_table;
   QPushButton* m_open;
   QPushButton* m_showAll;

@@ -49,8 +49,9 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
     found = bodyOf(volume, progress);
   if (part.kind == Region::Kind::labels) {
     found.region = readLabels(part.labels, gridOfFile(volume), progress);
-    found.region.weights = weightsOf(found.region.labels->labels(), part.weights,
-                                     std::filesystem::path(part.labels).filename().string());
+    const std::string name = std::filesystem::path(part.labels).filename().string();
+    found.region.weights = weightsOf(found.region.labels->labels(), part.weights, name);
+    found.region = withLooksOf(found.region, part.looks, name);
   }
   return part.cuts.empty() ? found : cutIn(volume, found, part.cuts, progress);
 }

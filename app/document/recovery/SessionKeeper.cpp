@@ -51,7 +51,7 @@ std::optional<FileLock> lockIfThere(const fs::path& folder) {
 }
 
 constexpr int againMs = 5000;
-constexpr int mostLooks = 12;
+constexpr int mostTries = 12;
 
 } // namespace
 
@@ -243,7 +243,7 @@ SessionKeeper::SessionKeeper(const std::filesystem::path& folder,
 SessionKeeper::~SessionKeeper() = default;
 
 void SessionKeeper::lookAgain() {
-  if (++m_looks >= mostLooks)
+  if (++m_looks >= mostTries)
     m_again.stop();
   std::vector<AutosavePlace> more;
   try {

@@ -2,8 +2,11 @@
 #include "app/panels/curve/CurveController.h"
 
 #include "app/window/WindowContext.h"
+#include "scene/LabelLooks.h"
+#include "scene/basics/Error.h"
 #include "scene/framing/KeptVoxels.h"
 #include "scene/light/GradientHistogram.h"
+#include "widgets/Translated.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/HistogramButton.h"
@@ -11,7 +14,17 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/properties/ProjectionSection.h"
 
+#include <algorithm>
+
 namespace limn {
+namespace {
+
+const TransferFunction& curveOf(const Scene& scene, std::optional<std::size_t> label) {
+  const std::size_t look = label ? lookOfLabel(scene.keep, *label) : 0;
+  return look > 0 ? scene.keep.looks[look - 1] : scene.transferFunction;
+}
+
+} // namespace
 
 HistogramController::HistogramController(TransferFunctionEditor& editor, Settings& settings)
     : m_editor(editor), m_settings(settings), m_button(new HistogramButton),
@@ -41,9 +54,16 @@ void HistogramController::showVolume(const std::shared_ptr<const Volume>& volume
   show();
 }
 
-void HistogramController::showScene(const Scene& scene) {
-  m_function = scene.transferFunction;
+void HistogramController::showScene(const Scene& scene, std::optional<std::size_t> label) {
+  m_function = curveOf(scene, label);
+  m_isOfLabel = label.has_value();
   m_wanted.keep = scene.keep;
+  if (label) {
+    std::fill(m_wanted.keep.weights.begin(), m_wanted.keep.weights.end(), 0.0);
+    m_wanted.keep.weights[*label] = 1.0;
+    m_wanted.keep = {
+        m_wanted.keep.kind, {}, m_wanted.keep.labels, m_wanted.keep.weights}; // whatever its look
+  }
   m_wanted.crop = scene.crop;
   if (scene.volume == m_wanted.volume)
     show();
@@ -52,7 +72,7 @@ void HistogramController::showScene(const Scene& scene) {
 void HistogramController::show() {
   if (!m_wanted.volume)
     return;
-  const bool isOfAll = m_view.part == HistogramPart::whole ||
+  const bool isOfAll = (m_view.part == HistogramPart::whole && !m_isOfLabel) ||
                        KeptVoxels(m_wanted.volume->grid(), m_wanted.keep, m_wanted.crop).areAll();
   if (!isOfAll && m_known != m_wanted)
     return count();
@@ -84,8 +104,9 @@ CurveController::CurveController(WindowContext& context)
     : QObject(&context.window), m_context(context), m_panel(*new CurvePanel(&context.window)),
       m_histograms(*m_panel.valueEditor(), context.settings) {
   context.docks.add({tr("Transfer f&unction"), "curveDock", &m_panel, Qt::BottomDockWidgetArea});
-  connect(m_panel.valueEditor(), &TransferFunctionEditor::transferFunctionEdited, &context.session,
-          &Session::setTransferFunction);
+  connect(m_panel.valueEditor(), &TransferFunctionEditor::transferFunctionEdited, this,
+          &CurveController::edit);
+  connect(&m_panel, &CurvePanel::curveChosen, this, &CurveController::takeInHand);
   connect(m_panel.gradientEditor(), &GradientOpacityEditor::gradientOpacityEdited, &context.session,
           &Session::setGradientOpacity);
   connect(&m_histograms, &HistogramController::failed, this,
@@ -98,9 +119,59 @@ CurveController::CurveController(WindowContext& context)
   m_panel.setVolumeOpen(false);
 }
 
+void CurveController::takeInHand(std::optional<std::size_t> label) {
+  m_label = label;
+  showScene(m_context.session.scene());
+}
+
+const TransferFunction& CurveController::curveInHand() const {
+  return curveOf(m_context.session.scene(), m_label);
+}
+
+Scene CurveController::withCurveInHand(const TransferFunction& function) const {
+  Scene next = m_context.session.scene();
+  if (!m_label) {
+    next.transferFunction = function;
+    return next;
+  }
+  try {
+    next.keep = withLookOf(next.keep, *m_label, function);
+  } catch (const Error& error) { // too many looks
+    m_context.showError(translated(error));
+  }
+  return next;
+}
+
+void CurveController::edit(const TransferFunction& function, const Gesture& gesture) {
+  if (!m_label)
+    return m_context.session.setTransferFunction(function, gesture);
+  const std::string& name = m_context.session.scene().keep.labels->labels()[*m_label].name;
+  const Scene next = withCurveInHand(function);
+  if (next == m_context.session.scene())
+    return showScene(next); // the canvas has what was refused
+  m_context.session.edit(next, {gesture.id, tr("%1: %2").arg(QString::fromStdString(name), gesture.text)});
+}
+
+// A label whose look is gone is in hand no longer.
+void CurveController::showLabels(const Scene& scene) {
+  if (m_label && lookOfLabel(scene.keep, *m_label) == 0)
+    m_label.reset();
+  QList<CurvePanel::LabelCurve> curves;
+  for (std::size_t place = 0; scene.keep.kind == Region::Kind::labels && place < scene.keep.lookOf.size();
+       ++place)
+    if (lookOfLabel(scene.keep, place) > 0) {
+      const Label& label = scene.keep.labels->labels()[place];
+      curves.append({place, QString::fromStdString(label.name),
+                     QColor::fromRgbF(static_cast<float>(label.color.r), static_cast<float>(label.color.g),
+                                      static_cast<float>(label.color.b))});
+    }
+  m_panel.setLabelCurves(curves, m_label);
+}
+
 void CurveController::showScene(const Scene& scene) {
-  m_panel.valueEditor()->setTransferFunction(scene.transferFunction);
-  m_histograms.showScene(scene);
+  showLabels(scene);
+  m_panel.valueEditor()->setTransferFunction(curveOf(scene, m_label));
+  m_histograms.showScene(scene, m_label);
   m_panel.gradientEditor()->setGradientOpacity(scene.gradientOpacity);
   m_panel.setGradientState(!scene.gradientOpacity                  ? CurvePanel::GradientState::off
                            : usesGradientOpacity(scene.projection) ? CurvePanel::GradientState::on

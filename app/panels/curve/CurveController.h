@@ -4,11 +4,14 @@
 #include "scene/Scene.h"
 #include "scene/view/HistogramView.h"
 #include "scene/volume/Histogram.h"
+#include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace limn {
 
@@ -26,8 +29,9 @@ class HistogramController : public QObject {
 public:
   HistogramController(TransferFunctionEditor& editor, Settings& settings);
 
-  /// What is hidden, and what the curve shows.
-  void showScene(const Scene& scene);
+  /// What is hidden, and what the curve shows; of a label in hand its voxels alone count, whatever was
+  /// chosen.
+  void showScene(const Scene& scene, std::optional<std::size_t> label);
 
   /// A volume that was opened, with the histogram of all its values; null: none is open any more.
   void showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& whole);
@@ -54,6 +58,7 @@ private:
   HistogramView m_view;
   Histogram m_whole;
   TransferFunction m_function;
+  bool m_isOfLabel = false;
   Kept m_wanted;
   Kept m_known; ///< of which `m_kept` is
   Histogram m_kept;
@@ -77,13 +82,27 @@ public:
   /// Shows a volume that was opened; `histogram` is of its values. Null: none is open any more.
   void showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram);
 
+  /// Takes the curve of a label that has its own in hand, by its place in the list; none: the one for all
+  /// tissue.
+  void takeInHand(std::optional<std::size_t> label);
+  std::optional<std::size_t> labelInHand() const { return m_label; }
+
+  const TransferFunction& curveInHand() const;
+
+  /// The scene with `function` as the curve that is in hand; where labels would have too many looks that is
+  /// said, and it is the scene as it is.
+  Scene withCurveInHand(const TransferFunction& function) const;
+
 private:
+  void edit(const TransferFunction& function, const Gesture& gesture);
+  void showLabels(const Scene& scene);
   void measureGradients();
 
   WindowContext& m_context;
   CurvePanel& m_panel;
   HistogramController m_histograms;
   std::shared_ptr<const Volume> m_volume;
+  std::optional<std::size_t> m_label;      ///< whose curve is in hand
   std::shared_ptr<const Volume> m_counted; ///< whose gradients were asked for last; null: of none
   BackgroundWork m_counting;
 };

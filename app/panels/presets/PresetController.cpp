@@ -180,7 +180,11 @@ void PresetController::preview(const QString& name) {
   m_previewed = name;
   m_previewedFrom = name.isEmpty() ? Scene() : scene; // no volume is kept
   const std::optional<Preset> preset = fitted(name);
-  emit previewed(preset ? withPreset(scene, *preset, true) : scene, preset ? preset->name : std::string());
+  const std::optional<Scene> ofPart = preset ? m_shownAs(*preset) : std::nullopt;
+  emit previewed(ofPart   ? *ofPart
+                 : preset ? withPreset(scene, *preset, true)
+                          : scene,
+                 preset ? preset->name : std::string());
 }
 
 void PresetController::compare(const QString& name) {
@@ -189,7 +193,10 @@ void PresetController::compare(const QString& name) {
 }
 
 void PresetController::show(const Preset& preset, const QString& edit) {
-  m_context.session.usePreset(preset, {nextGestureId(), edit});
+  if (const std::optional<Scene> ofPart = m_shownAs(preset))
+    m_context.session.edit(*ofPart, {nextGestureId(), edit});
+  else
+    m_context.session.usePreset(preset, {nextGestureId(), edit});
   markShown(); // one that changes nothing is in use as well
 }
 

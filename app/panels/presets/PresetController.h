@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace limn {
 
@@ -37,6 +38,12 @@ public:
 
   /// What the look that is shown is called: the preset in use, marked as the user's where it was changed.
   QString nameShown() const;
+
+  /// Who knows of something that presets shape in the place of the whole scene: the scene with its part made
+  /// as a preset has it, or nothing where there is none at present.
+  void setShownAs(std::function<std::optional<Scene>(const Preset&)> shownAs) {
+    m_shownAs = std::move(shownAs);
+  }
 
   void use(const QString& name);
   /// Shows a preset for a while; an empty name ends that.
@@ -91,6 +98,7 @@ private:
 
   WindowContext& m_context;
   PresetBrowser& m_browser;
+  std::function<std::optional<Scene>(const Preset&)> m_shownAs = [](const Preset&) { return std::nullopt; };
   PresetStore m_store;
   std::vector<Preset> m_builtIn = builtInPresets();
   std::vector<Preset> m_own;              ///< as read last

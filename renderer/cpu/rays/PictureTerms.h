@@ -4,10 +4,12 @@
 #include "scene/effects/EffectSet.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/LightingTerms.h"
+#include "scene/regions/BlockLooks.h"
 #include "scene/steps/RayFrame.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace limn::cpu {
 
@@ -49,6 +51,21 @@ struct FewSegments {
 /// Column by column what the table holds row by row; without segments where they are not few.
 FewSegments fewSegments(const PiecewiseTable& table);
 
+/// The looks that labels have of their own (scene/LabelLooks).
+struct LookTerms {
+  /// One function and how many of its unit distances are in a length.
+  struct Look {
+    const PiecewiseTable* table = nullptr;
+    const FewSegments* segments = nullptr;
+    float perUnit = 1.0f;
+  };
+  std::vector<Look> all;                    ///< the scene's own first; none: no label has another
+  VoxelSource voxels;                       ///< the look of each voxel, bytes
+  const std::uint8_t* ofCells = nullptr;    ///< of each cell, by its voxel of smallest indices (cellLooks)
+  const PiecewiseTable* together = nullptr; ///< one function whose pieces are those of all
+  const FewSegments* segmentsTogether = nullptr;
+};
+
 /// Everything that the rays of a picture share, in the units of the rays: lengths in smallest spacings,
 /// scalars normalised over the volume's range, gradients in ranges per smallest spacing. Points to what its
 /// owner (SceneData) keeps.
@@ -57,8 +74,9 @@ struct PictureTerms {
   VoxelSource voxels;
   VoxelSource region; ///< weights of the kept region, bytes or halves; read where an effect needs it
   EmptySpace empty;
-  const PiecewiseTable* function = nullptr;
-  const FewSegments* segments = nullptr; ///< of the same function
+  LookTerms looks;                          ///< read where an effect needs them
+  const PiecewiseTable* function = nullptr; ///< the scene's, or where labels have looks, of all together
+  const FewSegments* segments = nullptr;    ///< of the same function
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
   std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
@@ -72,8 +90,8 @@ struct PictureTerms {
   glm::dvec3 centre{0.0};
   double lengthMm = 1.0; ///< the unit of lengths
   double stepLengths = 1.0;
-  glm::dvec3 spacing{1.0}; ///< in unit lengths
-  float perUnitDistance = 1.0f;
+  glm::dvec3 spacing{1.0};      ///< in unit lengths
+  float perUnitDistance = 1.0f; ///< unit distances in a length; 1 where labels have looks with their own
   float lastTransmittance = 0.0f;
 
   glm::vec3 gradientScale{0.0f}; ///< from a difference of voxels over two of them to the unit

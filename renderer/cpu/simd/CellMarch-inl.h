@@ -251,11 +251,22 @@ private:
                                                : opacity;
   }
 
+  // What looks of labels make of a node, their opacities times a factor.
+  HWY_INLINE Looks::Mixed mixedAt(int node, int part, VF factor) const {
+    const VF scalar = scalarAt(node, part);
+    const Mask every = hn::Eq(scalar, scalar);
+    return m_samples.looks.mixedAt(m_samples.indexAt(placesOf(node, part)), scalar, factor, every, true);
+  }
+
   // What lies at a node of some pieces absorbs, where no gradient changes that.
   HWY_INLINE void absorb(int node, std::uint32_t open) {
     for (int part = 0; part < most; part += lanes()) {
       if (openIn(open, part) == 0)
         continue;
+      if (m_samples.looks.areAny()) {
+        hn::Store(mixedAt(node, part, all(1.0f)).extinction, floats, m_nodes[node].extinction + part);
+        continue;
+      }
       const VF within = hn::Sub(scalarAt(node, part), hn::Load(floats, m_pieces.start + part));
       hn::Store(minusLog1mOpacity(opacityAt(node, part, within)), floats, m_nodes[node].extinction + part);
     }
@@ -280,13 +291,22 @@ private:
       gradients = m_samples.light.gradientsOf({hn::Load(floats, at.slope[0] + part),
                                                hn::Load(floats, at.slope[1] + part),
                                                hn::Load(floats, at.slope[2] + part)});
-    if (withExtinction) {
-      VF opacity = opacityAt(node, part, within);
-      if (m_changesOpacity)
-        opacity = hn::Mul(opacity, m_samples.light.opacityFactor(gradients));
-      hn::Store(minusLog1mOpacity(opacity), floats, at.extinction + part);
+    V3 material;
+    if (m_samples.looks.areAny()) {
+      const VF factor = m_changesOpacity ? m_samples.light.opacityFactor(gradients) : all(1.0f);
+      const Looks::Mixed mixed = mixedAt(node, part, factor);
+      if (withExtinction)
+        hn::Store(mixed.extinction, floats, at.extinction + part);
+      material = mixed.color;
+    } else {
+      if (withExtinction) {
+        VF opacity = opacityAt(node, part, within);
+        if (m_changesOpacity)
+          opacity = hn::Mul(opacity, m_samples.light.opacityFactor(gradients));
+        hn::Store(minusLog1mOpacity(opacity), floats, at.extinction + part);
+      }
+      material = {ofSegment(0, within, part), ofSegment(1, within, part), ofSegment(2, within, part)};
     }
-    const V3 material{ofSegment(0, within, part), ofSegment(1, within, part), ofSegment(2, within, part)};
     const V3 color = m_samples.light.shaded(clamped(material, 0.0f, 1.0f), gradients, placesOf(node, part));
     hn::Store(color.x, floats, at.color[0] + part);
     hn::Store(color.y, floats, at.color[1] + part);

@@ -191,7 +191,8 @@ private:
     cutCubic(m_cubic, from, m_shares, pieces, n);
     pieces.start[n] = texels[2].x;
     pieces.low[n] = low;
-    pieces.high[n] = high;
+    // A look is asked for its own value: where it steps at the end of a piece, for that on this side.
+    pieces.high[n] = m_samples.looks.areAny() ? std::nextafter(high, low) : high;
     for (int channel = 0; channel < 4; ++channel) {
       pieces.values[channel][n] = texels[0][channel];
       pieces.slopes[channel][n] = texels[1][channel];

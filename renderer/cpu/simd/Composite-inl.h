@@ -23,7 +23,10 @@ public:
       : m_terms(terms), m_samples(samples), m_ray(samples.ray),
         m_isPreintegrated(terms.effects.has(Effect::preintegration)),
         m_changesOpacity(terms.effects.hasAny(opacityChanges)),
-        m_hasGradient(terms.effects.has(Effect::gradient)) {}
+        m_hasGradient(terms.effects.has(Effect::gradient)),
+        m_mixesLate(samples.looks.areAny() && m_changesOpacity),
+        m_queuesColors(m_isPreintegrated || !m_hasGradient || (samples.looks.areAny() && !m_changesOpacity)) {
+  }
 
   glm::vec4 gathered() {
     const EmptySteps empty(m_terms.empty, m_ray, m_isPreintegrated);
@@ -54,7 +57,7 @@ private:
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
     const auto absorbed =
         m_isPreintegrated ? m_samples.absorbedOver(step, isInside)
-                          : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside, !m_hasGradient);
+                          : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside, m_queuesColors);
     if (hn::AllFalse(floats, absorbed.seen))
       return 0;
     const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
@@ -63,7 +66,7 @@ private:
         packed(m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction), absorbed.seen);
     hn::StoreU(m_changesOpacity ? opacities : taken(opacities), floats, m_opacities + m_queued);
     hn::StoreU(packed(step, absorbed.seen), floats, m_steps + m_queued);
-    if (m_isPreintegrated || !m_hasGradient) {
+    if (m_queuesColors) {
       hn::StoreU(packed(absorbed.color.x, absorbed.seen), floats, m_reds + m_queued);
       hn::StoreU(packed(absorbed.color.y, absorbed.seen), floats, m_greens + m_queued);
       hn::StoreU(packed(absorbed.color.z, absorbed.seen), floats, m_blues + m_queued);
@@ -76,7 +79,7 @@ private:
     light();
     keepBehind(m_steps);
     keepBehind(m_opacities);
-    if (m_isPreintegrated || !m_hasGradient) {
+    if (m_queuesColors) {
       keepBehind(m_reds);
       keepBehind(m_greens);
       keepBehind(m_blues);
@@ -93,16 +96,34 @@ private:
     const VoxelAndSlope found =
         m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), std::min(lanes(), m_ray.ownTo - i));
     const VF scalar = m_samples.field.normalised(found.voxel);
+    if (m_samples.looks.areAny()) {
+      const Gradients gradients = m_samples.light.gradientsOf(found.slope);
+      const Looks::Mixed mixed = mixedAt(step, scalar, gradients, isInside);
+      return lightSeen(mixed.seen, alphaOf(mixed.extinction), mixed.color, gradients, step);
+    }
     VF opacity;
     const Mask opaque = m_samples.function.opacityWhereSeen(scalar, isInside, opacity);
     const Mask seen = m_samples.weighed(step, opaque, opacity);
-    const int count = static_cast<int>(hn::CountTrue(floats, seen));
-    if (count == 0)
+    if (hn::AllFalse(floats, seen))
       return 0;
     const Gradients gradients = m_samples.light.gradientsOf(found.slope);
     const VF alpha = m_changesOpacity ? changed(opacity, gradients) : alphaOf(minusLog1mOpacity(opacity));
+    return lightSeen(seen, alpha, m_samples.function.colorAt(scalar, seen), gradients, step);
+  }
+
+  // What looks make of samples whose gradients are known.
+  HWY_INLINE Looks::Mixed mixedAt(VF step, VF scalar, const Gradients& gradients, Mask wanted) const {
+    const VF factor = m_changesOpacity ? m_samples.light.opacityFactor(gradients) : all(1.0f);
+    return m_samples.looks.mixedAt(m_samples.indexAt(step), scalar, factor, wanted, true);
+  }
+
+  // Lights and adds the seen samples of a group. Returns how many they are.
+  HWY_INLINE int lightSeen(Mask seen, VF alpha, const V3& material, const Gradients& gradients, VF step) {
+    const int count = static_cast<int>(hn::CountTrue(floats, seen));
+    if (count == 0)
+      return 0;
     const VF shares = taken(packed(alpha, seen));
-    const V3 lit = m_samples.light.shaded(m_samples.function.colorAt(scalar, seen), gradients, step);
+    const V3 lit = m_samples.light.shaded(material, gradients, step);
     if (count < lanes())
       add(shares, {packed(lit.x, seen), packed(lit.y, seen), packed(lit.z, seen)}, count);
     else
@@ -183,12 +204,16 @@ private:
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (m_hasGradient) {
       const VoxelAndSlope found = m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), m_queued);
-      if (!m_isPreintegrated)
+      if (!m_queuesColors && !m_mixesLate)
         color = m_samples.function.colorAt(m_samples.field.normalised(found.voxel), isQueued);
       gradients = m_samples.light.gradientsOf(found.slope);
     }
     VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));
-    if (m_changesOpacity)
+    if (m_mixesLate) {
+      const Looks::Mixed mixed = mixedAt(step, m_samples.scalarAt(step), gradients, isQueued);
+      shares = taken(hn::IfThenElseZero(isQueued, alphaOf(mixed.extinction)));
+      color = mixed.color;
+    } else if (m_changesOpacity)
       shares = taken(hn::IfThenElseZero(isQueued, changed(shares, gradients)));
     const V3 lit = m_samples.light.shaded(color, gradients, step);
     add(shares, lit, m_queued);
@@ -206,6 +231,8 @@ private:
   const bool m_isPreintegrated;
   const bool m_changesOpacity;
   const bool m_hasGradient;
+  const bool m_mixesLate;    // looks of labels are mixed once the gradient is known
+  const bool m_queuesColors; // beside opacities
   Sum m_sum;
   int m_queued = 0;
   int m_lane = 0; // of the sum, for the next sample

@@ -60,6 +60,23 @@ public:
                           mix(mix(second[0], second[2], w.z), mix(second[1], second[3], w.z), w.y), w.x));
   }
 
+  /// The normalised voxels at the eight corners of the cells around continuous voxel indices, and what share
+  /// of the place each has.
+  HWY_INLINE void cornersAt(const V3& index, VF corner[8], VF share[8]) const {
+    const Cells cells = cellsAt(index);
+    VF first[4], second[4];
+    cornersOf(cells, first, second);
+    const V3& w = cells.weight;
+    const VF x = hn::Sub(all(1.0f), w.x), y = hn::Sub(all(1.0f), w.y), z = hn::Sub(all(1.0f), w.z);
+    const VF across[4] = {hn::Mul(y, z), hn::Mul(w.y, z), hn::Mul(y, w.z), hn::Mul(w.y, w.z)};
+    for (int row = 0; row < 4; ++row) {
+      corner[2 * row] = normalised(first[row]);
+      corner[2 * row + 1] = normalised(second[row]);
+      share[2 * row] = hn::Mul(x, across[row]);
+      share[2 * row + 1] = hn::Mul(w.x, across[row]);
+    }
+  }
+
   /// The normalised scalars along chords between two continuous voxel indices, each within a cell: cubics, by
   /// their Bernstein coefficients, which are the means of the field's polar form at the chord's ends.
   HWY_NOINLINE void cubicsAlong(const V3& from, const V3& to, VF cubic[4]) const {

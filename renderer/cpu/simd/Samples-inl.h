@@ -12,6 +12,7 @@
 #include "cpu/simd/Field-inl.h"
 #include "cpu/simd/Function-inl.h"
 #include "cpu/simd/Light-inl.h"
+#include "cpu/simd/Looks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
@@ -21,7 +22,7 @@ template <VoxelSource::Kind kind>
 struct Samples {
   Samples(const PictureTerms& ofPicture, const Ray& along)
       : terms(ofPicture), ray(along), field(ofPicture.voxels),
-        function(*ofPicture.function, ofPicture.segments), light(ofPicture, along) {}
+        function(*ofPicture.function, ofPicture.segments), light(ofPicture, along), looks(ofPicture) {}
 
   /// Voxel indices `step` steps behind sample 0.
   HWY_INLINE V3 indexAt(VF step) const {
@@ -59,13 +60,17 @@ struct Samples {
   struct Absorbed {
     Mask seen;
     V3 color;
-    VF opacity;    // over the unit distance
+    VF opacity;    // over the unit distance; of looks, which have no common one, anything
     VF extinction; // likewise
   };
 
   /// The scalars `step` steps behind sample 0.
   HWY_NOINLINE Absorbed absorbedBy(VF scalar, VF step, Mask wanted, bool withColor) const {
     Absorbed absorbed;
+    if (looks.areAny()) {
+      const Looks::Mixed mixed = looks.mixedAt(indexAt(step), scalar, all(1.0f), wanted, withColor);
+      return {mixed.seen, mixed.color, mixed.extinction, mixed.extinction};
+    }
     const Mask opaque = function.opacityWhereSeen(scalar, wanted, absorbed.opacity);
     absorbed.seen = weighed(step, opaque, absorbed.opacity);
     if (hn::AllFalse(floats, absorbed.seen))
@@ -138,6 +143,7 @@ struct Samples {
   Field<kind> field;
   Function function;
   Light light;
+  Looks looks;
 };
 
 /// What a ray has gathered, front to back. Transmittance is kept in double: small steps of long rays take

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace limn {
 namespace {
@@ -156,6 +157,27 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_blockSteps", TextureUnit::blockSteps);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
+  unit("u_cellLooks", TextureUnit::cellLooks);
+  unit("u_labels", TextureUnit::labels);
+}
+
+// So many unit distances hide everything; the whole box must not have more than a float holds.
+double unitsPerLength(const Grid& grid, double unitDistanceMm) {
+  const double unit = lengthUnitMm(grid);
+  return std::min(unit / unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit));
+}
+
+void setLooks(const Setter& set, const Scene& scene, const SceneTextures& textures) {
+  const LookTextures& looks = textures.looks();
+  if (looks.isEmpty())
+    return;
+  const glm::dvec3 size(textures.volume().size());
+  set("u_cellsPerTexture", size);
+  set("u_lastLayer", size.z - 3.0);
+  set("u_lookSegments", static_cast<double>(looks.segmentsPerLook()));
+  for (std::size_t look = 0; look < looks.unitDistances().size(); ++look)
+    set(("u_lookUnits[" + std::to_string(look) + "]").c_str(),
+        unitsPerLength(scene.volume->grid(), looks.unitDistances()[look]));
 }
 
 void bind(TextureUnit unit, unsigned target, unsigned texture) {
@@ -184,6 +206,10 @@ void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
   bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
   bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
+  if (!textures.looks().isEmpty()) {
+    bind(TextureUnit::cellLooks, GL_TEXTURE_3D, textures.looks().cells());
+    bind(TextureUnit::labels, GL_TEXTURE_3D, textures.looks().labels());
+  }
 }
 
 int sampleLimit(const Scene& scene, const SceneTextures& textures) {
@@ -191,7 +217,8 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
   const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
-  const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps();
+  const int looks = textures.looks().isEmpty() ? 0 : 6;
+  const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);
 }
 
@@ -204,9 +231,8 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   set("u_functionDomain", glm::dvec3(textures.function().domain()));
   const Grid& grid = scene.volume->grid();
   const double unit = lengthUnitMm(grid);
-  // So many unit distances hide everything; the whole box must not have more than a float holds.
-  set("u_perUnitDistance",
-      std::min(unit / scene.transferFunction.unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit)));
+  set("u_perUnitDistance", unitsPerLength(grid, scene.transferFunction.unitDistanceMm));
+  setLooks(set, scene, textures);
   setGradient(set, scene, textures);
   setLighting(set, scene);
   setCut(set, scene);

@@ -19,7 +19,9 @@ enum class TextureUnit {
   gradientSegments,
   functionTable,
   storedGradient,
-  classifiedVolume
+  classifiedVolume,
+  cellLooks,
+  labels
 };
 
 /// Binds every texture to its unit.

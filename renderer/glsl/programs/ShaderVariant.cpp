@@ -38,7 +38,9 @@ const char* volumeBlock(const Decisions& decisions) {
   return decisions.volume == VolumeFormat::r16 ? "volume_wide.glsl" : "volume.glsl";
 }
 
-const char* classificationBlock(const Decisions& decisions) {
+const char* classificationBlock(EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::labelLooks))
+    return "classification_by_label.glsl";
   return decisions.table == TableFormat::exact ? "classification.glsl" : "function_table.glsl";
 }
 
@@ -68,7 +70,9 @@ void appendGathering(ShaderSource& source, EffectSet effects, const Decisions& d
     appendBlock(source, "gather_segments.glsl");
   } else {
     const bool isInterpolatedFirst = decisions.classification == ClassificationOrder::afterInterpolation;
-    appendBlock(source, isInterpolatedFirst ? "fetched.glsl" : "fetched_classified.glsl");
+    appendBlock(source, effects.has(Effect::labelLooks) ? "fetched_by_label.glsl"
+                        : isInterpolatedFirst           ? "fetched.glsl"
+                                                        : "fetched_classified.glsl");
     appendBlock(source, "gather.glsl");
   }
 }
@@ -85,10 +89,14 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions&
     if (isNeeded)
       appendBlock(source, name);
   };
-  for (const char* name : {"stable_math.glsl", filterBlock(effects, decisions), volumeBlock(decisions),
-                           "piecewise.glsl", classificationBlock(decisions)})
+  for (const char* name :
+       {"stable_math.glsl", filterBlock(effects, decisions), volumeBlock(decisions), "piecewise.glsl"})
     appendBlock(source, name);
-  blockIf(effects.has(Effect::region), "region.glsl");
+  // Looks of labels ask for the weight of a place themselves.
+  const bool hasLooks = effects.has(Effect::labelLooks);
+  blockIf(hasLooks && effects.has(Effect::region), "region.glsl");
+  appendBlock(source, classificationBlock(effects, decisions));
+  blockIf(!hasLooks && effects.has(Effect::region), "region.glsl");
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
   blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
   blockIf(effects.has(Effect::jitter), jitterBlock(decisions));

@@ -4,6 +4,7 @@
 #include "gl/DriverHealth.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/basics/StableMath.h"
+#include "scene/steps/BlockWalk.h"
 
 #include <epoxy/gl.h>
 
@@ -165,13 +166,13 @@ void BlockStepTexture::update(const Scene& scene) {
   if (m_volume != scene.volume) {
     m_facts = blockFacts(*scene.volume);
     m_volume = scene.volume;
-    m_function.reset();
+    m_looks.reset();
   }
-  if (m_function == scene.transferFunction && m_keep == scene.keep)
+  const LabelLooks looks = labelLooks(scene);
+  if (m_looks == looks && m_keep == scene.keep)
     return;
-  m_steps = blockSteps(m_facts, scene.transferFunction, smallestSpacingMm(m_volume->grid()),
-                       factWeights(scene.keep, m_facts));
-  m_function = scene.transferFunction;
+  m_steps = limn::blockSteps(scene, m_facts);
+  m_looks = looks;
   m_keep = scene.keep;
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   const glm::ivec3 size = m_steps.blocks;
@@ -182,10 +183,11 @@ void BlockStepTexture::update(const Scene& scene) {
 }
 
 void FunctionTexture::upload(const PiecewiseTable& table) {
-  const glm::ivec2 row(static_cast<int>(table.bins.size()), 1);
-  uploadTable(m_bins.name(), row, false, table.bins.data());
+  const auto bins = static_cast<int>(table.bins.size());
+  uploadTable(m_bins.name(), {bins, 1}, false, table.bins.data());
   uploadTable(m_segments.name(), table.segmentsSize, false, table.segments.data());
-  uploadTable(m_occupancy.name(), row, true, table.occupancy.data());
+  const auto rows = static_cast<int>(table.occupancy.size()) / bins;
+  uploadTable(m_occupancy.name(), {bins, rows}, true, table.occupancy.data());
   m_domain = table.domain;
   m_loopSteps = table.loopSteps;
 }
@@ -226,6 +228,7 @@ void SceneTextures::beginVolume(const Scene& scene) {
   // The old texture goes first: two large volumes need not fit together.
   m_volumeTexture.reset();
   m_region = {};
+  m_looks = {};
   m_volume.reset();
   m_functionShown.reset();
   m_emptySpaceShown.reset();
@@ -260,6 +263,10 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
   if (hasSurface)
     visibility.isovalue = static_cast<float>(normalisedValue(m_volume->range(), scene.isovalue));
   visibility.weights = &m_region.blocks();
+  if (!m_looks.isEmpty()) {
+    visibility.looks = &m_looks.tables();
+    visibility.blockLooks = &m_looks.ofBlocks();
+  }
   const BlockRanges& ranges = m_volumeTexture->ranges();
   mapEmptySpace(ranges, visibility, m_empty);
   m_emptySpace.upload(ranges.blocks(), m_empty.distances);
@@ -291,11 +298,15 @@ IndexBox SceneTextures::visibleBox() const {
 void SceneTextures::update(const Scene& scene) {
   while (uploadVolume(scene) < 1.0) {
   }
-  if (m_functionShown != scene.transferFunction) {
+  if (m_looks.update(scene, *m_volumeTexture))
+    m_functionShown.reset();
+  if (const LabelLooks looks = labelLooks(scene); m_functionShown != looks) {
     const ValueRange& range = m_volume->range();
-    m_functionTable = tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);
+    m_functionTable = looks.areAny()
+                          ? m_looks.together()
+                          : tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);
     m_function.upload(m_functionTable);
-    m_functionShown = scene.transferFunction;
+    m_functionShown = looks;
   }
   m_region.update(scene.keep, *m_volumeTexture);
   updateEmptySpace(scene);

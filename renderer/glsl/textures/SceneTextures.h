@@ -3,7 +3,9 @@
 
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
+#include "glsl/textures/LookTextures.h"
 #include "glsl/textures/VolumeTexture.h"
+#include "scene/LabelLooks.h"
 #include "scene/Scene.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/PiecewiseTable.h"
@@ -66,7 +68,7 @@ private:
   GlTexture m_texture;
   std::shared_ptr<const Volume> m_volume;
   BlockFacts m_facts;
-  std::optional<TransferFunction> m_function;
+  std::optional<LabelLooks> m_looks;
   Region m_keep;
   BlockSteps m_steps;
 };
@@ -129,6 +131,7 @@ public:
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
   const RegionTexture& region() const { return m_region; }
+  const LookTextures& looks() const { return m_looks; }
 
   /// Valid where the scene of the last update asks for error-controlled steps.
   const BlockStepTexture& blockSteps() const { return m_blockSteps; }
@@ -165,7 +168,8 @@ private:
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
   RegionTexture m_region;
-  std::optional<TransferFunction> m_functionShown;
+  LookTextures m_looks;
+  std::optional<LabelLooks> m_functionShown;
   PiecewiseTable m_functionTable;
   FunctionTexture m_function;
   std::optional<EmptySpaceKey> m_emptySpaceShown;

@@ -82,9 +82,11 @@ public:
   [[noreturn]] void fail(const std::string& key, const Message& problem) const;
   const std::string& document() const { return m_document; }
 
+  /// The name of a field in errors.
+  std::string pathOf(const std::string& key) const { return m_where.empty() ? key : m_where + "." + key; }
+
 private:
   std::optional<std::size_t> choice(const std::string& key, std::span<const char* const> words);
-  std::string pathOf(const std::string& key) const { return m_where.empty() ? key : m_where + "." + key; }
   double numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const;
 
   const nlohmann::json& m_object;

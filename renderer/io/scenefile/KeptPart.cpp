@@ -17,11 +17,11 @@ constexpr int mostGrown = 100;
 constexpr Words<bool, 2> removeWords{{"outside", "inside"}};
 constexpr Words<bool, 2> pieceWords{{"hide", "only"}};
 
-int labelNamed(const JsonFields& weights, const std::string& key) {
+int labelNamed(const JsonFields& fields, const std::string& key) {
   int value = 0;
   const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), value);
   if (failed != std::errc() || end != key.data() + key.size())
-    weights.fail(key, Message::tr("must be the number of a label"));
+    fields.fail(key, Message::tr("must be the number of a label"));
   return value;
 }
 
@@ -29,11 +29,33 @@ int labelNamed(const JsonFields& weights, const std::string& key) {
 
 KeptPart keptPartOf(const Region& region) {
   KeptPart part{region.kind, region.kind == Region::Kind::labels ? region.source : "", {}, region.cuts};
-  if (region.kind == Region::Kind::labels && region.labels)
-    for (std::size_t place = 0; place < ownLabels(region); ++place)
-      if (region.weights[place] != 1.0)
-        part.weights[region.labels->labels()[place].value] = region.weights[place];
+  if (region.kind != Region::Kind::labels || !region.labels)
+    return part;
+  for (std::size_t place = 0; place < ownLabels(region); ++place) {
+    const int value = region.labels->labels()[place].value;
+    if (region.weights[place] != 1.0)
+      part.weights[value] = region.weights[place];
+    if (const std::size_t look = lookOfLabel(region, place); look > 0)
+      part.looks[value] = region.looks[look - 1];
+  }
   return part;
+}
+
+Region withLooksOf(const Region& region, const std::map<int, TransferFunction>& looks,
+                   const std::string& labelMap) {
+  std::map<int, TransferFunction> left = looks;
+  std::map<std::size_t, TransferFunction> ofPlaces;
+  const std::size_t labels = region.labels ? ownLabels(region) : 0;
+  for (std::size_t place = 0; place < labels; ++place)
+    if (const auto look = left.find(region.labels->labels()[place].value); look != left.end()) {
+      ofPlaces[place] = look->second;
+      left.erase(look);
+    }
+  if (!left.empty())
+    throw Error(Error::Kind::input, Message::tr("The scene gives a look to label %1, which %2 does not have; "
+                                                "take the look out or choose another label map.")
+                                        .arg(left.begin()->first, labelMap));
+  return withLooks(region, ofPlaces);
 }
 
 std::vector<double> weightsOf(const std::vector<Label>& labels, const std::map<int, double>& weights,
@@ -63,6 +85,17 @@ void readLabelsPart(JsonFields fields, KeptPart& part) {
     for (const auto& [key, ignored] : fields.child("weights").items())
       weights.number(key, part.weights[labelNamed(weights, key)], fraction);
     weights.finish();
+  }
+  if (fields.has("looks")) {
+    JsonFields looks = fields.object("looks");
+    for (const auto& [key, ignored] : fields.child("looks").items()) {
+      const int label = labelNamed(looks, key);
+      JsonFields look = looks.object(key);
+      if (!look.has("points"))
+        look.fail("points", Message::tr("is missing; a look is a list of control points"));
+      part.looks[label] = readTransferFunction(look, looks.pathOf(key));
+    }
+    looks.finish();
   }
   fields.finish();
 }
@@ -182,7 +215,14 @@ nlohmann::ordered_json baseJson(const KeptPart& part) {
   nlohmann::ordered_json weights = nlohmann::ordered_json::object();
   for (const auto& [value, weight] : part.weights)
     weights[std::to_string(value)] = weight;
-  return {{"labels", part.labels}, {"weights", weights}};
+  nlohmann::ordered_json json{{"labels", part.labels}, {"weights", weights}};
+  if (part.looks.empty())
+    return json;
+  nlohmann::ordered_json looks = nlohmann::ordered_json::object();
+  for (const auto& [value, look] : part.looks)
+    looks[std::to_string(value)] = functionJson(look);
+  json["looks"] = looks;
+  return json;
 }
 
 } // namespace

@@ -36,6 +36,12 @@ Preset readPreset(JsonFields& fields);
 /// The fields of a preset beside its version.
 nlohmann::ordered_json presetJson(const Preset& preset);
 
+/// A transfer function; `where` names it in errors. Refuses other fields. Throws Error (input).
+TransferFunction readTransferFunction(JsonFields fields, const std::string& where);
+
+/// The fields of a transfer function, as readTransferFunction reads them.
+nlohmann::ordered_json functionJson(const TransferFunction& function);
+
 /// The field `keep`, as readKeptPart reads it.
 nlohmann::ordered_json keptPartJson(const KeptPart& part);
 

@@ -23,28 +23,6 @@ void readRange(JsonFields& fields, const std::string& key, CoefficientRange& ran
     fields.fail(key, Message::tr("must name the smaller number first"));
 }
 
-TransferFunction readTransferFunction(JsonFields fields) {
-  TransferFunction function;
-  fields.number("unit_distance_mm", function.unitDistanceMm, positive);
-  if (fields.has("points")) {
-    const nlohmann::json& points = fields.child("points");
-    if (!points.is_array())
-      fields.fail("points", Message::tr("must be a list of control points"));
-    for (const nlohmann::json& item : points) {
-      JsonFields point(item, fields.document(), placeIn("transfer_function.points", function.points.size()));
-      ControlPoint control;
-      if (!point.number("value", control.value))
-        point.fail("value", Message::tr("is missing"));
-      point.vector("color", control.color, fraction);
-      point.number("opacity", control.opacity, fraction);
-      point.finish();
-      function.points.push_back(control);
-    }
-  }
-  fields.finish();
-  return normalised(std::move(function));
-}
-
 GradientReference readGradientReference(JsonFields& shading) {
   const nlohmann::json& value = shading.child("gradient_reference");
   if (value == "auto")
@@ -273,6 +251,29 @@ std::string placeIn(const char* list, std::size_t index) {
   return std::string(list).append("[").append(std::to_string(index)).append("]");
 }
 
+TransferFunction readTransferFunction(JsonFields fields, const std::string& where) {
+  TransferFunction function;
+  const std::string list = where + ".points";
+  fields.number("unit_distance_mm", function.unitDistanceMm, positive);
+  if (fields.has("points")) {
+    const nlohmann::json& points = fields.child("points");
+    if (!points.is_array())
+      fields.fail("points", Message::tr("must be a list of control points"));
+    for (const nlohmann::json& item : points) {
+      JsonFields point(item, fields.document(), placeIn(list.c_str(), function.points.size()));
+      ControlPoint control;
+      if (!point.number("value", control.value))
+        point.fail("value", Message::tr("is missing"));
+      point.vector("color", control.color, fraction);
+      point.number("opacity", control.opacity, fraction);
+      point.finish();
+      function.points.push_back(control);
+    }
+  }
+  fields.finish();
+  return normalised(std::move(function));
+}
+
 SceneDocument readScene(JsonFields fields) {
   requireVersion(fields, "limn_scene", Message::tr("scene"));
   SceneDocument document;
@@ -287,7 +288,7 @@ SceneDocument readScene(JsonFields fields) {
     scene.camera = readCamera(fields.object("camera"));
   document.hasTransferFunction = fields.has("transfer_function");
   if (document.hasTransferFunction)
-    scene.transferFunction = readTransferFunction(fields.object("transfer_function"));
+    scene.transferFunction = readTransferFunction(fields.object("transfer_function"), "transfer_function");
   if (fields.has("shading"))
     scene.shading = readShading(fields.object("shading"));
   if (fields.has("gradient_opacity"))
@@ -360,7 +361,7 @@ Preset readPreset(JsonFields& fields) {
   fields.text("folder", preset.folder);
   if (!fields.has("transfer_function"))
     fields.fail("transfer_function", Message::tr("is missing"));
-  preset.transferFunction = readTransferFunction(fields.object("transfer_function"));
+  preset.transferFunction = readTransferFunction(fields.object("transfer_function"), "transfer_function");
   if (fields.has("gradient_opacity"))
     preset.gradientOpacity = readGradientOpacity(fields);
   if (fields.has("shading"))

@@ -17,13 +17,6 @@ Json toJson(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-Json toJson(const TransferFunction& function) {
-  Json points = Json::array();
-  for (const ControlPoint& point : function.points)
-    points.push_back({{"value", point.value}, {"color", toJson(point.color)}, {"opacity", point.opacity}});
-  return {{"unit_distance_mm", function.unitDistanceMm}, {"points", points}};
-}
-
 Json toJson(const GradientReference& reference) {
   if (const auto* percentile = std::get_if<PercentileReference>(&reference))
     return {{"percentile", percentile->percent}};
@@ -101,13 +94,20 @@ Json toJson(const Quality& quality) {
 
 } // namespace
 
+nlohmann::ordered_json functionJson(const TransferFunction& function) {
+  Json points = Json::array();
+  for (const ControlPoint& point : function.points)
+    points.push_back({{"value", point.value}, {"color", toJson(point.color)}, {"opacity", point.opacity}});
+  return {{"unit_distance_mm", function.unitDistanceMm}, {"points", points}};
+}
+
 nlohmann::ordered_json sceneJson(const SceneDocument& document) {
   const Scene& scene = document.scene;
   Json json{{"limn_scene", 1}, {"volume", document.volume}};
   if (!document.orientation.empty())
     json["orientation"] = document.orientation;
   json.update(Json{{"camera", cameraJson(scene.camera)},
-                   {"transfer_function", toJson(scene.transferFunction)},
+                   {"transfer_function", functionJson(scene.transferFunction)},
                    {"shading", toJson(scene.shading)},
                    {"gradient_opacity", toJson(scene.gradientOpacity)},
                    {"fog", toJson(scene.fog)},
@@ -155,7 +155,7 @@ nlohmann::ordered_json presetJson(const Preset& preset) {
   Json json = {{"name", preset.name},
                {"modality", preset.modality},
                {"note", preset.note},
-               {"transfer_function", toJson(preset.transferFunction)}};
+               {"transfer_function", functionJson(preset.transferFunction)}};
   if (!preset.folder.empty())
     json["folder"] = preset.folder;
   if (preset.gradientOpacity)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects/EffectPlan.h"
 
+#include "scene/LabelLooks.h"
+#include "scene/ProjectionFacts.h"
 #include "scene/basics/Error.h"
 #include "scene/basics/StableMath.h"
 #include "scene/function/FunctionDetail.h"
@@ -154,6 +156,15 @@ void fogClauses(Plan& plan, const Scene& scene) {
               Message::tr("squared exponential fog is on"), why);
 }
 
+void looksClause(Plan& plan, const Scene& scene) {
+  const Message whyNot = scene.keep.looks.empty() ? Message::tr("no label has a look of its own")
+                         : integrates(scene.projection)
+                             ? Message::tr("no label that shows has another look than the picture")
+                             : Message::tr("this kind of picture takes one value of a ray, not of a label");
+  plan.clause(Effect::labelLooks, hasLabelLooks(scene), Message::tr("some labels have looks of their own"),
+              whyNot);
+}
+
 void projectionClauses(Plan& plan, const Scene& scene) {
   const auto choice = [&](Effect effect, Projection projection, const Message& because) {
     plan.clause(effect, scene.projection == projection, because,
@@ -172,10 +183,13 @@ void projectionClauses(Plan& plan, const Scene& scene) {
 // The largest depth that a ray can gather in the volume.
 double largestDepth(const Scene& scene, const LightingTerms& terms) {
   const ValueRange& range = scene.volume->range();
-  const double opacity = largestOpacityWithin(scene.transferFunction, range.lowest, range.highest) *
-                         std::max(terms.opacity.atFlat, terms.opacity.atBoundary);
-  return minusLog1mOpacity(opacity) / scene.transferFunction.unitDistanceMm *
-         boxDiagonalMm(scene.volume->grid());
+  double perMm = 0.0;
+  for (const TransferFunction& function : labelLooks(scene).functions) {
+    const double opacity = largestOpacityWithin(function, range.lowest, range.highest) *
+                           std::max(terms.opacity.atFlat, terms.opacity.atBoundary);
+    perMm = std::max(perMm, minusLog1mOpacity(opacity) / function.unitDistanceMm);
+  }
+  return perMm * boxDiagonalMm(scene.volume->grid());
 }
 
 void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const LightingTerms& terms) {
@@ -204,7 +218,8 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
               facts.canSkipEmptySpace ? Message::tr("hardly any part of the volume is transparent")
                                       : Message::tr("it is switched off"));
   // Per sample at most three iterations of nested loops, and rays that run together wait for one another.
-  const double loops = scene.projection == Projection::compositeIsosurface ? 6.0 : 5.0;
+  const double loops =
+      (scene.projection == Projection::compositeIsosurface ? 6.0 : 5.0) + (hasLabelLooks(scene) ? 6.0 : 0.0);
   plan.clause(Effect::longRays, loops * longestRaySamples(scene) > mostSamples,
               Message::tr("the longest ray has too many samples for nested loops"),
               Message::tr("every ray is short enough"));
@@ -218,18 +233,20 @@ void explainDropped(EffectPlan& plan, Projection projection) {
   for (EffectReason& reason : plan.reasons) {
     const bool isKept = plan.effects.has(reason.effect);
     if (reason.isNeeded && !isKept)
-      reason.reason = !plan.isVisible ? Message::tr("nothing of the volume can be seen")
-                      : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
-                          ? Message::tr("error-controlled steps follow the curve themselves")
-                      : reason.effect == Effect::jitter && plan.effects.has(Effect::localSteps)
-                          ? Message::tr("error-controlled steps leave no sample to shift")
-                      : reason.effect == Effect::jitter
-                          ? Message::tr("exact steps (pre-integration) leave no sample to shift")
-                      : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
-                          ? Message::tr("the steps are so small that rays take too many of them")
-                      : projection == Projection::composite
-                          ? Message::tr("nothing that can be seen depends on it")
-                          : Message::tr("this kind of picture has no use for it");
+      reason.reason =
+          !plan.isVisible ? Message::tr("nothing of the volume can be seen")
+          : reason.effect == Effect::preintegration && plan.effects.has(Effect::labelLooks)
+              ? Message::tr("where looks of labels meet only samples can follow them, not whole steps")
+          : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
+              ? Message::tr("error-controlled steps follow the curve themselves")
+          : reason.effect == Effect::jitter && plan.effects.has(Effect::localSteps)
+              ? Message::tr("error-controlled steps leave no sample to shift")
+          : reason.effect == Effect::jitter
+              ? Message::tr("exact steps (pre-integration) leave no sample to shift")
+          : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
+              ? Message::tr("the steps are so small that rays take too many of them")
+          : projection == Projection::composite ? Message::tr("nothing that can be seen depends on it")
+                                                : Message::tr("this kind of picture has no use for it");
     reason.isDropped = reason.isNeeded && !isKept;
     reason.isNeeded = isKept;
   }
@@ -280,10 +297,12 @@ bool stepResolvesFunction(const Scene& scene, double steepestPerMm) {
   // 100 HU 0.59 (0.79), within 200 HU 1.8 (1.06). It takes 1.3 to 2 times as long.
   const double perStep = steepestPerMm * stepMm(scene);
   const ValueRange& range = scene.volume->range();
-  const TransferFunction function =
-      overVoxelAtLeast(scene.transferFunction, smallestSpacingMm(scene.volume->grid()));
-  return largestChangeOver(function, perStep / 16.0, range) < 0.2 &&
-         narrowestBand(function, 0.1, range) >= perStep / 3.0;
+  const std::vector<TransferFunction> functions = labelLooks(scene).functions;
+  return std::all_of(functions.begin(), functions.end(), [&](const TransferFunction& one) {
+    const TransferFunction function = overVoxelAtLeast(one, smallestSpacingMm(scene.volume->grid()));
+    return largestChangeOver(function, perStep / 16.0, range) < 0.2 &&
+           narrowestBand(function, 0.1, range) >= perStep / 3.0;
+  });
 }
 
 bool readsSteepness(const Scene& scene) {
@@ -300,7 +319,11 @@ bool fogShows(const Scene& scene) {
 
 bool isAnythingVisible(const Scene& scene) {
   const ValueRange& range = scene.volume->range();
-  const bool isOpaque = largestOpacityWithin(scene.transferFunction, range.lowest, range.highest) > 0.0;
+  const std::vector<TransferFunction> functions = labelLooks(scene).functions;
+  const bool isOpaque =
+      std::any_of(functions.begin(), functions.end(), [&](const TransferFunction& function) {
+        return largestOpacityWithin(function, range.lowest, range.highest) > 0.0;
+      });
   const bool hasSurface = scene.isovalue <= range.highest;
   switch (scene.projection) {
   case Projection::isosurface:
@@ -330,6 +353,7 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
                                                       : Message::tr("some labels are hidden or faded"),
               scene.keep.kind == Region::Kind::labels ? Message::tr("every label is shown")
                                                       : Message::tr("all of the volume is kept"));
+  looksClause(plan, scene);
   projectionClauses(plan, scene);
   marchClauses(plan, scene, facts, terms);
   plan.clause(Effect::localSteps, finenessOf(scene.quality).has_value(),

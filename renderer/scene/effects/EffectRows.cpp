@@ -67,6 +67,7 @@ const std::vector<Group>& groups() {
       {"knee", Message::tr("Soft limit of brightness (knee)"), {Effect::knee}, Effect::knee},
       {"two_sided", Message::tr("Light on both sides"), {Effect::twoSided}, Effect::twoSided},
       {"region", Message::tr("Kept region"), {Effect::region}, Effect::region},
+      {"label_looks", Message::tr("Looks of labels"), {Effect::labelLooks}, Effect::labelLooks},
       {"own_weights", Message::tr("Own weights between voxels"), {Effect::ownWeights}, Effect::ownWeights},
   };
   return all;

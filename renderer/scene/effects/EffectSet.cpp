@@ -29,6 +29,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"fog_exp2", "EFFECT_FOG_EXP2", "squared exponential fog"},
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
     {"region", "EFFECT_REGION", "a kept region takes opacity from what lies outside it"},
+    {"label_looks", "EFFECT_LABEL_LOOKS", "labels have transfer functions of their own"},
     {"mip", "EFFECT_MIP", "the largest value of each ray"},
     {"minip", "EFFECT_MINIP", "the smallest value of each ray"},
     {"average", "EFFECT_AVERAGE", "the mean value of each ray"},
@@ -75,9 +76,10 @@ const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 
 // What a projection cannot use.
 EffectSet withinProjection(EffectSet effects) {
-  const EffectSet marching{Effect::xray,     Effect::preintegration, Effect::jitter,
-                           Effect::longRays, Effect::denseFunctions, Effect::emptySpaceSkipping,
-                           Effect::region,   Effect::localSteps,     Effect::ownWeights};
+  const EffectSet marching{Effect::xray,      Effect::preintegration, Effect::jitter,
+                           Effect::longRays,  Effect::denseFunctions, Effect::emptySpaceSkipping,
+                           Effect::region,    Effect::labelLooks,     Effect::localSteps,
+                           Effect::ownWeights};
   if (effects.hasAny(scalarProjections)) {
     const EffectSet kept =
         scalarProjections.with({Effect::jitter, Effect::denseFunctions, Effect::region, Effect::ownWeights});
@@ -87,8 +89,8 @@ EffectSet withinProjection(EffectSet effects) {
     return effects.without(effects.without(marching));
   if (effects.has(Effect::isosurface))
     return effects.without({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity,
-                            Effect::preintegration, Effect::earlyTermination, Effect::longRays,
-                            Effect::denseFunctions, Effect::localSteps});
+                            Effect::labelLooks, Effect::preintegration, Effect::earlyTermination,
+                            Effect::longRays, Effect::denseFunctions, Effect::localSteps});
   return effects;
 }
 
@@ -115,6 +117,8 @@ EffectSet canonical(EffectSet effects) {
       effects = effects.without(useless);
   };
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
+  // Within a step the shares of looks change as the scalar does.
+  drop(has(Effect::labelLooks), {Effect::preintegration});
   drop(has(Effect::localSteps), {Effect::preintegration, Effect::jitter});
   drop(has(Effect::localSteps) && !has(Effect::hybrid), {Effect::longRays});
   drop(has(Effect::preintegration), {Effect::jitter});

@@ -33,6 +33,7 @@ enum class Effect : std::uint8_t {
   fogExp2,
   cutFaces,
   region,
+  labelLooks,
   mip,
   minip,
   average,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/framing/VisibleVoxels.h"
 
+#include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/framing/KeptVoxels.h"
 #include "scene/framing/Outermost.h"
@@ -29,11 +30,11 @@ int unitVoxelsFor(const VoxelBox& box, std::int64_t most) {
   return unit;
 }
 
-// Which scalars show, given the weight that the region leaves their opacity.
-class Shown {
+// Which scalars show, given the weight that the region leaves their opacity, under one function.
+class ShownByOne {
 public:
-  explicit Shown(const Scene& scene)
-      : m_function(scene.transferFunction), m_isComposite(scene.projection != Projection::isosurface) {
+  ShownByOne(const Scene& scene, const TransferFunction& function)
+      : m_function(function), m_isComposite(scene.projection != Projection::isosurface) {
     if (showsSurface(scene.projection))
       m_isovalue = scene.isovalue;
   }
@@ -67,9 +68,39 @@ private:
     return least;
   }
 
-  const TransferFunction& m_function;
+  TransferFunction m_function;
   bool m_isComposite;
   std::optional<double> m_isovalue;
+};
+
+// The same under the functions of several looks: whatever one of them shows, or one alone.
+class Shown {
+public:
+  Shown(const Scene& scene, const LabelLooks& looks) {
+    for (const TransferFunction& function : looks.functions)
+      m_each.emplace_back(scene, function);
+  }
+
+  bool at(double scalar, double weight) const {
+    return std::any_of(m_each.begin(), m_each.end(),
+                       [&](const ShownByOne& one) { return one.at(scalar, weight); });
+  }
+
+  bool at(double scalar, double weight, std::size_t look) const { return m_each[look].at(scalar, weight); }
+
+  std::optional<bool> between(double lowest, double highest) const {
+    bool mayShow = false;
+    for (const ShownByOne& one : m_each) {
+      const std::optional<bool> all = one.between(lowest, highest);
+      if (all.value_or(false))
+        return true;
+      mayShow = mayShow || !all;
+    }
+    return mayShow ? std::nullopt : std::optional(false);
+  }
+
+private:
+  std::vector<ShownByOne> m_each;
 };
 
 // Which stored voxels show. Values are looked up by their places in a list: of small types each value has
@@ -78,8 +109,10 @@ template <class T>
 class VoxelTest {
 public:
   VoxelTest(const Scene& scene, const StoredVoxels<T>& stored)
-      : m_stored(stored), m_rescale(scene.volume->rescale()), m_shown(scene),
-        m_region(isRestricting(scene.keep) ? &scene.keep : nullptr), m_range(scene.volume->range()) {
+      : m_stored(stored), m_rescale(scene.volume->rescale()), m_looks(labelLooks(scene)),
+        m_shown(scene, m_looks),
+        m_region(isRestricting(scene.keep) || m_looks.areAny() ? &scene.keep : nullptr),
+        m_range(scene.volume->range()) {
     if (!isSmall && m_range.highest > m_range.lowest)
       m_perScalar = bins / (m_range.highest - m_range.lowest);
     const std::size_t places = isSmall ? std::size_t{1} << (8 * std::min<std::size_t>(sizeof(T), 2)) : bins;
@@ -99,8 +132,11 @@ public:
     if (m_region)
       for (std::uint64_t left = bits; left != 0; left &= left - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(left));
-        const double weight = m_region->weights[m_region->labels->placeAt(label + i)];
-        if (weight < 1.0 && !(weight > 0.0 && showsAt(m_stored[voxel + i], weight)))
+        const std::size_t place = m_region->labels->placeAt(label + i);
+        const double weight = m_region->weights[place];
+        const std::size_t look = m_looks.areAny() ? m_looks.ofLabel[place] : 0;
+        if ((weight < 1.0 || m_looks.areAny()) &&
+            !(weight > 0.0 && m_shown.at(scalarOf(m_stored[voxel + i]), weight, look)))
           bits &= ~(std::uint64_t{1} << i);
       }
     return bits;
@@ -178,6 +214,7 @@ private:
 
   const StoredVoxels<T>& m_stored;
   Rescale m_rescale;
+  LabelLooks m_looks;
   Shown m_shown;
   const Region* m_region;
   ValueRange m_range;

@@ -22,17 +22,11 @@ struct WeightRange {
   }
 };
 
-// The voxels of a block along one axis, the end excluded.
-struct Span {
-  int begin;
-  int end;
-};
+} // namespace
 
-Span voxelsOf(int block, int cells, int last) {
+BlockSpan voxelsOfBlock(int block, int cells, int last) {
   return {std::max(0, block * cells - 1), std::min(last, (block + 1) * cells + 1) + 1};
 }
-
-} // namespace
 
 BlockWeights blockWeights(const Region& region, const BlockGrid& grid, const Effort& effort,
                           const std::shared_ptr<Room>& room) {
@@ -42,14 +36,14 @@ BlockWeights blockWeights(const Region& region, const BlockGrid& grid, const Eff
   std::visit(
       [&](const auto& places) {
         forEachPiece(blocks.y * blocks.z, effort, [&](int row) {
-          const Span y = voxelsOf(grid.first.y + row % blocks.y, grid.cells.y, dims.y - 1);
-          const Span z = voxelsOf(grid.first.z + row / blocks.y, grid.cells.z, dims.z - 1);
+          const BlockSpan y = voxelsOfBlock(grid.first.y + row % blocks.y, grid.cells.y, dims.y - 1);
+          const BlockSpan z = voxelsOfBlock(grid.first.z + row / blocks.y, grid.cells.z, dims.z - 1);
           std::vector<WeightRange> ranges(static_cast<std::size_t>(blocks.x));
           for (int k = z.begin; k < z.end; ++k)
             for (int j = y.begin; j < y.end; ++j) {
               const auto* line = &places[(static_cast<std::size_t>(k) * dims.y + j) * dims.x];
               for (int i = 0; i < blocks.x; ++i) {
-                const Span x = voxelsOf(grid.first.x + i, grid.cells.x, dims.x - 1);
+                const BlockSpan x = voxelsOfBlock(grid.first.x + i, grid.cells.x, dims.x - 1);
                 for (int voxel = x.begin; voxel < x.end; ++voxel)
                   ranges[static_cast<std::size_t>(i)].add(region.weights[line[voxel]]);
               }

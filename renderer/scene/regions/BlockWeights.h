@@ -23,6 +23,14 @@ struct BlockGrid {
   glm::ivec3 first{0}; ///< the block of the first weight
 };
 
+/// The voxels of a block along one axis, half open, `last` being the volume's last one there.
+struct BlockSpan {
+  int begin = 0;
+  int end = 0;
+};
+
+BlockSpan voxelsOfBlock(int block, int cells, int last);
+
 /// One for each block, x fastest.
 using BlockWeights = RoomVector<BlockWeight>;
 

@@ -85,6 +85,34 @@ std::size_t LabelMap::placeAt(std::size_t voxel) const {
   return std::visit([voxel](const auto& all) -> std::size_t { return all[voxel]; }, m_places);
 }
 
+std::size_t lookOfLabel(const Region& region, std::size_t place) {
+  return place < region.lookOf.size() ? region.lookOf[place] : 0;
+}
+
+Region withLooks(const Region& region, const std::map<std::size_t, TransferFunction>& looks) {
+  Region changed = region;
+  changed.looks.clear();
+  changed.lookOf.clear();
+  for (const auto& [place, look] : looks) {
+    if (place >= region.weights.size())
+      throw Error(Error::Kind::input,
+                  Message::tr("A look is given to a label that the volume does not have."));
+    const TransferFunction sorted = normalised(look);
+    auto at = std::find(changed.looks.begin(), changed.looks.end(), sorted);
+    if (at == changed.looks.end())
+      at = changed.looks.insert(at, sorted);
+    if (changed.looks.size() > mostLooks)
+      throw Error(
+          Error::Kind::input,
+          Message::tr("The labels have more than %1 different looks, which is as many as can be drawn; "
+                      "give some of them the same look.")
+              .arg(mostLooks));
+    changed.lookOf.resize(region.weights.size());
+    changed.lookOf[place] = static_cast<std::uint8_t>(at - changed.looks.begin() + 1);
+  }
+  return changed;
+}
+
 std::size_t ownLabels(const Region& region) {
   return region.weights.size() - (region.isCut ? 1 : 0);
 }
@@ -93,6 +121,9 @@ Region withoutCuts(const Region& region) {
   Region whole{region.kind, region.source, region.isCut ? region.uncut : region.labels, region.weights};
   if (region.isCut)
     whole.weights.resize(whole.labels ? ownLabels(region) : 0);
+  whole.looks = region.looks;
+  whole.lookOf = region.lookOf;
+  whole.lookOf.resize(std::min(region.lookOf.size(), whole.weights.size()));
   return whole;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/function/TransferFunction.h"
 #include "scene/regions/Cut.h"
 #include "scene/volume/Grid.h"
 #include "scene/volume/Volume.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -49,6 +51,9 @@ private:
   std::vector<VoxelBox> m_boxes; // of each label
 };
 
+/// So many different looks of their own may the labels of a region have.
+inline constexpr std::size_t mostLooks = 32;
+
 /// Which part of a volume is kept (DEFINITION section 10): one weight for each label, which becomes one more
 /// factor of the opacity. What was cut away by hand (regions/Cutting.h) is one label more, the last.
 struct Region {
@@ -63,8 +68,20 @@ struct Region {
   std::shared_ptr<const LabelMap> uncut{}; ///< where it is: the labels before, none where all was kept
   std::vector<bool> shownWhenCut{}; ///< which of them weighed more than nothing then; what pieces hang on
 
+  std::vector<TransferFunction>
+      looks{};                        ///< of their own that labels have, at most `mostLooks`, all different
+  std::vector<std::uint8_t> lookOf{}; ///< of each label: 0 the scene's, n `looks[n - 1]`; behind its end: 0
+
   bool operator==(const Region&) const = default;
 };
+
+/// The look of a label by its place in the list: 0 the scene's, n `looks[n - 1]`.
+std::size_t lookOfLabel(const Region& region, std::size_t place);
+
+/// The region whose labels have these looks: `looks` holds one for each label that has one, by its place in
+/// the list of labels. Equal looks become one; none is left where `looks` is empty. Throws Error (input)
+/// where more than `mostLooks` differ, where a place is none of the region's, and what `normalised` throws.
+Region withLooks(const Region& region, const std::map<std::size_t, TransferFunction>& looks);
 
 /// How many labels a region has without the one of what is cut away.
 std::size_t ownLabels(const Region& region);

@@ -246,6 +246,41 @@ std::int8_t plainRung(double extinctionPerMm, double bendPerMm2, double commonPe
   return static_cast<std::int8_t>(std::clamp(rungFor(std::cbrt(1.0 / d)), coarsest, finestRung));
 }
 
+// What one function asks of the steps in blocks.
+class FunctionRungs {
+public:
+  FunctionRungs(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm)
+      : m_facts(facts), m_unitDistanceMm(function.unitDistanceMm), m_smallestMm(smallestSpacingMm),
+        m_over(function, facts.range, bandsToResolve(function, smallestSpacingMm)),
+        m_margin(filterRounding * (facts.range.highest - facts.range.lowest)) {}
+
+  // Makes the rungs of a block as fine as this function needs them; false where none is fine enough.
+  bool addTo(StepRungs& rungs, const FieldFacts& block, bool isEdge) const {
+    const ValueRange values{block.range.lowest - m_margin, block.range.highest + m_margin};
+    const double opacity = m_over.largestOpacity(values);
+    if (!(opacity > 0.0))
+      return true;
+    const double bend = std::max(block.bendPerMm2, isEdge ? m_facts.commonPerMm / m_smallestMm : 0.0);
+    const std::int8_t plain =
+        plainRung(extinctionPerMm(opacity, m_unitDistanceMm), bend, m_facts.commonPerMm, m_smallestMm);
+    const double bandsPerStep = 2.0 * m_over.bandsPerValue(values) * block.steepestPerMm * m_smallestMm;
+    int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
+    if (isEdge)
+      resolving = std::max(resolving, rungFor(0.5));
+    rungs.plain = rungs.isEmpty ? plain : std::max(rungs.plain, plain);
+    rungs.isEmpty = false;
+    rungs.resolving = std::max(rungs.resolving, static_cast<std::uint8_t>(std::min(resolving, finestRung)));
+    return resolving <= finestRung;
+  }
+
+private:
+  const BlockFacts& m_facts;
+  double m_unitDistanceMm;
+  double m_smallestMm;
+  FunctionOverRanges m_over;
+  double m_margin;
+};
+
 } // namespace
 
 BlockFacts blockFacts(const Volume& volume, const Effort& effort) {
@@ -275,31 +310,27 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
                       const BlockWeights& weights, const Effort& effort) {
+  return blockSteps(facts, {function}, {}, smallestSpacingMm, weights, effort);
+}
+
+BlockSteps blockSteps(const BlockFacts& facts, const std::vector<TransferFunction>& functions,
+                      const BlockLooks& looks, double smallestSpacingMm, const BlockWeights& weights,
+                      const Effort& effort) {
   BlockSteps steps;
   steps.blocks = facts.blocks;
   steps.rungs = RoomVector<StepRungs>(facts.facts.size(), facts.facts.get_allocator().room());
-  const ValueRange& all = facts.range;
-  const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
-  const double margin = filterRounding * (all.highest - all.lowest);
+  std::vector<FunctionRungs> ofFunctions;
+  for (const TransferFunction& function : functions)
+    ofFunctions.emplace_back(facts, function, smallestSpacingMm);
   std::atomic<bool> resolvesFunction = true;
-  const auto rungsOf = [&](const FieldFacts& block, BlockWeight weight) {
-    const ValueRange values{block.range.lowest - margin, block.range.highest + margin};
-    const double opacity = over.largestOpacity(values);
+  const auto rungsOf = [&](const FieldFacts& block, BlockWeight weight, LookBits ofBlock) {
     StepRungs rungs;
-    if (!(opacity > 0.0) || weight == BlockWeight::none)
+    if (weight == BlockWeight::none)
       return rungs;
-    rungs.isEmpty = false;
-    const bool isEdge = weight == BlockWeight::varying;
-    const double bend = std::max(block.bendPerMm2, isEdge ? facts.commonPerMm / smallestSpacingMm : 0.0);
-    rungs.plain = plainRung(extinctionPerMm(opacity, function.unitDistanceMm), bend, facts.commonPerMm,
-                            smallestSpacingMm);
-    const double bandsPerStep = 2.0 * over.bandsPerValue(values) * block.steepestPerMm * smallestSpacingMm;
-    int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
-    if (isEdge)
-      resolving = std::max(resolving, rungFor(0.5));
-    if (resolving > finestRung)
-      resolvesFunction = false;
-    rungs.resolving = static_cast<std::uint8_t>(std::min(resolving, finestRung));
+    const bool isEdge = weight == BlockWeight::varying || std::popcount(ofBlock) > 1;
+    for (; ofBlock != 0; ofBlock &= ofBlock - 1)
+      if (!ofFunctions[static_cast<std::size_t>(std::countr_zero(ofBlock))].addTo(rungs, block, isEdge))
+        resolvesFunction = false;
     return rungs;
   };
   const RowPieces rows(facts.blocks);
@@ -307,7 +338,8 @@ BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function,
     rows.forEachRow(piece, [&](int j, int k) {
       const std::size_t first = voxelOffset(facts.blocks, 0, j, k);
       for (std::size_t i = first; i < first + static_cast<std::size_t>(facts.blocks.x); ++i)
-        steps.rungs[i] = rungsOf(facts.facts[i], weights.empty() ? BlockWeight::same : weights[i]);
+        steps.rungs[i] = rungsOf(facts.facts[i], weights.empty() ? BlockWeight::same : weights[i],
+                                 looks.empty() ? LookBits{1} : looks[i]);
     });
   });
   steps.resolvesFunction = resolvesFunction;

@@ -3,6 +3,7 @@
 
 #include "scene/basics/Room.h"
 #include "scene/function/FunctionDetail.h"
+#include "scene/regions/BlockLooks.h"
 #include "scene/regions/BlockWeights.h"
 #include "scene/volume/Volume.h"
 
@@ -62,6 +63,12 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 /// changes by all that is common from voxel to voxel, and every voxel gets two samples. Throws Cancelled.
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
                       const BlockWeights& weights = {}, const Effort& effort = {});
+
+/// The same where labels have looks of their own: of `functions`, the scene's own first, each block follows
+/// those that `looks` says its voxels have; where they are several the extinction bends as at a region's end.
+BlockSteps blockSteps(const BlockFacts& facts, const std::vector<TransferFunction>& functions,
+                      const BlockLooks& looks, double smallestSpacingMm, const BlockWeights& weights = {},
+                      const Effort& effort = {});
 
 /// The weights of a region in blocks of facts; none where all is kept. Throws Cancelled.
 BlockWeights factWeights(const Region& region, const BlockFacts& facts, const Effort& effort = {});

@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/BlockWalk.h"
 
+#include "scene/LabelLooks.h"
+
 #include <limits>
 
 namespace limn {
+
+BlockSteps blockSteps(const Scene& scene, const BlockFacts& facts, const Effort& effort) {
+  const LabelLooks looks = labelLooks(scene);
+  BlockLooks ofBlocks;
+  if (looks.areAny())
+    ofBlocks = blockLooks(*scene.keep.labels, looks.ofLabel, {facts.blocks, glm::ivec3(factCells)}, effort,
+                          facts.facts.get_allocator().room());
+  return blockSteps(facts, looks.functions, ofBlocks, smallestSpacingMm(scene.volume->grid()),
+                    factWeights(scene.keep, facts, effort), effort);
+}
 
 std::optional<LocalStepTerms> localStepTerms(const Scene& scene) {
   if (!finenessOf(scene.quality))
@@ -18,9 +30,7 @@ std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFact
     return std::nullopt;
   const Grid& grid = scene.volume->grid();
   const double smallest = smallestSpacingMm(grid);
-  return LocalStepTerms{
-      blockSteps(facts, scene.transferFunction, smallest, factWeights(scene.keep, facts, effort), effort),
-      *fineness, smallest, centreIndex(grid)};
+  return LocalStepTerms{blockSteps(scene, facts, effort), *fineness, smallest, centreIndex(grid)};
 }
 
 BlockWalk::BlockWalk(const LocalStepTerms& terms, const FramedRay& ray, const RaySpan& span)

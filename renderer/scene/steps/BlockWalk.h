@@ -18,6 +18,9 @@ struct LocalStepTerms {
   double stepMm(int rung) const { return stepOfRung(rung) * ladderScale(fineness) * smallestMm; }
 };
 
+/// The rungs of every block of a scene, of whose volume the facts are known. Throws Cancelled.
+BlockSteps blockSteps(const Scene& scene, const BlockFacts& facts, const Effort& effort = {});
+
 /// The terms of a scene, of whose volume the facts may be known; absent where it is drawn in equal steps.
 std::optional<LocalStepTerms> localStepTerms(const Scene& scene);
 std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFacts& facts,

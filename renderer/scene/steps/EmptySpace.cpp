@@ -5,6 +5,7 @@
 #include "scene/volume/Volume.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -145,15 +146,14 @@ std::vector<VisibleRun> runsOf(const PiecewiseTable& function) {
 }
 
 // In ascending order, those that overlap as one.
-std::vector<VisibleRun> runsOf(const Visibility& visibility) {
+std::vector<VisibleRun> runsOf(const PiecewiseTable* function, const std::optional<float>& isovalue) {
   std::vector<VisibleRun> runs;
-  if (visibility.function)
-    runs = runsOf(*visibility.function);
-  if (visibility.isovalue)
+  if (function)
+    runs = runsOf(*function);
+  if (isovalue)
     // A ray that enters the volume at or above the isovalue is hit where it enters, so a block beyond it is
     // not empty; no ray goes on behind one.
-    runs.push_back(
-        {firstThat([&](float scalar) { return *visibility.isovalue <= scalar + textureRounding; })});
+    runs.push_back({firstThat([&](float scalar) { return *isovalue <= scalar + textureRounding; })});
   std::sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<VisibleRun> apart;
   for (const VisibleRun& run : runs)
@@ -221,15 +221,62 @@ Flags flagsOf(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, co
                  runs.data() + (end - runs.begin()));
 }
 
+// What shows of a picture: the runs of its function, or of the function of each look.
+struct Showing {
+  std::vector<std::vector<VisibleRun>> runs;
+  const BlockWeights& weights;
+  const BlockLooks* blockLooks;
+};
+
+Showing showingOf(const Visibility& visibility, const BlockWeights& all) {
+  Showing showing{
+      {}, visibility.weights ? *visibility.weights : all, visibility.looks ? visibility.blockLooks : nullptr};
+  if (!visibility.looks)
+    showing.runs.push_back(runsOf(visibility.function, visibility.isovalue));
+  else
+    for (const PiecewiseTable& look : *visibility.looks)
+      showing.runs.push_back(runsOf(&look, visibility.isovalue));
+  return showing;
+}
+
+// Of a group of blocks of several looks: each shows what one of its own looks shows.
+Flags flagsOfLooks(const BlockRanges& ranges, const Showing& showing, const glm::ivec3& group) {
+  std::array<LookBits, BlockRanges::Group::size> bits{};
+  LookBits any = 0;
+  const glm::ivec3& blocks = ranges.blocks();
+  const glm::ivec3 first = group * groupSize;
+  const glm::ivec3 count = glm::min(glm::ivec3(groupSize), blocks - first);
+  for (int k = 0; k < count.z; ++k)
+    for (int j = 0; j < count.y; ++j)
+      for (int i = 0; i < count.x; ++i) {
+        const LookBits own =
+            (*showing.blockLooks)[voxelOffset(blocks, first.x + i, first.y + j, first.z + k)];
+        bits[voxelOffset(glm::ivec3(groupSize), i, j, k)] = own;
+        any |= own;
+      }
+  Flags flags;
+  flags.fill(farthestBlock);
+  for (; any != 0; any &= any - 1) {
+    const int look = std::countr_zero(any);
+    const Flags own = flagsOf(ranges, showing.runs[static_cast<std::size_t>(look)], group);
+    for (std::size_t i = 0; i < flags.size(); ++i)
+      if ((bits[i] >> look & 1) != 0)
+        flags[i] = std::min(flags[i], own[i]);
+  }
+  return flags;
+}
+
 // Classifies the blocks of a row of groups.
-void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& runs,
-                    const BlockWeights& weights, int groupY, int groupZ, BlockDistances& distances,
-                    Census& census) {
+void classifyGroups(const BlockRanges& ranges, const Showing& showing, int groupY, int groupZ,
+                    BlockDistances& distances, Census& census) {
+  const BlockWeights& weights = showing.weights;
   const glm::ivec3& blocks = ranges.blocks();
   const glm::ivec2 first = glm::ivec2(groupY, groupZ) * groupSize;
   const glm::ivec2 count = glm::min(glm::ivec2(groupSize), glm::ivec2(blocks.y, blocks.z) - first);
   for (int i = 0; i < ranges.groups().x; ++i) {
-    const Flags flags = flagsOf(ranges, runs, {i, groupY, groupZ});
+    const glm::ivec3 group(i, groupY, groupZ);
+    const Flags flags = showing.blockLooks ? flagsOfLooks(ranges, showing, group)
+                                           : flagsOf(ranges, showing.runs.front(), group);
     const int width = std::min(groupSize, blocks.x - i * groupSize);
     for (int k = 0; k < count.y; ++k)
       for (int j = 0; j < count.x; ++j) {
@@ -291,17 +338,16 @@ void spreadDistances(const glm::ivec3& blocks, BlockDistances& distances, const 
 
 void mapEmptySpace(const BlockRanges& ranges, const Visibility& visibility, EmptySpaceMap& map,
                    const Effort& effort) {
-  const std::vector<VisibleRun> runs = runsOf(visibility);
   const glm::ivec3& blocks = ranges.blocks();
   map.distances.resize(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
   const BlockWeights all;
-  const BlockWeights& weights = visibility.weights ? *visibility.weights : all;
+  const Showing showing = showingOf(visibility, all);
   Census census;
   std::mutex mutex;
   forEachPiece(ranges.groups().z, effort, [&](int k) {
     Census own;
     for (int j = 0; j < ranges.groups().y; ++j)
-      classifyGroups(ranges, runs, weights, j, k, map.distances, own);
+      classifyGroups(ranges, showing, j, k, map.distances, own);
     spreadWithinPlanes(blocks, k * groupSize, std::min((k + 1) * groupSize, blocks.z), map.distances);
     const std::lock_guard lock(mutex);
     census.add(own);

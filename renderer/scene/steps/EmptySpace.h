@@ -4,6 +4,7 @@
 #include "scene/basics/Effort.h"
 #include "scene/basics/Room.h"
 #include "scene/function/PiecewiseTable.h"
+#include "scene/regions/BlockLooks.h"
 #include "scene/regions/BlockWeights.h"
 #include "scene/steps/BlockRanges.h"
 
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace limn {
 
@@ -35,6 +37,10 @@ struct Visibility {
   const PiecewiseTable* function = nullptr;
   std::optional<float> isovalue;
   const BlockWeights* weights = nullptr; ///< of each block, x fastest; empty: all is kept
+  /// Where labels have looks of their own: the functions of all looks in the place of `function`, and which
+  /// of them each block has, x fastest.
+  const std::vector<PiecewiseTable>* looks = nullptr;
+  const BlockLooks* blockLooks = nullptr;
 };
 
 /// A box of blocks, half open; empty where nothing may show.

@@ -24,6 +24,9 @@ inline constexpr int finestRung = 24;
 /// with one sample in each block.
 inline constexpr int mostLocalSamples = 12000;
 
+/// The same where labels have looks of their own, which take up to four iterations more.
+inline constexpr int mostLocalSamplesOfLooks = 7200;
+
 /// How many rungs finer than the facts of a block alone ask for; 2 rungs halve every step. A part of a rung
 /// shortens the whole ladder by its share.
 struct Fineness {

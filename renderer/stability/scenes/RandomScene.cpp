@@ -269,6 +269,17 @@ Region randomRegion(Dice& dice, const glm::ivec3& dims) {
   return cubesRegion(dims, 1 + dice.upTo(8), weights);
 }
 
+// Looks of any functions for some of its labels, from dice of their own: the other choices of a seed stay.
+Region randomLooks(Dice& dice, const Region& region, const Volume& volume) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t place = 0; place < region.weights.size(); ++place)
+    if (!dice.oneIn(3)) {
+      looks[place] = randomFunction(dice, volume);
+      looks[place].unitDistanceMm = randomUnitDistance(dice, {}, volume.grid());
+    }
+  return withLooks(region, looks);
+}
+
 // How many samples the longest ray takes: mostly few, sometimes one (a step longer than the box) or very
 // many.
 double randomSampleCount(Dice& dice) {
@@ -378,6 +389,8 @@ RandomScene randomScene(std::uint64_t seed) {
     scene.crop = randomCrop(dice);
   if (recipe.hasRegion)
     scene.keep = randomRegion(dice, grid.dims);
+  if (Dice ofLooks(scattered(seed ^ 0x6c6f6f6b73u)); recipe.hasRegion && ofLooks.oneIn(2))
+    scene.keep = randomLooks(ofLooks, scene.keep, *scene.volume);
   scene.projection = recipe.projection;
   scene.isovalue = randomValue(dice, scene.volume->range());
   scene.quality = randomQuality(dice, recipe, grid);
@@ -387,7 +400,7 @@ RandomScene randomScene(std::uint64_t seed) {
   scene.image.height = random.size.y;
   random.isComparable = recipe.isComparable;
   const bool blends = scene.projection == Projection::composite || scene.projection == Projection::xray;
-  random.isSliceable = blends && !recipe.hasTolerance && samples <= 256.0;
+  random.isSliceable = blends && !recipe.hasTolerance && samples <= 256.0 && scene.keep.looks.empty();
   random.description = describe(random, recipe, volume.description, camera.description);
   return random;
 }

@@ -42,6 +42,20 @@ Region cubesRegion(const glm::ivec3& dims, int edge, const std::vector<double>& 
   return {Region::Kind::labels, "cubes", std::make_shared<const LabelMap>(dims, places, labels), weights};
 }
 
+Region withVariedLooks(const Region& region, const TransferFunction& function) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t place = 1; place < region.weights.size(); ++place) {
+    const auto n = static_cast<double>(place);
+    TransferFunction look = shifted(function, 17.0 * n * (place % 2 == 0 ? 1.0 : -1.0));
+    look.unitDistanceMm = function.unitDistanceMm * (place % 2 == 0 ? 0.4 + 0.1 * n : 1.0 + 0.5 * n);
+    for (ControlPoint& point : look.points)
+      point.color = place % 2 == 0 ? glm::dvec3(point.color.g, point.color.b, point.color.r)
+                                   : glm::dvec3(point.color.b, point.color.r, 1.0 - 0.1 * n);
+    looks[place] = look;
+  }
+  return withLooks(region, looks);
+}
+
 std::shared_ptr<const Volume> volumeOf(const Grid& grid,
                                        const std::function<double(int i, int j, int k)>& value) {
   std::vector<double> voxels;
@@ -217,6 +231,10 @@ const std::vector<Variation>& everyParameter() {
       {"kept region",
        [](Scene& s) {
          s.keep = cubesRegion(s.volume->grid().dims, 7, {1.0, 0.0, 0.4});
+       }},
+      {"looks of labels",
+       [](Scene& s) {
+         s.keep = withVariedLooks(cubesRegion(s.volume->grid().dims, 7, {1.0, 1.0, 0.6}), s.transferFunction);
        }},
       {"body", [](Scene& s) { s.keep = halfBody(s.volume->grid().dims); }},
       {"step", [](Scene& s) { s.quality.stepVoxels = 0.7; }},

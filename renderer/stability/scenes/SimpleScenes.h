@@ -65,6 +65,10 @@ Scene headScene(std::shared_ptr<const Volume> volume, ShadingModel model);
 /// Cubes of `edge` voxels whose labels take turns, one weight (0..1) for each label: neighbours differ.
 Region cubesRegion(const glm::ivec3& dims, int edge, const std::vector<double>& weights);
 
+/// The region with looks of their own for all labels but the first: `function` moved along the values, in
+/// other colours and over other unit distances, no two alike.
+Region withVariedLooks(const Region& region, const TransferFunction& function);
+
 /// One change of a scene.
 struct Variation {
   const char* what;

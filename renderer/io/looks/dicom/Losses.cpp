@@ -75,6 +75,11 @@ void addRays(const Scene& scene, Sentences& losses) {
         "The kept labels are lost, for Limn as well: a look names no label map; save the scene beside it."));
 }
 
+void addLooks(const Region& keep, Sentences& losses) {
+  if (!keep.looks.empty())
+    losses.push_back(Message::tr("The looks of labels are not kept: one curve is written for all of them."));
+}
+
 void addCuts(const Region& keep, Sentences& losses) {
   if (keep.isCut)
     losses.push_back(Message::tr("What was cut away by hand is shown by other programs."));
@@ -109,6 +114,7 @@ std::vector<Message> lossesOf(const Scene& scene) {
   addLight(scene, losses);
   addCurve(scene, losses);
   addRays(scene, losses);
+  addLooks(scene.keep, losses);
   addCuts(scene.keep, losses);
   addQuality(scene, losses);
   addCamera(scene, losses);

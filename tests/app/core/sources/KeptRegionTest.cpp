@@ -72,6 +72,30 @@ TEST_F(LabelledScene, weighsItsLabels) {
   EXPECT_EQ(again.source, keep.source);
 }
 
+TEST_F(LabelledScene, givesItsLabelsLooksAlsoWhereItIsCut) {
+  const std::string look =
+      R"({"points": [{"value": 20, "color": [1, 0, 0], "opacity": 0.5}], "unit_distance_mm": 2})";
+  const std::string labels = R"({"labels": "seg.nrrd", "looks": {"3": )" + look + R"(, "5": )" + look + "}}";
+  const TransferFunction expected{2.0, {{20.0, {1.0, 0.0, 0.0}, 0.5}}};
+  const Region alone = loadScene(scene("s.json", labels), {}, {}).scene.keep;
+  EXPECT_EQ(alone.looks, std::vector{expected}) << "equal looks are one";
+  EXPECT_EQ(alone.lookOf, (std::vector<std::uint8_t>{0, 1, 1}));
+  // A line around everything to the left of the middle.
+  const std::string cut =
+      R"({"scissors": {"camera": {"projection": "orthographic", "position": [0.5, -9, 0.5],
+      "target": [0.5, 0.5, 0.5], "height_mm": 4}, "polygon": [[-1, -1], [0, -1], [0, 1], [-1, 1]]}})";
+  const LoadedScene loaded = loadScene(scene("cut.json", "[" + labels + ", " + cut + "]"), {}, {});
+  const Region& keep = loaded.scene.keep;
+  ASSERT_TRUE(keep.isCut);
+  EXPECT_EQ(keep.looks, alone.looks);
+  EXPECT_EQ(lookOfLabel(keep, 3), 0u) << "what is cut away";
+  std::ofstream(folder.path() / "again.json") << sceneToJson(loaded.scene, "v.nrrd");
+  const Region again = loadScene((folder.path() / "again.json").string(), {}, {}).scene.keep;
+  EXPECT_EQ(again.looks, keep.looks);
+  EXPECT_EQ(lookOfLabel(again, 1), 1u);
+  EXPECT_EQ(again.cuts, keep.cuts);
+}
+
 TEST_F(LabelledScene, findsALabelMapThatLiesBesideTheVolume) {
   const std::string path = scene("moved/s.json", R"({"labels": "seg.nrrd"})");
   SourceOptions options;
@@ -82,6 +106,8 @@ TEST_F(LabelledScene, findsALabelMapThatLiesBesideTheVolume) {
 TEST_F(LabelledScene, isRefusedInASentenceWithoutItsLabelMapOrLabel) {
   for (const auto& [keep, named] : std::map<std::string, std::string>{
            {R"({"labels": "gone.nrrd"})", "gone.nrrd: there is no such file"},
+           {R"({"labels": "seg.nrrd", "looks": {"4": {"points": []}}})",
+            "look to label 4, which seg.nrrd does not have"},
            {R"({"labels": "seg.nrrd", "weights": {"4": 0}})", "label 4, which seg.nrrd does not have"}})
     try {
       (void)loadScene(scene("s.json", keep), {}, {});

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/picture/RegionController.h"
+#include "scene/framing/KeptVoxels.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/properties/LabelSection.h"
+
+#include <QComboBox>
+#include <QTreeView>
+
+#include <array>
+#include <fstream>
+#include <numeric>
+
+// Labels with curves of their own, in the program's window.
+
+namespace limn {
+namespace {
+
+constexpr int size = 32;
+
+class LabelCurveWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    // Two boxes of one value side by side, each a label.
+    write("two.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 300 : -1000; });
+    write("two.seg.nrrd", [](const glm::ivec3& v) { return !isInBoxes(v) ? 0 : v.x < 16 ? 3 : 8; });
+    ASSERT_TRUE(open(pathTo("two.nrrd")));
+    setLayout(CompareLayout::single);
+    regions().openLabels(pathTo("two.seg.nrrd"));
+    ASSERT_TRUE(test::waitUntil([this] { return !regions().isBusy(); }));
+    ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
+    function = scene().transferFunction;
+  }
+
+  static bool isInBoxes(const glm::ivec3& v) {
+    return glm::all(glm::greaterThan(v, glm::ivec3(5))) && glm::all(glm::lessThan(v, glm::ivec3(26)));
+  }
+
+  template <class Value>
+  void write(const char* name, Value value) {
+    std::ofstream file(folder.path() / name, std::ios::binary);
+    file << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 32 32 32\nspace "
+            "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n";
+    for (int z = 0; z < size; ++z)
+      for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+          const int v = value(glm::ivec3(x, y, z));
+          file.put(static_cast<char>(v & 0xFF)).put(static_cast<char>(v >> 8 & 0xFF));
+        }
+  }
+
+  RegionController& regions() { return *window->findChild<RegionController*>(); }
+  LabelSection& section() { return *window->findChild<LabelSection*>(); }
+  QTreeView& table() { return *section().findChild<QTreeView*>(); }
+  TransferFunctionCanvas& canvas() { return *curves().valueEditor()->canvas(); }
+  QComboBox& whose() {
+    for (QComboBox* box : curves().findChildren<QComboBox*>())
+      if (box->accessibleName() == QStringLiteral("Whose curve"))
+        return *box;
+    ADD_FAILURE() << "no such box";
+    return *curves().findChild<QComboBox*>();
+  }
+  const TransferFunction& curveOf(std::size_t place) {
+    const std::size_t look = lookOfLabel(scene().keep, place);
+    return look > 0 ? scene().keep.looks[look - 1] : scene().transferFunction;
+  }
+  // A click on the mark in the third column.
+  void toggleCurve(int row) {
+    section().setFolded(false);
+    table().setFocus();
+    table().setCurrentIndex(table().model()->index(row, LabelTable::curveColumn));
+    QTest::keyClick(&table(), Qt::Key_Space);
+    QCoreApplication::processEvents();
+  }
+  static TransferFunction red() {
+    return {1.0, {{200.0, {1.0, 0.0, 0.0}, 0.0}, {300.0, {1.0, 0.0, 0.0}, 0.9}}};
+  }
+  // The mean red and blue of what is drawn left and right of the middle.
+  std::array<double, 2> rednessOfSides() {
+    const QImage picture = view().grab().toImage();
+    const QRectF place = view().logicalRect(0);
+    const double scale = view().devicePixelRatioF();
+    std::array<double, 2> redness{};
+    for (int side = 0; side < 2; ++side)
+      for (int n = -6; n <= 6; ++n) {
+        const QPointF at = (place.center() + QPointF((side == 0 ? -0.2 : 0.2) * place.height(), n)) * scale;
+        const QColor color = picture.pixelColor(at.toPoint());
+        redness[static_cast<std::size_t>(side)] += (color.red() - color.blue()) / 13.0;
+      }
+    return redness;
+  }
+
+  TransferFunction function;
+};
+
+TEST_F(LabelCurveWindow, aLabelGetsItsOwnCurveWhichThePanelThenEdits) {
+  EXPECT_FALSE(whose().isVisible()) << "no label has one";
+  toggleCurve(2);
+  ASSERT_TRUE(test::waitUntil([this] { return whose().isVisible(); }));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("give Label 8 its own curve"));
+  EXPECT_EQ(curveOf(2), function) << "it begins as the curve of all tissue";
+  EXPECT_EQ(whose().currentIndex(), 1);
+  EXPECT_EQ(whose().currentText(), QStringLiteral("Label 8"));
+  canvas().edit(red(), {nextGestureId(), QStringLiteral("change colour")});
+  EXPECT_EQ(curveOf(2), red());
+  EXPECT_EQ(curveOf(1), function);
+  EXPECT_EQ(scene().transferFunction, function);
+  EXPECT_EQ(canvas().transferFunction(), red());
+  EXPECT_EQ(undo().undoText(), QStringLiteral("Label 8: change colour"));
+  undo().undo();
+  EXPECT_EQ(curveOf(2), function);
+  EXPECT_EQ(canvas().transferFunction(), function);
+  undo().undo();
+  EXPECT_EQ(lookOfLabel(scene().keep, 2), 0u);
+  EXPECT_FALSE(whose().isVisible());
+}
+
+TEST_F(LabelCurveWindow, thePictureShowsEachLabelByItsOwnCurve) {
+  toggleCurve(2);
+  canvas().edit(red(), {nextGestureId(), QStringLiteral("change colour")});
+  ASSERT_TRUE(rest());
+  // The patient's left, where x is large, is at the right of the picture.
+  const std::array<double, 2> redness = rednessOfSides();
+  EXPECT_GT(redness[1], 100.0);
+  EXPECT_LT(redness[0], redness[1] - 50.0);
+}
+
+TEST_F(LabelCurveWindow, theHistogramCountsTheLabelsVoxelsAlone) {
+  const auto plot = [this] { return canvas().grab().toImage(); };
+  const QImage before = plot();
+  toggleCurve(1);
+  ASSERT_TRUE(test::waitUntil([&] { return plot() != before; }));
+  const QImage shown = plot();
+  Region alone = withoutCuts(scene().keep);
+  alone.weights = {0.0, 1.0, 0.0};
+  const Histogram own =
+      histogramOfKept(*scene().volume, KeptVoxels(scene().volume->grid(), alone, scene().crop), 1024, {});
+  EXPECT_EQ(std::accumulate(own.counts.begin(), own.counts.end(), std::uint64_t{0}), 10u * 20u * 20u);
+  canvas().setHistogram(own);
+  EXPECT_EQ(plot(), shown);
+}
+
+TEST_F(LabelCurveWindow, aPresetShapesTheCurveInHandAndTheRestStays) {
+  toggleCurve(1);
+  emit window->findChild<PresetBrowser*>()->presetChosen(QStringLiteral("CT bone"));
+  EXPECT_EQ(scene().transferFunction, function);
+  EXPECT_NE(curveOf(1), function);
+  whose().setCurrentIndex(0);
+  emit whose().activated(0);
+  EXPECT_EQ(canvas().transferFunction(), function);
+  emit window->findChild<PresetBrowser*>()->presetChosen(QStringLiteral("CT muscle"));
+  EXPECT_NE(scene().transferFunction, function);
+}
+
+TEST_F(LabelCurveWindow, aSecondClickGivesTheCurveOfAllTissueBack) {
+  toggleCurve(1);
+  toggleCurve(1);
+  EXPECT_EQ(lookOfLabel(scene().keep, 1), 0u);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("give Label 3 the curve of all tissue"));
+  EXPECT_EQ(canvas().transferFunction(), function);
+}
+
+TEST_F(LabelCurveWindow, sessionsKeepTheCurvesOfLabels) {
+  toggleCurve(2);
+  canvas().edit(red(), {nextGestureId(), QStringLiteral("change colour")});
+  std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("session.json")));
+  EXPECT_EQ(curveOf(2), red());
+  EXPECT_EQ(scene().transferFunction, function);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looks of labels drawn by the ray caster (DEFINITION section 10): as the reference draws them, and without a
+// trace where there are none.
+#include "accuracy/ImageError.h"
+#include "accuracy/Tolerance.h"
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/LabelLooks.h"
+#include "scene/ProjectionFacts.h"
+#include "scene/light/Shading.h"
+#include "scene/volume/Phantom.h"
+#include "slices/SliceRenderer.h"
+#include "stability/scenes/SimpleScenes.h"
+#include "support/GlTest.h"
+#include "support/JudgedTime.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 pictureSize{96, 80};
+
+// Cubes of as many labels beside the first, each with a look.
+Scene cubesOfLooks(ShadingModel model, int looks, Camera::Projection projection) {
+  Scene scene = headScene(phantomVolume({.spacingMm = 3.0}), model);
+  scene.camera = orbited(scene.camera, 0.5, 0.3);
+  scene.camera.projection = projection;
+  std::vector<double> weights(static_cast<std::size_t>(looks) + 1, 1.0);
+  weights.back() = 0.6;
+  scene.keep = withVariedLooks(cubesRegion(scene.volume->grid().dims, 9, weights), scene.transferFunction);
+  scene.quality.preintegrated = Preintegration::never;
+  scene.quality.stepVoxels = 0.5;
+  return scene;
+}
+
+// Eight labels with looks in cubes of 32 voxels; each shows as much as the scene's own curve, in other
+// colours, so that all rays take the samples that they take without.
+Scene sceneToTime() {
+  Scene scene = headScene(phantomVolume({.spacingMm = 1.5}), ShadingModel::classic);
+  scene.camera = orbited(scene.camera, 0.5, 0.3);
+  scene.keep = cubesRegion(scene.volume->grid().dims, 32, std::vector<double>(9, 1.0));
+  scene.quality.preintegrated = Preintegration::never;
+  scene.quality.stepVoxels = 0.5;
+  return scene;
+}
+
+Scene withEightLooks(Scene scene) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t place = 1; place <= 8; ++place) {
+    looks[place] = scene.transferFunction;
+    for (ControlPoint& point : looks[place].points)
+      point.color = glm::dvec3(point.color.b, point.color.r, 0.1 * static_cast<double>(place));
+  }
+  scene.keep = withLooks(scene.keep, looks);
+  return scene;
+}
+
+double medianLookMs(std::vector<double> times) {
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+  return times[times.size() / 2];
+}
+
+template <class Draw>
+double lookMsOf(const Draw& draw) {
+  const auto begin = std::chrono::steady_clock::now();
+  draw();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+class CasterLooks : public test::GlTest {
+protected:
+  void expectAsTheReference(const Scene& scene, const std::string& what) {
+    RayCaster caster;
+    const ReferencePicture exact =
+        renderReference(scene, pictureSize, 0, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
+    const ImageError error = imageError(caster.render(scene, pictureSize), toImage(exact));
+    std::cout << what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean << " levels\n";
+    EXPECT_LE(error.p99_9, 1.0) << what;
+    EXPECT_LE(error.mean, 0.01) << what; // the ray caster's bound without looks
+  }
+};
+
+TEST_F(CasterLooks, allModelsAndCamerasAgreeWithTheReference) {
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+    for (const auto projection : {Camera::Projection::perspective, Camera::Projection::orthographic})
+      for (const int looks : {2, 8})
+        expectAsTheReference(cubesOfLooks(model, looks, projection),
+                             std::string(nameOf(model)) + ", " + std::to_string(looks) + " looks");
+}
+
+TEST_F(CasterLooks, whatElseAPictureMayHaveAgreesWithTheReference) {
+  for (const Projection projection :
+       {Projection::composite, Projection::xray, Projection::compositeIsosurface, Projection::mip}) {
+    Scene scene = cubesOfLooks(ShadingModel::robust, 8, Camera::Projection::perspective);
+    scene.projection = projection;
+    scene.crop = {{0.1, 0.2, 0.0}, {0.9, 1.0, 0.8}};
+    scene.fog = distanceFog(200.0, 900.0);
+    scene.gradientOpacity = GradientOpacity{{{0.0, 0.2}, {60.0, 1.0}}};
+    scene.shading.opacityRange = {0.0, 3.0};
+    expectAsTheReference(scene, std::string("fog, crop, gradient opacity, ") + nameOf(projection));
+  }
+}
+
+TEST_F(CasterLooks, stepsThatAnErrorControlsKeepToTheTolerance) {
+  for (const Projection projection : {Projection::composite, Projection::xray}) {
+    Scene scene = cubesOfLooks(ShadingModel::classic, 8, Camera::Projection::perspective);
+    scene.projection = projection;
+    // Smaller, so that no ray reaches the most samples that a driver's loops may take.
+    scene.volume = phantomVolume({.spacingMm = 6.0});
+    scene.keep = withVariedLooks(cubesRegion(scene.volume->grid().dims, 5, scene.keep.weights),
+                                 scene.transferFunction);
+    Scene fine = scene;
+    fine.quality.stepVoxels = 1.0 / 32.0;
+    scene.quality.toleranceLevels = 1.0;
+    RayCaster caster;
+    const WithinTolerance found =
+        withinTolerance(scene, pictureSize, [&caster](const Scene& candidate, const glm::ivec2& size) {
+          return caster.render(candidate, size);
+        });
+    EXPECT_TRUE(found.holds) << found.sentence.english();
+    const ImageError error =
+        imageError(caster.render(found.scene, pictureSize), toImage(renderReference(fine, pictureSize)));
+    std::cout << nameOf(projection) << ": 99.9th percentile " << error.p99_9 << " levels, fineness "
+              << found.scene.quality.fineness.value_or(0.0) << "\n";
+    EXPECT_LE(error.p99_9, 1.0);
+  }
+}
+
+TEST_F(CasterLooks, eightOfThemTakeLittleMoreTimeThanNone) {
+  const Scene without = sceneToTime();
+  const Scene with = withEightLooks(without);
+  RayCaster one, other;
+  std::vector<double> msWithout, msWith;
+  one.render(without, {256, 256});
+  other.render(with, {256, 256});
+  for (int run = 0; run < 5; ++run) { // in turns: a machine that slows slows both
+    msWithout.push_back(lookMsOf([&] { one.render(without, {256, 256}); }));
+    msWith.push_back(lookMsOf([&] { other.render(with, {256, 256}); }));
+  }
+  test::judgeMs("8 looks", medianLookMs(msWith), 1.6 * medianLookMs(msWithout));
+}
+
+TEST_F(CasterLooks, equalLooksInAllLabelsAreOneLook) {
+  Scene scene = cubesOfLooks(ShadingModel::robust, 2, Camera::Projection::perspective);
+  const TransferFunction look = shifted(scene.transferFunction, 40.0);
+  scene.keep = withLooks(scene.keep, {{0, look}, {1, look}, {2, look}});
+  ASSERT_TRUE(hasLabelLooks(scene));
+  Scene one = scene;
+  one.keep = withLooks(scene.keep, {});
+  one.transferFunction = look;
+  RayCaster caster;
+  const ImageError error = imageError(caster.render(scene, pictureSize), caster.render(one, pictureSize));
+  EXPECT_LE(error.largest, 0.05);
+}
+
+TEST_F(CasterLooks, emptySpaceChangesNoBit) {
+  const Scene scene = cubesOfLooks(ShadingModel::enhanced, 8, Camera::Projection::perspective);
+  RayCaster skipping, sampling(RayCaster::EmptySpace::sampled);
+  EXPECT_EQ(skipping.render(scene, pictureSize).pixels, sampling.render(scene, pictureSize).pixels);
+}
+
+TEST_F(CasterLooks, aUsedCasterDrawsAsAFreshOneWhateverChanged) {
+  RayCaster used;
+  Scene scene = cubesOfLooks(ShadingModel::classic, 2, Camera::Projection::perspective);
+  std::vector<Scene> scenes{scene};
+  scene.keep = withLooks(scene.keep, {});
+  scenes.push_back(scene);
+  scene = cubesOfLooks(ShadingModel::classic, 8, Camera::Projection::perspective);
+  scene.volume = scenes.front().volume;
+  scenes.push_back(scene);
+  scene.keep.weights[1] = 0.0;
+  scenes.push_back(scene);
+  scene.quality.toleranceLevels = 1.0;
+  scene.projection = Projection::mip;
+  scenes.push_back(scene);
+  scene.projection = Projection::composite;
+  scenes.push_back(scene);
+  scene.transferFunction = shifted(scene.transferFunction, 30.0);
+  scenes.push_back(scene);
+  for (const Scene& each : scenes) {
+    RayCaster fresh;
+    EXPECT_EQ(used.render(each, pictureSize).pixels, fresh.render(each, pictureSize).pixels);
+  }
+}
+
+TEST_F(CasterLooks, withoutLooksTheProgramKnowsNothingOfThem) {
+  Scene scene = cubesOfLooks(ShadingModel::robust, 2, Camera::Projection::perspective);
+  RayCaster caster;
+  EXPECT_NE(caster.fragmentShader(scene).find("u_labels"), std::string::npos);
+  scene.keep = withLooks(scene.keep, {});
+  const std::string text = caster.fragmentShader(scene);
+  for (const char* word : {"LABEL_LOOKS\n", "u_labels", "u_cellLooks", "u_lookUnits"})
+    EXPECT_EQ(text.find(std::string("#define EFFECT_") + word), std::string::npos);
+  for (const char* name : {"u_labels", "u_cellLooks", "u_lookUnits"})
+    EXPECT_EQ(text.find(name), std::string::npos) << name;
+}
+
+TEST_F(CasterLooks, slicesRefuseThemInASentence) {
+  const Scene scene = cubesOfLooks(ShadingModel::classic, 2, Camera::Projection::perspective);
+  SliceRenderer slices;
+  try {
+    slices.render(scene, pictureSize);
+    FAIL() << "drew them";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::usage);
+    EXPECT_NE(std::string(error.what()).find("looks of labels"), std::string::npos);
+  }
+}
+
+} // namespace
+} // namespace limn
