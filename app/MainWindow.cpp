@@ -69,6 +69,10 @@ void MainWindow::connectPictureAndPanels() {
           &CurveController::takeInHand);
   connect(properties->labelSection(), &LabelSection::refused, this,
           [this](const QString& sentence) { m_context.showError(sentence); });
+  connect(properties->cutSection(), &CutSection::curveRequested, &m_panels.curves(),
+          &CurveController::takeInHand);
+  connect(&m_picture.regions(), &RegionController::curveGiven, &m_panels.curves(),
+          &CurveController::takeInHand);
   connect(properties->cutSection(), &CutSection::cutsEdited, &m_picture.regions(),
           &RegionController::setCuts);
   connect(properties->cutSection(), &CutSection::scissorsRequested, &m_context.view,

@@ -82,8 +82,9 @@ CutController::CutController(WindowContext& context)
     m_context.view.setLinesRemoveInside(isInside);
   });
   connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
-  connect(m_bar, &CutBar::hideRequested, this, [this] { finish(false); });
-  connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(true); });
+  connect(m_bar, &CutBar::hideRequested, this, [this] { finish(ConnectedPiece::Fate::hidden); });
+  connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(ConnectedPiece::Fate::alone); });
+  connect(m_bar, &CutBar::lookRequested, this, [this] { finish(ConnectedPiece::Fate::ownLook); });
   connect(m_bar, &CutBar::closeRequested, this, [this] { m_context.view.setTool(ViewTool::rotate); });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
     putDown();
@@ -178,14 +179,18 @@ void CutController::show(const Shown& shown) {
   showBar();
 }
 
-void CutController::finish(bool isAlone) {
+void CutController::finish(ConnectedPiece::Fate fate) {
   if (!m_piece || !m_shown)
     return;
   ConnectedPiece piece = *m_piece;
-  piece.isKeptAlone = isAlone;
+  piece.fate = fate;
+  if (fate == ConnectedPiece::Fate::ownLook)
+    piece.look = m_context.session.scene().transferFunction;
   putDown();
   showBar();
-  emit cutWanted({piece, true}, isAlone ? tr("keep a piece alone") : tr("hide a piece"));
+  emit cutWanted({piece, true}, fate == ConnectedPiece::Fate::alone    ? tr("keep a piece alone")
+                                : fate == ConnectedPiece::Fate::hidden ? tr("hide a piece")
+                                                                       : tr("give a piece its own curve"));
 }
 
 // What is lit goes out; the tool stays in hand.

@@ -52,7 +52,7 @@ private:
   void narrow(double notches);
   void show(const Shown& shown);
   void showBar();
-  void finish(bool isAlone);
+  void finish(ConnectedPiece::Fate fate);
   void putDown();
   void showScene(const Scene& scene);
   void say(const QString& sentence) const;

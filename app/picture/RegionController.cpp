@@ -18,7 +18,7 @@
 namespace limn {
 namespace {
 
-// Labels stay open, each shown wholly, and cuts in their list, each off; a body goes.
+// Labels stay open, each shown wholly, and cuts in their list, off where they hide something; a body goes.
 Region shownWholly(const Region& region) {
   Region whole;
   if (region.kind == Region::Kind::labels) {
@@ -27,7 +27,7 @@ Region shownWholly(const Region& region) {
   }
   whole.cuts = region.cuts;
   for (Cut& cut : whole.cuts)
-    cut.isOn = false;
+    cut.isOn = cut.isOn && !takesAway(cut);
   return whole;
 }
 
@@ -128,8 +128,7 @@ void RegionController::cut(const Region& region, const std::vector<Cut>& cuts, c
 
 void RegionController::showEverything() {
   cancel();
-  m_context.session.setKeep(shownWholly(m_context.session.scene().keep),
-                            {nextGestureId(), tr("show everything")});
+  setKeep(shownWholly(m_context.session.scene().keep), {nextGestureId(), tr("show everything")});
 }
 
 void RegionController::showScene(const Scene& scene) {
@@ -187,6 +186,9 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
     return;
   }
   m_context.session.setKeep(found.region, gesture);
+  const std::size_t cuts = found.region.cuts.size();
+  if (const auto label = cuts > before.cuts.size() ? labelOfCut(found.region, cuts - 1) : std::nullopt)
+    emit curveGiven(*label);
   tellReplaced(before, found.region);
   if (!found.remark.empty() && isRestricting(found.region))
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},

@@ -48,6 +48,10 @@ public slots:
   void cancel();
   void showScene(const limn::Scene& scene);
 
+signals:
+  /// The label at this place, a piece that was picked, has been given a curve of its own.
+  void curveGiven(std::size_t label);
+
 private:
   using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
 

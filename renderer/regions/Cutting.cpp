@@ -7,13 +7,21 @@
 #include "scene/basics/Error.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace limn {
 namespace {
 
-// No file has it: segmentations number from 0.
-constexpr int cutValue = -1;
+// No file has them: segmentations number from 0.
+constexpr int cutValue = -1, firstPieceValue = -3; // of pieces downwards
 const Label besideLabel{-2, "Beside the piece", glm::dvec3(0.5)};
+
+// Whether an index that was rounded is one of the grid's.
+bool isInside(const glm::dvec3& index, const Grid& grid) {
+  return glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
+         glm::all(glm::lessThan(index, glm::dvec3(grid.dims)));
+}
 
 // The voxels whose place among the labels is marked.
 BitGrid voxelsOf(const LabelMap& map, const std::vector<bool>& marked, const std::shared_ptr<Room>& room,
@@ -127,13 +135,68 @@ std::size_t madeAlready(const Region& region, const std::vector<Cut>& cuts) {
   return goesOn ? region.cuts.size() : 0;
 }
 
+// What cuts take of the voxels: those that go, and those of each piece that has a look, in order.
+struct CutSets {
+  BitGrid removed;
+  std::vector<BitGrid> pieces;
+};
+
+// What the labels of a region show of its cuts already; nothing where `isMade` is false.
+CutSets cutSetsOf(const Region& region, bool isMade, const Volume& volume, const Effort& effort) {
+  CutSets sets{BitGrid(volume.grid().dims, volume.room()), {}};
+  if (!isMade)
+    return sets;
+  const auto voxelsOfLabel = [&](std::size_t place) {
+    std::vector<bool> marked(region.weights.size());
+    marked[place] = true;
+    return voxelsOf(*region.labels, marked, volume.room(), effort);
+  };
+  for (std::size_t n = 0; n < region.cuts.size(); ++n)
+    if (const std::optional<std::size_t> place = labelOfCut(region, n))
+      sets.pieces.push_back(voxelsOfLabel(*place));
+  if (isCutAway(region))
+    sets.removed = voxelsOfLabel(region.weights.size() - 1);
+  return sets;
+}
+
+// How much of what a piece hangs on was kept before: the weight of the label at its seed.
+double weightAtSeed(const Region& before, const ConnectedPiece& piece, const Grid& grid) {
+  const glm::dvec3 index = glm::floor(worldToIndex(grid, piece.seedMm) + 0.5);
+  if (!before.labels || !isInside(index, grid))
+    return 1.0;
+  const glm::ivec3 voxel(index);
+  return before.weights[before.labels->placeAt(voxelOffset(grid.dims, voxel.x, voxel.y, voxel.z))];
+}
+
+// The region with the sets as labels more, and the pieces' looks.
+void addCutLabels(Region& region, const Region& before, CutSets sets, const Volume& volume,
+                  const Effort& effort) {
+  std::map<std::size_t, TransferFunction> looks;
+  for (std::size_t place = 0; place < before.weights.size(); ++place)
+    if (const std::size_t look = lookOfLabel(before, place); look > 0)
+      looks.emplace(place, before.looks[look - 1]);
+  std::size_t n = 0;
+  for (const Cut& cut : region.cuts)
+    if (const ConnectedPiece* piece = pieceWithLook(cut)) {
+      const int value = firstPieceValue - static_cast<int>(n);
+      BitGrid set = sets.pieces[n++];
+      set -= sets.removed;
+      addLabel(region, set, {value, "Piece " + std::to_string(n), glm::dvec3(0.8)},
+               weightAtSeed(before, *piece, volume.grid()), volume.room(), effort);
+      looks.emplace(region.weights.size() - 1, piece->look);
+    }
+  if (std::any_of(region.cuts.begin(), region.cuts.end(), takesAway))
+    addLabel(region, sets.removed, {cutValue, "Cut away", glm::dvec3(0.5)}, 0.0, volume.room(), effort);
+  region = withLooks(region, looks);
+}
+
 BitGrid removedBy(const Cut& cut, const BitGrid& kept, const Volume& volume, const Effort& effort) {
   if (const auto* scissors = std::get_if<Scissors>(&cut.how))
     return takenBy(*scissors, volume.grid(), volume.room(), effort);
   const auto& piece = std::get<ConnectedPiece>(cut.how);
   const BitGrid found = pieceAmong(kept, volume, piece, effort);
   // Where nothing was hit, nothing goes: "only this" of nothing would empty the picture.
-  return piece.isKeptAlone && found.count() > 0 ? found.complement() : found;
+  return piece.fate == ConnectedPiece::Fate::alone && found.count() > 0 ? found.complement() : found;
 }
 
 } // namespace
@@ -176,12 +239,10 @@ BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPie
   const Grid& grid = volume.grid();
   BitGrid seed = kept.emptyLike();
   const glm::dvec3 index = glm::floor(worldToIndex(grid, piece.seedMm) + 0.5);
-  const bool isInBox = glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
-                       glm::all(glm::lessThan(index, glm::dvec3(grid.dims)));
   const BitGrid inRange = valuesWithin(volume, piece.range, partOf(effort, 0.0, 0.3));
   BitGrid allowed = inRange;
   allowed &= kept;
-  if (!isInBox || !allowed.at(glm::ivec3(index)))
+  if (!isInside(index, grid) || !allowed.at(glm::ivec3(index)))
     return seed;
   seed.set(glm::ivec3(index));
   const BitGrid found = grownWithin(seed, allowed, partOf(effort, 0.3, 0.8));
@@ -204,29 +265,28 @@ CutRegion cutRegion(const Volume& volume, const Region& region, std::vector<Cut>
     result.left = keptVoxels(before, volume, effort).count();
     return result;
   }
-  BitGrid removed(volume.grid().dims, volume.room());
-  if (made > 0) {
-    std::vector<bool> isCutLabel(region.weights.size());
-    isCutLabel.back() = true;
-    removed = voxelsOf(*region.labels, isCutLabel, volume.room(), partOf(effort, 0.0, 0.05));
-  }
+  CutSets sets = cutSetsOf(region, made > 0, volume, partOf(effort, 0.0, 0.05));
   BitGrid kept = keptVoxels(before, volume, partOf(effort, 0.05, 0.1));
-  kept -= removed;
+  kept -= sets.removed;
   result.left = kept.count();
   for (std::size_t n = made; n < cuts.size(); ++n) {
     if (!cuts[n].isOn)
       continue;
     const double from = 0.1 + 0.8 * static_cast<double>(n - made) / static_cast<double>(cuts.size() - made);
     const double to = 0.1 + 0.8 * static_cast<double>(n + 1 - made) / static_cast<double>(cuts.size() - made);
-    removed |= removedBy(cuts[n], kept, volume, partOf(effort, from, to));
-    kept -= removed;
+    if (const ConnectedPiece* piece = pieceWithLook(cuts[n])) {
+      sets.pieces.push_back(pieceAmong(kept, volume, *piece, partOf(effort, from, to)));
+      result.taken[n] = sets.pieces.back().count();
+      continue;
+    }
+    sets.removed |= removedBy(cuts[n], kept, volume, partOf(effort, from, to));
+    kept -= sets.removed;
     const std::size_t left = kept.count();
     result.taken[n] = result.left - left;
     result.left = left;
   }
   result.region.uncut = before.labels;
-  addLabel(result.region, removed, {cutValue, "Cut away", glm::dvec3(0.5)}, 0.0, volume.room(),
-           partOf(effort, 0.9, 1.0));
+  addCutLabels(result.region, before, std::move(sets), volume, partOf(effort, 0.9, 1.0));
   result.region.isCut = true;
   if (hasPiece(cuts))
     result.region.shownWhenCut = shownLabels(before);

@@ -14,14 +14,14 @@ namespace limn {
 /// A region with its cuts made.
 struct CutRegion {
   Region region;
-  std::vector<std::size_t> taken; ///< how many voxels that were seen went with each of the cuts; 0 where off
+  std::vector<std::size_t> taken; ///< how many voxels that were seen each of the cuts took; 0 where off
   std::size_t left = 0;           ///< how many are seen still
 };
 
 /// `region` with `cuts` in the place of its own, in their order (DEFINITION section 10): what they take away
-/// is one label more. Where `cuts` only go on from the region's own, work begins behind those. Voxels are
-/// read for pieces alone. Throws Error (input) where the labels leave no number free for what is cut away;
-/// Cancelled.
+/// is one label more, and so is each piece that they give a look. Where `cuts` only go on from the region's
+/// own, work begins behind those. Voxels are read for pieces alone. Throws Error (input) where the labels
+/// leave no number free for what is cut away or there are more looks than can be drawn; Cancelled.
 CutRegion cutRegion(const Volume& volume, const Region& region, std::vector<Cut> cuts,
                     const Effort& effort = {});
 

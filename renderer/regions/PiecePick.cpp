@@ -110,7 +110,7 @@ std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worl
   if (most < leastShown)
     return std::nullopt;
   const auto range = rangeAround(*ofSeed, volume.range(), seedValue, leastOfSeed * most);
-  return ConnectedPiece{indexToWorld(grid, glm::dvec3(seed)), *range, 1, false};
+  return ConnectedPiece{indexToWorld(grid, glm::dvec3(seed)), *range, 1, ConnectedPiece::Fate::hidden};
 }
 
 ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches) {

@@ -87,7 +87,11 @@ Region withLookOf(const Region& region, std::size_t place, const std::optional<T
   looks.erase(place);
   if (look)
     looks.emplace(place, *look);
-  return withLooks(region, looks);
+  Region changed = withLooks(region, looks);
+  for (std::size_t n = 0; look && n < changed.cuts.size(); ++n)
+    if (labelOfCut(region, n) == place)
+      std::get<ConnectedPiece>(changed.cuts[n].how).look = normalised(*look);
+  return changed;
 }
 
 bool hasLabelLooks(const Scene& scene) {

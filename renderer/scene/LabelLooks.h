@@ -27,8 +27,8 @@ struct LabelLooks {
 /// voxel has, and that weighs more than 0, has another one, and samples are classified one by one.
 LabelLooks labelLooks(const Scene& scene);
 
-/// The region whose label at this place in the list has this look, or the scene's where there is none. Throws
-/// as withLooks.
+/// The region whose label at this place in the list has this look, or the scene's where there is none; the
+/// cut that made a piece knows it, too. Throws as withLooks.
 Region withLookOf(const Region& region, std::size_t place, const std::optional<TransferFunction>& look);
 
 /// Whether labelLooks has any but the scene's own.

@@ -184,12 +184,12 @@ TEST(Pieces, areWhatHangsTogetherWithTheSeedAndGrowIntoWhatIsOutsideTheRange) {
               grow == 1 && test::isInside(dims, near) && largest.at(near) && !inRange.at(v))
             expected.set(v);
     });
-    const ConnectedPiece piece{seedMm, {92.0, 100.0}, grow, false};
+    const ConnectedPiece piece{seedMm, {92.0, 100.0}, grow, ConnectedPiece::Fate::hidden};
     const CutRegion hidden = cutRegion(*volume, {}, {{piece, true}});
     EXPECT_EQ(differing(removedFrom(hidden, dims), expected), 0u) << "grown by " << grow;
     EXPECT_EQ(hidden.taken.front(), expected.count());
     ConnectedPiece alone = piece;
-    alone.isKeptAlone = true;
+    alone.fate = ConnectedPiece::Fate::alone;
     const CutRegion kept = cutRegion(*volume, {}, {{alone, true}});
     EXPECT_EQ(differing(removedFrom(kept, dims), expected.complement()), 0u);
     EXPECT_EQ(kept.left, expected.count());
@@ -213,7 +213,7 @@ TEST(Pieces, areFoundAmongWhatEarlierCutsAndLabelsLeave) {
       "l",
       std::make_shared<const LabelMap>(dims, std::move(places), std::vector<Label>{{0, "", {}}, {1, "", {}}}),
       {1.0, 1.0}};
-  const Cut left{ConnectedPiece{{0, 2, 2}, {50.0, 200.0}, 0, false}, true};
+  const Cut left{ConnectedPiece{{0, 2, 2}, {50.0, 200.0}, 0, ConnectedPiece::Fate::hidden}, true};
   EXPECT_EQ(cutRegion(*volume, labels, {left}).taken.front(), 9u);
   labels.weights[1] = 0.0;
   const CutRegion divided = cutRegion(*volume, labels, {left});
@@ -225,18 +225,86 @@ TEST(Pieces, areFoundAmongWhatEarlierCutsAndLabelsLeave) {
   EXPECT_EQ(cutRegion(*volume, shown, shown.cuts).taken.front(), 9u);
   // What lies in air, beside the volume or among what is hidden is no piece, and keeps nothing alone.
   for (const glm::dvec3& seed : {glm::dvec3(0, 0, 0), glm::dvec3(-40, 2, 2), glm::dvec3(4, 2, 2)}) {
-    const CutRegion none = cutRegion(*volume, labels, {{ConnectedPiece{seed, {50.0, 200.0}, 1, true}, true}});
+    const CutRegion none = cutRegion(
+        *volume, labels, {{ConnectedPiece{seed, {50.0, 200.0}, 1, ConnectedPiece::Fate::alone}, true}});
     EXPECT_EQ(none.taken.front(), 0u);
   }
+}
+
+// Two bars of a value that do not touch, in a field of 0.
+std::shared_ptr<const Volume> twoBars(const glm::ivec3& dims) {
+  std::vector<std::int16_t> stored(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 0);
+  for (int x = 0; x < dims.x; ++x)
+    for (const int y : {1, 4})
+      stored[voxelOffset(dims, x, y, 2)] = 100;
+  Grid grid;
+  grid.dims = dims;
+  return std::make_shared<const Volume>(grid, std::move(stored), Rescale{}, std::nullopt, VolumeInfo{});
+}
+
+TEST(Pieces, withALookAreLabelsThatNothingIsTakenFrom) {
+  const glm::ivec3 dims(9, 6, 5);
+  const auto volume = twoBars(dims);
+  const TransferFunction red{1.0, {{50.0, {1.0, 0.0, 0.0}, 0.9}}}, blue{2.0, {{50.0, {0.0, 0.0, 1.0}, 0.5}}};
+  const auto pieceOf = [](double y, const TransferFunction& look) {
+    return Cut{ConnectedPiece{{3, y, 2}, {50.0, 200.0}, 0, ConnectedPiece::Fate::ownLook, look}, true};
+  };
+  const CutRegion one = cutRegion(*volume, {}, {pieceOf(1, red)});
+  EXPECT_EQ(one.taken.front(), 9u);
+  EXPECT_EQ(one.left, 9u * 6 * 5);
+  EXPECT_FALSE(isCutAway(one.region));
+  EXPECT_FALSE(isRestricting(one.region));
+  EXPECT_EQ(withoutCuts(one.region), Region{});
+  ASSERT_EQ(labelOfCut(one.region, 0), 1u);
+  EXPECT_EQ(one.region.looks, std::vector<TransferFunction>{red});
+  // One that is cut away in part, and one that a later one has.
+  const Cut hidden{ConnectedPiece{{3, 1, 2}, {50.0, 200.0}, 0, ConnectedPiece::Fate::hidden}, true};
+  const std::vector<Cut> cuts{pieceOf(1, red), pieceOf(4, red), pieceOf(4, blue), hidden};
+  const CutRegion all = cutRegion(*volume, {}, cuts);
+  const CutRegion after = cutRegion(*volume, one.region, cuts);
+  EXPECT_EQ(after.region.labels->placeAt(0), all.region.labels->placeAt(0));
+  forEachVoxel(dims, [&](const glm::ivec3& v) {
+    const std::size_t voxel = voxelOffset(dims, v.x, v.y, v.z);
+    const std::size_t place = all.region.labels->placeAt(voxel);
+    const bool isBar = v.z == 2 && (v.y == 1 || v.y == 4);
+    ASSERT_EQ(place, !isBar ? 0u : v.y == 1 ? 4u : 3u);
+    ASSERT_EQ(after.region.labels->placeAt(voxel), place) << "going on from the first";
+  });
+  EXPECT_EQ(ownLabels(all.region), 1u);
+  EXPECT_EQ(all.region.weights, (std::vector<double>{1.0, 1.0, 1.0, 1.0, 0.0}));
+  EXPECT_EQ(all.region.looks[lookOfLabel(all.region, 3) - 1], blue);
+  EXPECT_FALSE(needsCutting(all.region));
+  EXPECT_EQ(withoutCuts(all.region), Region{});
+}
+
+TEST(Pieces, withALookFadeWithTheirLabelAndKeepTheLooksOfOthers) {
+  const glm::ivec3 dims(9, 6, 5);
+  const auto volume = twoBars(dims);
+  std::vector<std::uint8_t> places(9 * 6 * 5, 0);
+  for (int x = 0; x < 9; ++x)
+    places[voxelOffset(dims, x, 4, 2)] = 1;
+  const TransferFunction red{1.0, {{50.0, {1.0, 0.0, 0.0}, 0.9}}}, blue{2.0, {{50.0, {0.0, 0.0, 1.0}, 0.5}}};
+  const std::vector<Label> labels{{0, "", {}}, {1, "", {}}};
+  const Region before = withLooks(
+      {Region::Kind::labels, "l", std::make_shared<const LabelMap>(dims, places, labels), {1.0, 0.25}},
+      {{0, blue}});
+  const CutRegion cut =
+      cutRegion(*volume, before,
+                {{ConnectedPiece{{3, 4, 2}, {50.0, 200.0}, 0, ConnectedPiece::Fate::ownLook, red}, true}});
+  EXPECT_EQ(cut.region.weights, (std::vector<double>{1.0, 0.25, 0.25}));
+  EXPECT_EQ(cut.region.looks[lookOfLabel(cut.region, 0) - 1], blue);
+  EXPECT_EQ(cut.region.looks[lookOfLabel(cut.region, 2) - 1], red);
+  EXPECT_EQ(withoutCuts(cut.region), before) << "the piece's look goes with it";
 }
 
 TEST(Cuts, oneAfterTheOtherAreWhatAllAtOnceAre) {
   const glm::ivec3 dims(30, 21, 17);
   const auto volume = cloudy(dims);
   const Camera camera = cameraOn(volume->grid(), {0.2, -1, 0.3}, 150.0, Camera::Projection::perspective);
-  std::vector<Cut> cuts{{Scissors{camera, 1.0, star(0.15, 5), true, {}}, true},
-                        {ConnectedPiece{boxCentreMm(volume->grid()), {0.0, 101.0}, 1, true}, true},
-                        {Scissors{camera, 1.0, star(0.1, 7), false, {}}, true}};
+  std::vector<Cut> cuts{
+      {Scissors{camera, 1.0, star(0.15, 5), true, {}}, true},
+      {ConnectedPiece{boxCentreMm(volume->grid()), {0.0, 101.0}, 1, ConnectedPiece::Fate::alone}, true},
+      {Scissors{camera, 1.0, star(0.1, 7), false, {}}, true}};
   const CutRegion all = cutRegion(*volume, {}, cuts);
   Region region;
   for (std::size_t n = 1; n <= cuts.size(); ++n)
@@ -258,8 +326,9 @@ TEST(Cuts, takeTheSameVoxelsWhereThoseAreTurnedAndMirroredByHand) {
   const glm::ivec3 dims(30, 21, 17);
   const auto volume = cloudy(dims);
   const Camera camera = cameraOn(volume->grid(), {0.2, -1, 0.3}, 150.0, Camera::Projection::perspective);
-  const std::vector<Cut> cuts{{Scissors{camera, 1.0, star(0.15, 5), true, glm::dvec2(0.0, 152.0)}, true},
-                              {ConnectedPiece{boxCentreMm(volume->grid()), {0.0, 101.0}, 1, true}, true}};
+  const std::vector<Cut> cuts{
+      {Scissors{camera, 1.0, star(0.15, 5), true, glm::dvec2(0.0, 152.0)}, true},
+      {ConnectedPiece{boxCentreMm(volume->grid()), {0.0, 101.0}, 1, ConnectedPiece::Fate::alone}, true}};
   const BitGrid before = removedFrom(cutRegion(*volume, {}, cuts), dims);
   for (const char* letters : {"RPS", "IRA", "PIR"}) {
     const auto turned = orientedByHand(*volume, letters);
@@ -343,7 +412,7 @@ TEST(PiecePick, narrowsTheEndThatIsNotTheVolumesAndKeepsTheSeed) {
   const glm::dvec3 seed = indexToWorld(volume->grid(), {3, 4, 5});
   const double value = valueAt(*volume, {3, 4, 5});
   const ValueRange& values = volume->range();
-  const ConnectedPiece piece{seed, {0.5 * value, values.highest}, 1, false};
+  const ConnectedPiece piece{seed, {0.5 * value, values.highest}, 1, ConnectedPiece::Fate::hidden};
   const double notch = 0.02 * (values.highest - values.lowest);
   ASSERT_GT(0.5 * value, 2.0 * notch) << "neither end is met by one notch";
   EXPECT_DOUBLE_EQ(narrowed(piece, *volume, 1.0).range.x, 0.5 * value + notch);
@@ -393,7 +462,7 @@ TEST(CutTimes, aLargeVolumeAnswersWithin300Ms) {
   };
   judge("scissors in 512×512×300", {Scissors{camera, 1.0, line, true, {}}, true});
   judge("a piece of half of 512×512×300",
-        {ConnectedPiece{boxCentreMm(grid), {100.0, 400.0}, 1, false}, true});
+        {ConnectedPiece{boxCentreMm(grid), {100.0, 400.0}, 1, ConnectedPiece::Fate::hidden}, true});
 }
 
 // Halves of a volume along x, labels 0 and 1.

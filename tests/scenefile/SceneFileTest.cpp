@@ -175,8 +175,10 @@ TEST(SceneFile, cutsAreReadBackInTheirOrderBesideWhatTheyCut) {
   camera.heightMm = 123.25;
   const Scissors scissors{camera, 1.5, {{0.1, 0.2}, {0.5, -0.25}, {-0.75, 0.0}}, false, glm::dvec2(10, 250)};
   const Scissors inside{camera, 0.75, {{0, 0}, {1, 0}, {0, 1}}, true, {}};
-  const ConnectedPiece piece{{4.5, 5.0, -6.0}, {226.0, 3071.0}, 2, true};
-  const std::vector<Cut> cuts{{scissors, true}, {piece, false}, {inside, true}};
+  const ConnectedPiece piece{{4.5, 5.0, -6.0}, {226.0, 3071.0}, 2, ConnectedPiece::Fate::alone};
+  const TransferFunction look{2.5, {{100.0, {1.0, 0.0, 0.25}, 0.5}, {300.0, {0.0, 1.0, 0.0}, 1.0}}};
+  const ConnectedPiece red{{0.0, 1.0, 2.0}, {-1.0, 1.0}, 1, ConnectedPiece::Fate::ownLook, look};
+  const std::vector<Cut> cuts{{scissors, true}, {piece, false}, {inside, true}, {red, true}};
   for (const Region::Kind kind : {Region::Kind::all, Region::Kind::body, Region::Kind::labels}) {
     Scene scene;
     scene.keep.kind = kind;
@@ -192,7 +194,7 @@ TEST(SceneFile, cutsAreReadBackInTheirOrderBesideWhatTheyCut) {
                              .keep;
   EXPECT_EQ(typed.kind, Region::Kind::body);
   ASSERT_EQ(typed.cuts.size(), 2u);
-  EXPECT_EQ(typed.cuts[0], (Cut{ConnectedPiece{{1, 2, 3}, {5, 9}, 1, false}, true}));
+  EXPECT_EQ(typed.cuts[0], (Cut{ConnectedPiece{{1, 2, 3}, {5, 9}, 1, ConnectedPiece::Fate::hidden}, true}));
   EXPECT_EQ(typed.cuts[1], (Cut{Scissors{Camera(), 1.0, {{0, 0}, {1, 0}, {0, 1}}, true, {}}, true}));
 }
 
@@ -225,6 +227,11 @@ TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
            {R"(["body", {"piece": {"range": [0, 1]}}])", "keep[1].piece.seed_mm"},
            {R"([{"piece": {"seed_mm": [0,0,0]}}])", "keep[0].piece.range"},
            {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "do": "eat"}}])", "hide, only"},
+           {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "do": "look"}}])", "keep[0].piece.look"},
+           {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "look": {"points": []}}}])",
+            "keep[0].piece.look"},
+           {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "do": "look", "look": {"points": [{}]}}}])",
+            "keep[0].piece.look.points[0].value"},
            {R"({"labels": "s", "wieghts": {}})", "keep.wieghts"}}) {
     const std::string refusal = refusalOf(withKeep(keep));
     EXPECT_NE(refusal.find(named), std::string::npos) << keep << ": " << refusal;

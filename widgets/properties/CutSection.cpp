@@ -39,8 +39,15 @@ QString cutText(const Cut& cut, const Volume& volume) {
   const int decimals = decimalsOfSpan(volume.range().highest - volume.range().lowest);
   const QString range = CutSection::tr("%1 – %2").arg(valueText(piece.range.x, {}, decimals),
                                                       valueText(piece.range.y, unit, decimals));
-  return piece.isKeptAlone ? CutSection::tr("Piece %1, alone").arg(range)
-                           : CutSection::tr("Piece %1, hidden").arg(range);
+  switch (piece.fate) {
+  case ConnectedPiece::Fate::alone:
+    return CutSection::tr("Piece %1, alone").arg(range);
+  case ConnectedPiece::Fate::ownLook:
+    return CutSection::tr("Piece %1, own curve").arg(range);
+  case ConnectedPiece::Fate::hidden:
+    break;
+  }
+  return CutSection::tr("Piece %1, hidden").arg(range);
 }
 
 CutSection::CutSection(QWidget* parent)
@@ -49,9 +56,11 @@ CutSection::CutSection(QWidget* parent)
       m_up(new QPushButton(tr("Up"))), m_down(new QPushButton(tr("Down"))),
       m_delete(new QPushButton(tr("Delete"))) {
   m_list->setAccessibleName(tr("Cuts"));
-  m_list->setToolTip(tr("What was cut away, in order; marked cuts hold."));
+  m_list->setToolTip(tr("What was cut away or told apart, in order; marked cuts hold. A piece with its own "
+                        "curve comes into the curve panel by a click."));
   m_scissors->setToolTip(tr("Cuts along a line that you draw on the picture (X)."));
-  m_piece->setToolTip(tr("Hides the connected piece that you click, or all but it (K)."));
+  m_piece->setToolTip(tr("Hides the connected piece that you click, or all but it, or gives it a curve of "
+                         "its own (K)."));
   m_up->setToolTip(tr("Makes the chosen cut earlier."));
   m_down->setToolTip(tr("Makes the chosen cut later."));
   m_delete->setToolTip(tr("Takes the chosen cut back."));
@@ -77,6 +86,10 @@ CutSection::CutSection(QWidget* parent)
                                          : tr("switch cut %1 off").arg(number));
   });
   connect(m_list, &QListWidget::currentRowChanged, this, &CutSection::showButtons);
+  connect(m_list, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
+    if (const auto label = labelOfCut(m_keep, static_cast<std::size_t>(m_list->row(item))))
+      emit curveRequested(*label);
+  });
   connect(m_scissors, &QPushButton::clicked, this, &CutSection::scissorsRequested);
   connect(m_piece, &QPushButton::clicked, this, &CutSection::pieceRequested);
   connect(m_up, &QPushButton::clicked, this, [this] { moveBy(-1); });
@@ -93,6 +106,7 @@ void CutSection::setScene(const Scene& scene) {
     setFolded(false);
   const bool isOther = m_cuts != scene.keep.cuts || m_volume != scene.volume;
   m_cuts = scene.volume ? scene.keep.cuts : std::vector<Cut>();
+  m_keep = scene.keep;
   m_volume = scene.volume;
   if (isOther || m_cuts.empty())
     showCuts();

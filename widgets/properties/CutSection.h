@@ -27,6 +27,8 @@ signals:
   void cutsEdited(const std::vector<limn::Cut>& cuts, const QString& gesture);
   void scissorsRequested();
   void pieceRequested();
+  /// The curve of the label at this place, a piece's own, shall be in hand.
+  void curveRequested(std::size_t label);
 
 private:
   void showCuts();
@@ -35,6 +37,7 @@ private:
   void remove();
 
   std::vector<Cut> m_cuts;
+  Region m_keep; ///< with what the cuts take among its labels
   std::shared_ptr<const Volume> m_volume;
   QListWidget* m_list;
   QPushButton* m_scissors;

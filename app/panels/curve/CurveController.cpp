@@ -19,6 +19,25 @@
 namespace limn {
 namespace {
 
+// A piece that was picked has a number among pieces, a label its own name.
+QString nameOf(const Region& region, std::size_t label) {
+  const std::size_t own = ownLabels(region);
+  return label < own ? QString::fromStdString(region.labels->labels()[label].name)
+                     : CurveController::tr("Piece %1").arg(label - own + 1);
+}
+
+// A label's own colour; of a piece that of what its curve shows most.
+QColor colorOf(const Region& region, std::size_t label) {
+  glm::dvec3 color = region.labels->labels()[label].color;
+  const std::vector<ControlPoint>& points = region.looks[lookOfLabel(region, label) - 1].points;
+  if (label >= ownLabels(region) && !points.empty())
+    color = std::max_element(points.begin(), points.end(), [](const ControlPoint& a, const ControlPoint& b) {
+              return a.opacity < b.opacity;
+            })->color;
+  return QColor::fromRgbF(static_cast<float>(color.r), static_cast<float>(color.g),
+                          static_cast<float>(color.b));
+}
+
 const TransferFunction& curveOf(const Scene& scene, std::optional<std::size_t> label) {
   const std::size_t look = label ? lookOfLabel(scene.keep, *label) : 0;
   return look > 0 ? scene.keep.looks[look - 1] : scene.transferFunction;
@@ -145,11 +164,11 @@ Scene CurveController::withCurveInHand(const TransferFunction& function) const {
 void CurveController::edit(const TransferFunction& function, const Gesture& gesture) {
   if (!m_label)
     return m_context.session.setTransferFunction(function, gesture);
-  const std::string& name = m_context.session.scene().keep.labels->labels()[*m_label].name;
+  const QString name = nameOf(m_context.session.scene().keep, *m_label);
   const Scene next = withCurveInHand(function);
   if (next == m_context.session.scene())
     return showScene(next); // the canvas has what was refused
-  m_context.session.edit(next, {gesture.id, tr("%1: %2").arg(QString::fromStdString(name), gesture.text)});
+  m_context.session.edit(next, {gesture.id, tr("%1: %2").arg(name, gesture.text)});
 }
 
 // A label whose look is gone is in hand no longer.
@@ -157,14 +176,9 @@ void CurveController::showLabels(const Scene& scene) {
   if (m_label && lookOfLabel(scene.keep, *m_label) == 0)
     m_label.reset();
   QList<CurvePanel::LabelCurve> curves;
-  for (std::size_t place = 0; scene.keep.kind == Region::Kind::labels && place < scene.keep.lookOf.size();
-       ++place)
-    if (lookOfLabel(scene.keep, place) > 0) {
-      const Label& label = scene.keep.labels->labels()[place];
-      curves.append({place, QString::fromStdString(label.name),
-                     QColor::fromRgbF(static_cast<float>(label.color.r), static_cast<float>(label.color.g),
-                                      static_cast<float>(label.color.b))});
-    }
+  for (std::size_t place = 0; place < scene.keep.lookOf.size(); ++place)
+    if (lookOfLabel(scene.keep, place) > 0)
+      curves.append({place, nameOf(scene.keep, place), colorOf(scene.keep, place)});
   m_panel.setLabelCurves(curves, m_label);
 }
 
@@ -179,6 +193,8 @@ void CurveController::showScene(const Scene& scene) {
 }
 
 void CurveController::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
+  if (volume != m_volume)
+    takeInHand(std::nullopt); // labels are those of the volume before
   m_volume = volume;
   m_panel.setVolumeOpen(volume != nullptr);
   TransferFunctionEditor* editor = m_panel.valueEditor();

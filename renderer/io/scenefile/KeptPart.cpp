@@ -15,7 +15,7 @@ constexpr std::size_t mostCorners = 100000; // a line drawn for minutes has some
 constexpr int mostGrown = 100;
 
 constexpr Words<bool, 2> removeWords{{"outside", "inside"}};
-constexpr Words<bool, 2> pieceWords{{"hide", "only"}};
+constexpr Words<ConnectedPiece::Fate, 3> pieceWords{{"hide", "only", "look"}};
 
 int labelNamed(const JsonFields& fields, const std::string& key) {
   int value = 0;
@@ -142,7 +142,13 @@ ConnectedPiece readPiece(JsonFields fields) {
   if (fields.pair("range", piece.range.x, piece.range.y, anyNumber) && piece.range.x > piece.range.y)
     fields.fail("range", Message::tr("must name the smaller number first"));
   fields.integer("grow_voxels", piece.growVoxels, 0, mostGrown);
-  fields.choice("do", piece.isKeptAlone, pieceWords);
+  fields.choice("do", piece.fate, pieceWords);
+  const bool hasLook = fields.has("look");
+  if (hasLook != (piece.fate == ConnectedPiece::Fate::ownLook))
+    fields.fail("look", hasLook ? Message::tr("belongs to pieces with \"do\": \"look\" alone")
+                                : Message::tr("is missing; it is the piece's own list of control points"));
+  if (hasLook)
+    piece.look = readTransferFunction(fields.object("look"), fields.pathOf("look"));
   fields.finish();
   return piece;
 }
@@ -201,7 +207,9 @@ nlohmann::ordered_json cutJson(const Cut& cut) {
     json["piece"] = {{"seed_mm", {piece.seedMm.x, piece.seedMm.y, piece.seedMm.z}},
                      {"range", {piece.range.x, piece.range.y}},
                      {"grow_voxels", piece.growVoxels},
-                     {"do", pieceWords.of(piece.isKeptAlone)}};
+                     {"do", pieceWords.of(piece.fate)}};
+    if (piece.fate == ConnectedPiece::Fate::ownLook)
+      json["piece"]["look"] = functionJson(piece.look);
   }
   if (!cut.isOn)
     json["on"] = false;

@@ -348,7 +348,7 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
               scene.crop == CropBox{} ? Message::tr("the crop box keeps the whole volume")
                                       : Message::tr("no light falls on the cuts"));
   plan.clause(Effect::region, isRestricting(scene.keep),
-              scene.keep.isCut                        ? Message::tr("what was cut away is hidden")
+              isCutAway(scene.keep)                   ? Message::tr("what was cut away is hidden")
               : scene.keep.kind == Region::Kind::body ? Message::tr("what is not body is hidden")
                                                       : Message::tr("some labels are hidden or faded"),
               scene.keep.kind == Region::Kind::labels ? Message::tr("every label is shown")

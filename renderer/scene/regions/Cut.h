@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/function/TransferFunction.h"
 #include "scene/view/Camera.h"
 
 #include <glm/glm.hpp>
@@ -23,21 +24,29 @@ struct Scissors {
   bool operator==(const Scissors&) const = default;
 };
 
-/// What hangs together with a place in a range of scalars, and whether it goes or stays alone (DEFINITION
-/// section 10).
+/// What hangs together with a place in a range of scalars, and what becomes of it (DEFINITION section 10).
 struct ConnectedPiece {
-  glm::dvec3 seedMm{0.0};     ///< world
-  glm::dvec2 range{0.0, 0.0}; ///< of scalars, both ends included
-  int growVoxels = 1;         ///< ≥ 0, into what is outside the range
-  bool isKeptAlone = false;   ///< else it is hidden
+  enum class Fate { hidden, alone, ownLook }; ///< goes, stays while all else goes, or shows by its own look
+  glm::dvec3 seedMm{0.0};                     ///< world
+  glm::dvec2 range{0.0, 0.0};                 ///< of scalars, both ends included
+  int growVoxels = 1;                         ///< ≥ 0, into what is outside the range
+  Fate fate = Fate::hidden;
+  TransferFunction look{}; ///< of fate ownLook
   bool operator==(const ConnectedPiece&) const = default;
 };
 
-/// One thing that was cut out of a volume by hand: kept as what was done, not as the voxels that went.
+/// One thing that was cut out of a volume by hand, or told apart in it: kept as what was done, not as the
+/// voxels that it took.
 struct Cut {
   std::variant<Scissors, ConnectedPiece> how;
   bool isOn = true;
   bool operator==(const Cut&) const = default;
 };
+
+/// Whether it is on and takes voxels away.
+bool takesAway(const Cut& cut);
+
+/// The piece that a cut gives a look of its own; null where it is off or does something else.
+const ConnectedPiece* pieceWithLook(const Cut& cut);
 
 } // namespace limn

@@ -113,18 +113,47 @@ Region withLooks(const Region& region, const std::map<std::size_t, TransferFunct
   return changed;
 }
 
+bool takesAway(const Cut& cut) {
+  return cut.isOn && !pieceWithLook(cut);
+}
+
+const ConnectedPiece* pieceWithLook(const Cut& cut) {
+  const auto* piece = std::get_if<ConnectedPiece>(&cut.how);
+  return cut.isOn && piece && piece->fate == ConnectedPiece::Fate::ownLook ? piece : nullptr;
+}
+
 std::size_t ownLabels(const Region& region) {
-  return region.weights.size() - (region.isCut ? 1 : 0);
+  if (!region.isCut)
+    return region.weights.size();
+  const auto pieces = std::count_if(region.cuts.begin(), region.cuts.end(), pieceWithLook);
+  return region.weights.size() - static_cast<std::size_t>(pieces) - (isCutAway(region) ? 1 : 0);
+}
+
+bool isCutAway(const Region& region) {
+  return region.isCut && std::any_of(region.cuts.begin(), region.cuts.end(), takesAway);
+}
+
+std::optional<std::size_t> labelOfCut(const Region& region, std::size_t n) {
+  if (!region.isCut || !pieceWithLook(region.cuts[n]))
+    return std::nullopt;
+  const auto end = region.cuts.begin() + static_cast<std::ptrdiff_t>(n);
+  return ownLabels(region) + static_cast<std::size_t>(std::count_if(region.cuts.begin(), end, pieceWithLook));
 }
 
 Region withoutCuts(const Region& region) {
   Region whole{region.kind, region.source, region.isCut ? region.uncut : region.labels, region.weights};
   if (region.isCut)
     whole.weights.resize(whole.labels ? ownLabels(region) : 0);
-  whole.looks = region.looks;
-  whole.lookOf = region.lookOf;
-  whole.lookOf.resize(std::min(region.lookOf.size(), whole.weights.size()));
-  return whole;
+  if (!region.isCut) {
+    whole.looks = region.looks;
+    whole.lookOf = region.lookOf;
+    return whole;
+  }
+  std::map<std::size_t, TransferFunction> looks; // without those that pieces alone have
+  for (std::size_t place = 0; place < whole.weights.size(); ++place)
+    if (const std::size_t look = lookOfLabel(region, place); look > 0)
+      looks.emplace(place, region.looks[look - 1]);
+  return withLooks(whole, looks);
 }
 
 bool isRestricting(const Region& region) {

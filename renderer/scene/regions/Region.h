@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -55,7 +56,8 @@ private:
 inline constexpr std::size_t mostLooks = 32;
 
 /// Which part of a volume is kept (DEFINITION section 10): one weight for each label, which becomes one more
-/// factor of the opacity. What was cut away by hand (regions/Cutting.h) is one label more, the last.
+/// factor of the opacity. What was cut by hand (regions/Cutting.h) are labels more, behind its own: each
+/// piece that has a look, in order, and then what was cut away.
 struct Region {
   enum class Kind { all, body, labels };
   Kind kind = Kind::all;
@@ -63,8 +65,8 @@ struct Region {
   std::shared_ptr<const LabelMap> labels; ///< none where all is kept; of a body: 0 falls away, 1 is kept
   std::vector<double> weights;            ///< 0..1 of each of the labels
 
-  std::vector<Cut> cuts{}; ///< in order; `labels` holds what they take away once they are made
-  bool isCut = false;      ///< the last of the labels is what the cuts take away, and weighs 0
+  std::vector<Cut> cuts{};                 ///< in order; `labels` holds what they take once they are made
+  bool isCut = false;                      ///< whether it does; what is cut away weighs 0
   std::shared_ptr<const LabelMap> uncut{}; ///< where it is: the labels before, none where all was kept
   std::vector<bool> shownWhenCut{}; ///< which of them weighed more than nothing then; what pieces hang on
 
@@ -83,8 +85,15 @@ std::size_t lookOfLabel(const Region& region, std::size_t place);
 /// where more than `mostLooks` differ, where a place is none of the region's, and what `normalised` throws.
 Region withLooks(const Region& region, const std::map<std::size_t, TransferFunction>& looks);
 
-/// How many labels a region has without the one of what is cut away.
+/// How many labels a region has without those of its cuts.
 std::size_t ownLabels(const Region& region);
+
+/// Whether the cuts that a region's labels show take anything away.
+bool isCutAway(const Region& region);
+
+/// The place among the region's labels of the piece to which the `n`-th of its cuts gives a look; nothing
+/// where that does something else, is off, or is not made yet.
+std::optional<std::size_t> labelOfCut(const Region& region, std::size_t n);
 
 /// The same as if nothing had been cut.
 Region withoutCuts(const Region& region);

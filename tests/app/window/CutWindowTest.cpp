@@ -2,6 +2,9 @@
 #include "app/WindowHarness.h"
 #include "app/picture/CutController.h"
 #include "app/picture/RegionController.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/properties/CutSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/gestures/ViewInput.h"
@@ -13,7 +16,9 @@
 #include <QStatusBar>
 #include <QWheelEvent>
 
-// What is cut away by hand, in the program's window: lines drawn on the picture, pieces pointed at, and the
+#include <fstream>
+
+// What is cut by hand, in the program's window: lines drawn on the picture, pieces pointed at, and the
 // list of both.
 
 namespace limn {
@@ -199,7 +204,7 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   ASSERT_TRUE(ready());
   ASSERT_EQ(cuts().size(), 1u);
   const auto& piece = std::get<ConnectedPiece>(cuts().front().how);
-  EXPECT_FALSE(piece.isKeptAlone);
+  EXPECT_EQ(piece.fate, ConnectedPiece::Fate::hidden);
   const glm::dvec3 seed = worldToIndex(scene().volume->grid(), piece.seedMm);
   EXPECT_EQ(weightAt(scene().keep, glm::floor(seed + 0.5)), 0.0);
   EXPECT_EQ(view().scene().keep, scene().keep);
@@ -207,6 +212,43 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_EQ(undo().undoText(), QStringLiteral("hide a piece"));
   turnWheel(1);
   EXPECT_NE(scene().camera, before) << "the wheel zooms again";
+}
+
+TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
+  const TransferFunction function = scene().transferFunction;
+  press(Qt::Key_K);
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(cutting().hasPiece());
+  QTest::mouseClick(&button(QStringLiteral("Its own curve")), Qt::LeftButton);
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("give a piece its own curve"));
+  EXPECT_EQ(weightInTheMiddle(), 1.0) << "nothing is taken away";
+  TransferFunctionCanvas& canvas = *curves().valueEditor()->canvas();
+  TransferFunction edited = function;
+  for (ControlPoint& point : edited.points)
+    point.color = {1.0, 0.0, 0.0};
+  canvas.edit(edited, {nextGestureId(), QStringLiteral("change colour")});
+  EXPECT_EQ(undo().undoText(), QStringLiteral("Piece 1: change colour"));
+  EXPECT_EQ(scene().transferFunction, function);
+  EXPECT_EQ(std::get<ConnectedPiece>(cuts().front().how).look, edited);
+  EXPECT_EQ(scene().keep.looks, std::vector<TransferFunction>{edited});
+  // Sessions keep it, and a click in the list takes it in hand again.
+  std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("session.json")));
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.looks, std::vector<TransferFunction>{edited});
+  EXPECT_EQ(canvas.transferFunction(), function);
+  QListWidgetItem* row = list().item(0);
+  EXPECT_TRUE(row->text().endsWith(QStringLiteral("own curve"))) << row->text().toStdString();
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(row).center());
+  EXPECT_EQ(canvas.transferFunction(), edited);
+  // Switched off it shows as before, and its curve with it.
+  row->setCheckState(Qt::Unchecked);
+  ASSERT_TRUE(ready());
+  EXPECT_TRUE(scene().keep.looks.empty());
+  EXPECT_EQ(canvas.transferFunction(), function);
 }
 
 TEST_F(CutWindow, aPieceStaysLitWhileThePictureIsTurnedAndGoesOutWithTheTool) {

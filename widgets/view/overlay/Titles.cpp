@@ -192,7 +192,7 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
 QString regionText(const Region& region) {
   if (!isRestricting(region))
     return {};
-  if (region.isCut && region.kind == Region::Kind::body)
+  if (isCutAway(region) && region.kind == Region::Kind::body)
     return QObject::tr("Body only, cut by hand");
   QStringList notes;
   const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(ownLabels(region));
@@ -203,7 +203,7 @@ QString regionText(const Region& region) {
   else if (weighed > 0)
     notes << (weighed == 1 ? QObject::tr("1 label hidden or faded")
                            : QObject::tr("%1 labels hidden or faded").arg(weighed));
-  if (region.isCut)
+  if (isCutAway(region))
     notes << QObject::tr("Cut by hand");
   return notes.join(QStringLiteral(" · "));
 }

@@ -34,7 +34,8 @@ CutBar::CutBar(QWidget* parent)
       m_through(panelButton(tr("Through all"), QStringLiteral("choice"), this)),
       m_seen(panelButton(tr("What is seen"), QStringLiteral("choice"), this)),
       m_hide(panelButton(tr("Hide"), QStringLiteral("choice"), this)),
-      m_alone(panelButton(tr("Only this"), QStringLiteral("choice"), this)) {
+      m_alone(panelButton(tr("Only this"), QStringLiteral("choice"), this)),
+      m_look(panelButton(tr("Its own curve"), QStringLiteral("choice"), this)) {
   pair(m_inside, m_outside, this);
   pair(m_through, m_seen, this);
   m_inside->setToolTip(tr("Takes away what the line goes around."));
@@ -43,6 +44,7 @@ CutBar::CutBar(QWidget* parent)
   m_seen->setToolTip(tr("Cuts only as deep as what is seen inside the line."));
   m_hide->setToolTip(tr("Hides this piece."));
   m_alone->setToolTip(tr("Hides all but this piece."));
+  m_look->setToolTip(tr("Gives this piece a curve of its own, which the curve panel then shows."));
   auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
   close->setToolTip(tr("Lays the tool aside (Esc)."));
   auto* row = new QHBoxLayout(this);
@@ -53,7 +55,7 @@ CutBar::CutBar(QWidget* parent)
   row->addWidget(m_inside);
   row->addWidget(m_outside);
   row->addSpacing(6);
-  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone})
+  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone, m_look})
     row->addWidget(button);
   row->addSpacing(6);
   row->addWidget(close);
@@ -61,6 +63,7 @@ CutBar::CutBar(QWidget* parent)
   connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
   connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
   connect(m_alone, &QPushButton::clicked, this, &CutBar::aloneRequested);
+  connect(m_look, &QPushButton::clicked, this, &CutBar::lookRequested);
   connect(close, &QPushButton::clicked, this, &CutBar::closeRequested);
   parent->installEventFilter(this);
   setAccessibleName(tr("Cutting"));
@@ -75,8 +78,8 @@ void CutBar::showScissors(bool removesInside, bool onlySeen) {
   (onlySeen ? m_seen : m_through)->setChecked(true);
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
     button->show();
-  m_hide->hide();
-  m_alone->hide();
+  for (QPushButton* button : {m_hide, m_alone, m_look})
+    button->hide();
   show();
   place();
 }
@@ -87,8 +90,8 @@ void CutBar::showPiece(const QString& text, bool isPicked) {
                         "Esc none."));
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
     button->hide();
-  m_hide->setVisible(isPicked);
-  m_alone->setVisible(isPicked);
+  for (QPushButton* button : {m_hide, m_alone, m_look})
+    button->setVisible(isPicked);
   show();
   place();
 }

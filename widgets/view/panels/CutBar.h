@@ -28,6 +28,7 @@ signals:
   void depthChosen(bool onlySeen);
   void hideRequested();
   void aloneRequested();
+  void lookRequested();
   void closeRequested();
 
 protected:
@@ -44,6 +45,7 @@ private:
   QPushButton* m_seen;
   QPushButton* m_hide;
   QPushButton* m_alone;
+  QPushButton* m_look;
   bool m_isAside = false; ///< hidden until the button is let go
 };
 

@@ -81,7 +81,7 @@ void addLooks(const Region& keep, Sentences& losses) {
 }
 
 void addCuts(const Region& keep, Sentences& losses) {
-  if (keep.isCut)
+  if (isCutAway(keep))
     losses.push_back(Message::tr("What was cut away by hand is shown by other programs."));
 }
 
