@@ -31,17 +31,14 @@ Camera withProjection(Camera camera, Camera::Projection projection) {
   return camera;
 }
 
-/// Replaces scene and preset in use, keeping the camera of the moment.
+/// Replaces scene and preset in use, keeping the camera of the moment. Each cut has a map of labels of its
+/// own, a byte or two for each voxel: steps hold them packed.
 class SceneEdit : public QUndoCommand {
 public:
-  struct State {
-    Scene scene;
-    Preset preset;
-  };
-
-  SceneEdit(Session& session, State after, const Gesture& gesture)
-      : QUndoCommand(gesture.text), m_session(session), m_before{session.m_scene, session.m_preset},
-        m_after(std::move(after)), m_gesture(gesture.id) {}
+  SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture)
+      : QUndoCommand(gesture.text), m_session(session),
+        m_before(stateOf(session, session.m_scene, session.m_preset)),
+        m_after(stateOf(session, scene, preset)), m_gesture(gesture.id) {}
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
   int id() const override { return 1; }
@@ -52,7 +49,8 @@ public:
       return false;
     m_after = later->m_after;
     setText(later->text());
-    setObsolete(withCameraOf(m_before.scene, m_after.scene) == m_after.scene);
+    setObsolete(m_before.labels == m_after.labels &&
+                withCameraOf(m_before.scene, m_after.scene) == m_after.scene);
     return true;
   }
 
@@ -60,9 +58,23 @@ public:
   void redo() override { show(m_after); }
 
 private:
+  struct State {
+    Scene scene; // without its labels
+    std::shared_ptr<const PackedLabels> labels;
+    Preset preset;
+  };
+
+  static State stateOf(Session& session, Scene scene, const Preset& preset) {
+    std::shared_ptr<const PackedLabels> labels = session.packed(scene.keep.labels);
+    scene.keep.labels.reset();
+    return {std::move(scene), std::move(labels), preset};
+  }
+
   void show(const State& state) {
     m_session.m_preset = state.preset;
-    m_session.replace(withCameraOf(state.scene, m_session.scene()));
+    Scene scene = withCameraOf(state.scene, m_session.scene());
+    scene.keep.labels = state.labels ? state.labels->map() : nullptr;
+    m_session.replace(scene);
   }
 
   static Scene withCameraOf(Scene scene, const Scene& other) {
@@ -114,7 +126,7 @@ void Session::open(const LoadedScene& loaded, const Preset& preset) {
 void Session::edit(const Scene& next, const Gesture& gesture) {
   if (next == m_scene)
     return;
-  m_undo.push(new SceneEdit(*this, {next, m_preset}, gesture));
+  m_undo.push(new SceneEdit(*this, next, m_preset, gesture));
 }
 
 void Session::usePreset(const Preset& preset, const Gesture& gesture) {
@@ -122,7 +134,7 @@ void Session::usePreset(const Preset& preset, const Gesture& gesture) {
   if (next == m_scene)
     adoptPreset(preset);
   else
-    m_undo.push(new SceneEdit(*this, {next, preset}, gesture));
+    m_undo.push(new SceneEdit(*this, next, preset, gesture));
 }
 
 void Session::setCamera(const Camera& camera) {
@@ -143,6 +155,19 @@ void Session::setPlanes(const PlaneSettings& settings) {
 void Session::noteDistance(const std::optional<MeasuredDistance>& before) {
   if (before != m_planes.distance)
     m_undo.push(new DistanceEdit(*this, before, m_planes.distance));
+}
+
+std::shared_ptr<const PackedLabels> Session::packed(const std::shared_ptr<const LabelMap>& map) {
+  if (!map)
+    return {};
+  std::erase_if(m_packed, [](const auto& known) { return known.expired(); });
+  for (const auto& known : m_packed)
+    if (const auto labels = known.lock(); labels->isOf(map))
+      return labels;
+  const auto labels =
+      std::make_shared<const PackedLabels>(map, m_scene.volume ? m_scene.volume->room() : nullptr);
+  m_packed.push_back(labels);
+  return labels;
 }
 
 void Session::replace(const Scene& scene) {

@@ -4,11 +4,15 @@
 #include "app/core/sources/SceneSource.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/regions/PackedLabels.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/Gesture.h"
 
 #include <QObject>
 #include <QUndoStack>
+
+#include <memory>
+#include <vector>
 
 namespace limn {
 
@@ -86,6 +90,8 @@ signals:
 
 private:
   friend class SceneEdit;
+  /// What the history holds of a map of labels, once for all steps that have it; null of none.
+  std::shared_ptr<const PackedLabels> packed(const std::shared_ptr<const LabelMap>& map);
   template <class Part>
   void editPart(Part Scene::*part, const Part& value, const Gesture& gesture) {
     Scene next = m_scene;
@@ -99,6 +105,7 @@ private:
   Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;
+  std::vector<std::weak_ptr<const PackedLabels>> m_packed; ///< that steps hold
 };
 
 } // namespace limn

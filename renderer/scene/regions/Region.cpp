@@ -3,10 +3,10 @@
 
 #include "scene/basics/Effort.h"
 #include "scene/basics/Error.h"
+#include "scene/regions/LabelRuns.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <mutex>
 
 namespace limn {
@@ -15,24 +15,6 @@ namespace {
 void enclose(VoxelBox& box, const glm::ivec3& lower, const glm::ivec3& upper) {
   const bool isFirst = box.lower == box.upper;
   box = isFirst ? VoxelBox{lower, upper} : VoxelBox{glm::min(box.lower, lower), glm::max(box.upper, upper)};
-}
-
-// Where the run of equal places that begins at `first` ends; several at a time, as runs are long.
-template <class Place>
-int endOfRun(const Place* row, int first, int length) {
-  constexpr int atOnce = sizeof(std::uint64_t) / sizeof(Place);
-  std::uint64_t equal = 0;
-  for (int n = 0; n < atOnce; ++n)
-    equal |= static_cast<std::uint64_t>(row[first]) << n * 8 * static_cast<int>(sizeof(Place));
-  int end = first + 1;
-  for (std::uint64_t next = 0; end + atOnce <= length; end += atOnce) {
-    std::memcpy(&next, row + end, sizeof(next));
-    if (next != equal)
-      break;
-  }
-  while (end < length && row[end] == row[first])
-    ++end;
-  return end;
 }
 
 /// The smallest box around each label, run by run of each row.
