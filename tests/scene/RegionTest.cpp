@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/basics/Error.h"
 #include "scene/regions/BlockWeights.h"
+#include "scene/regions/PackedLabels.h"
 
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace limn {
 namespace {
@@ -36,6 +39,47 @@ TEST(LabelMap, knowsTheBoxAroundEachLabel) {
   EXPECT_EQ(map.boxAround(1).lower, map.boxAround(1).upper) << "no voxel has it";
   EXPECT_EQ(map.boxAround(2).lower, glm::ivec3(1, 0, 0));
   EXPECT_EQ(map.boxAround(2).upper, glm::ivec3(3, 2, 2));
+}
+
+// A map of so many labels; each voxel has the one before's with a probability of `alike`.
+template <class Place>
+std::shared_ptr<const LabelMap> mapOf(const glm::ivec3& dims, int labels, double alike) {
+  std::mt19937 random(7);
+  std::vector<Place> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
+  for (std::size_t n = 1; n < places.size(); ++n)
+    places[n] = std::bernoulli_distribution(alike)(random)
+                    ? places[n - 1]
+                    : static_cast<Place>(std::uniform_int_distribution(0, labels - 1)(random));
+  std::vector<Label> names(static_cast<std::size_t>(labels));
+  names.back().name = "last";
+  return std::make_shared<const LabelMap>(dims, std::move(places), names);
+}
+
+TEST(PackedLabels, bringBackTheVeryMapOrOneThatIsEqual) {
+  for (const double alike : {0.0, 0.5, 0.999, 1.0})
+    for (const int labels : {1, 200, 3000}) {
+      const glm::ivec3 dims(77, 13, 5);
+      auto map =
+          labels > 256 ? mapOf<std::uint16_t>(dims, labels, alike) : mapOf<std::uint8_t>(dims, labels, alike);
+      const std::size_t voxelBytes = labels > 256 ? 2 : 1;
+      const PackedLabels packed(map);
+      EXPECT_EQ(packed.map(), map);
+      EXPECT_TRUE(packed.isOf(map));
+      EXPECT_LE(packed.bytes(), voxelBytes * 77 * 13 * 5);
+      const LabelMap before = *map;
+      map.reset();
+      const auto after = packed.map();
+      EXPECT_EQ(after->dims(), dims);
+      EXPECT_EQ(after->labels(), before.labels());
+      EXPECT_EQ(after->places(), before.places()) << labels << " labels, " << alike;
+      EXPECT_EQ(packed.map(), after) << "the same one as long as it lives";
+    }
+}
+
+TEST(PackedLabels, ofAWideRowAndOfBlocksTakeFewBytes) {
+  EXPECT_EQ(PackedLabels(mapOf<std::uint8_t>({200000, 1, 1}, 1, 1.0)).bytes(),
+            4u * 3); // of at most 65535 each
+  EXPECT_EQ(PackedLabels(mapOf<std::uint16_t>({64, 64, 64}, 1, 1.0)).bytes(), 64u * 64 * 4);
 }
 
 TEST(Region, restrictsWhereALabelWeighsLess) {

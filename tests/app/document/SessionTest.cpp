@@ -48,6 +48,35 @@ TEST(Session, slicesAreAWayOfLookingWithoutUndo) {
   EXPECT_EQ(session.undoStack().count(), 0);
 }
 
+TEST(Session, theHistoryHoldsNoMapOfLabelsButThatOfTheMoment) {
+  Session session;
+  std::vector<std::weak_ptr<const LabelMap>> maps;
+  for (int n = 0; n < 5; ++n) {
+    std::vector<std::uint8_t> places(8, 0);
+    places[static_cast<std::size_t>(n)] = 1;
+    const auto map =
+        std::make_shared<const LabelMap>(glm::ivec3(2), std::move(places), std::vector<Label>(2));
+    maps.push_back(map);
+    session.setKeep({Region::Kind::labels, "s", map, {1.0, 0.5}}, {nextGestureId(), "keep"});
+    session.setTransferFunction(rampTo(n), {nextGestureId(), "curve"});
+    EXPECT_EQ(session.scene().keep.labels, map);
+  }
+  for (std::size_t n = 0; n < 4; ++n)
+    EXPECT_TRUE(maps[n].expired()) << n;
+  EXPECT_EQ(session.undoStack().count(), 10);
+  for (std::size_t n = 5; n-- > 0;) {
+    const Region keep = session.scene().keep;
+    ASSERT_TRUE(keep.labels);
+    EXPECT_EQ(keep.labels->placeAt(n), 1u);
+    session.undoStack().undo();
+    EXPECT_EQ(session.scene().keep, keep) << "the curve was undone alone";
+    session.undoStack().undo();
+  }
+  EXPECT_EQ(session.scene(), Scene{});
+  session.undoStack().redo();
+  EXPECT_EQ(session.scene().keep.labels->placeAt(0), 1u);
+}
+
 TEST(Session, aMeasuredDistanceIsAnUndoStepThatLeavesTheRestOfTheSlices) {
   Session session;
   const auto measure = [&](const std::optional<MeasuredDistance>& distance) {
