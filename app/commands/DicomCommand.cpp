@@ -45,10 +45,11 @@ void runDicom(const DicomArguments& arguments) {
     note(warning.english());
   for (const Message& loss : losses)
     note(loss.english());
-  note(
-      arguments.isAnonymous
-          ? "look.dcm and picture.dcm leave out what the series says of its patient; its UIDs stay."
-          : "look.dcm and picture.dcm carry what the series says of its patient; --anonymous leaves it out.");
+  if (hasSegments(scene))
+    note("segments.dcm holds what is kept and what was cut away, for programs that read segmentations.");
+  note(arguments.isAnonymous
+           ? "The files leave out what the series says of its patient; its UIDs stay."
+           : "The files carry what the series says of its patient; --anonymous leaves it out.");
 }
 
 } // namespace
@@ -58,7 +59,10 @@ void addDicomCommand(CommandSyntax& root) {
   CommandSyntax command = root.command(
       "dicom", "picture and look of a DICOM series as objects for an archive: picture.dcm and look.dcm");
   addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
-  command.option("-o,--output", arguments->out, "folder to write picture.dcm and look.dcm to")
+  command
+      .option(
+          "-o,--output", arguments->out,
+          "folder to write picture.dcm and look.dcm to, and segments.dcm where something is kept or cut away")
       .required()
       .folder();
   command

@@ -17,8 +17,8 @@ namespace limn {
 SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const DicomFolder> dicom,
                          std::optional<int> series, const Progress& progress);
 
-/// Writes scene and picture into a folder, which is made, as `look.dcm` and `picture.dcm`; returns what other
-/// programs do not find in the look, a sentence each. Throws Error.
+/// Writes scene and picture into a folder, which is made, as `look.dcm`, `picture.dcm` and maybe
+/// `segments.dcm`; returns what other programs do not find in the look, a sentence each. Throws Error.
 std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,
                                  const Image& picture, const SeriesImages& series, bool isAnonymous);
 

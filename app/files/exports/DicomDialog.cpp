@@ -69,10 +69,11 @@ void DicomDialog::layOut() {
   auto* save = new QPushButton(tr("&Save…"), this);
   save->setObjectName(QStringLiteral("dicomSave"));
   auto* column = new QVBoxLayout(this);
-  column->addWidget(
-      wrapped(tr("Saves two files for an archive: the picture (picture.dcm) and the look that it "
-                 "was made with (look.dcm), which other programs and Limn can open."),
-              this));
+  column->addWidget(wrapped(
+      tr("Saves files for an archive: the picture (picture.dcm), the look that it was made with "
+         "(look.dcm), which other programs and Limn can open, and where something is kept by label or cut "
+         "away which voxels these are (segments.dcm)."),
+      this));
   column->addWidget(m_picture);
   column->addWidget(m_carries);
   column->addWidget(m_anonymous);
@@ -85,9 +86,9 @@ void DicomDialog::layOut() {
 
 void DicomDialog::sayWhatTheyCarry() {
   m_carries->setText(m_anonymous->isChecked()
-                         ? tr("The two files name nobody. They keep the UIDs of the study and of its images, "
+                         ? tr("The files name nobody. They keep the UIDs of the study and of its images, "
                               "by which the look finds them.")
-                         : tr("The two files carry what the series says of its patient, because an archive "
+                         : tr("The files carry what the series says of its patient, because an archive "
                               "files them by it. Nothing else that Limn writes does."));
 }
 

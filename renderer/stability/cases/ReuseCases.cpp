@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/PictureTarget.h"
+#include "scene/LabelLooks.h"
 #include "scene/volume/Phantom.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
@@ -22,11 +23,11 @@ Scene phantomScene() {
   return scene;
 }
 
-// Slices know two projections and end no ray early.
+// Slices know two projections and one look, and end no ray early.
 bool shows(const Scene& scene, Engine engine) {
   return engine != Engine::slices ||
          ((scene.projection == Projection::composite || scene.projection == Projection::xray) &&
-          scene.quality.earlyTermination == phantomScene().quality.earlyTermination);
+          !hasLabelLooks(scene) && scene.quality.earlyTermination == phantomScene().quality.earlyTermination);
 }
 
 std::vector<Scene> variedScenes(Engine engine) {

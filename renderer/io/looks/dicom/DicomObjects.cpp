@@ -9,6 +9,7 @@
 #include "io/looks/dicom/ObjectBytes.h"
 #include "io/looks/dicom/OwnBlock.h"
 #include "io/looks/dicom/References.h"
+#include "io/looks/dicom/Segmentation.h"
 #include "io/looks/dicom/SrgbProfile.h"
 
 #include <dcmtk/dcmdata/dcuid.h>
@@ -195,6 +196,20 @@ std::string pictureFile(const DicomWriting& writing, DcmItem& image, const Ident
   return bytesOf(file);
 }
 
+std::string segmentsFile(const Scene& scene, const DicomWriting& writing, DcmItem& image) {
+  if (!hasSegments(scene))
+    return {};
+  const Identity identity;
+  DcmFileFormat file;
+  DcmItem& object = *file.getDataset();
+  putSegmentation(object, scene.keep, scene.volume->grid(), image, writing.series, newUid(), writing.version);
+  putSubject(object, image, subjectOf(writing));
+  putOrigin(object, UID_SegmentationStorage, "SEG", "Limn segments", identity, writing.version);
+  putText(object, DCM_SeriesNumber, "1"); // of which a segmentation has one
+  putSegmentNames(object, scene.keep);
+  return bytesOf(file);
+}
+
 // The header of an image of the series, with a frame of reference for both objects where it has none.
 std::unique_ptr<DcmFileFormat> imageOf(const SeriesImages& series) {
   auto file = headerOfFile(series.firstFile);
@@ -206,11 +221,16 @@ std::unique_ptr<DcmFileFormat> imageOf(const SeriesImages& series) {
 
 } // namespace
 
+bool hasSegments(const Scene& scene) {
+  return dicom::hasSegments(scene.keep);
+}
+
 DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing) {
   const auto image = imageOf(writing.series);
   const Identity picture;
   return {lookFile(scene, writing, *image->getDataset(), picture.instance),
-          pictureFile(writing, *image->getDataset(), picture), lossesOf(scene)};
+          pictureFile(writing, *image->getDataset(), picture),
+          segmentsFile(scene, writing, *image->getDataset()), lossesOf(scene)};
 }
 
 std::string dicomLookOf(const Scene& scene, const SeriesImages& series, const std::string& version) {
@@ -220,6 +240,8 @@ std::string dicomLookOf(const Scene& scene, const SeriesImages& series, const st
 
 void writeDicomObjects(const std::filesystem::path& folder, const DicomObjects& objects) {
   writeFileAtomically(folder / "picture.dcm", objects.picture);
+  if (!objects.segments.empty())
+    writeFileAtomically(folder / "segments.dcm", objects.segments);
   writeFileAtomically(folder / "look.dcm", objects.look);
 }
 

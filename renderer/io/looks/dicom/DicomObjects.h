@@ -19,12 +19,16 @@ struct DicomWriting {
   bool isAnonymous = false; ///< leave out what the series says of its patient and study, but for UIDs
 };
 
-/// A scene and its picture as two objects for an archive.
+/// A scene and its picture as objects for an archive.
 struct DicomObjects {
-  std::string look;            ///< a file: Volume Rendering Volumetric Presentation State
-  std::string picture;         ///< a file: Secondary Capture
+  std::string look;     ///< a file: Volume Rendering Volumetric Presentation State
+  std::string picture;  ///< a file: Secondary Capture
+  std::string segments; ///< a file: Segmentation, of what is kept and cut away; empty where all is kept
   std::vector<Message> losses; ///< what programs other than Limn do not find in the look, a sentence each
 };
+
+/// Whether segments.dcm goes with the other two: something is kept by label, cut away or told apart.
+bool hasSegments(const Scene& scene);
 
 /// Makes the objects, in the study and frame of reference of the series, each in a series of its own with new
 /// UIDs. They hold no path and no name of a file. Throws Error.
@@ -33,7 +37,8 @@ DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing);
 /// The look alone, without a picture that goes with it. Throws Error.
 std::string dicomLookOf(const Scene& scene, const SeriesImages& series, const std::string& version);
 
-/// Writes both as `look.dcm` and `picture.dcm` into a folder that is there. Throws Error.
+/// Writes them as `look.dcm`, `picture.dcm` and, where there are segments, `segments.dcm` into a folder that
+/// is there. Throws Error.
 void writeDicomObjects(const std::filesystem::path& folder, const DicomObjects& objects);
 
 } // namespace limn

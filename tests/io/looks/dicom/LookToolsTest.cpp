@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/Looks.h"
 
+#include "stability/scenes/SimpleScenes.h"
+
 #include <cstdlib>
 
 #include <sys/wait.h>
@@ -18,6 +20,7 @@ protected:
     Scene scene = test::phantomScene();
     scene.crop.lower.z = 0.2;
     scene.shading.model = ShadingModel::classic;
+    scene.keep = cubesRegion(scene.volume->grid().dims, 7, {1.0, 0.0, 0.4});
     writeDicomObjects(folder.path(), test::objectsOf(scene));
   }
 
@@ -48,14 +51,14 @@ bool isInstalled(const char* program) {
 TEST_F(LookTools, dcmdumpHasNothingToSay) {
   if (!isInstalled("dcmdump"))
     GTEST_SKIP() << "dcmdump is not installed (package dcmtk)";
-  for (const char* file : {"look.dcm", "picture.dcm"})
+  for (const char* file : {"look.dcm", "picture.dcm", "segments.dcm"})
     expectNoComplaint("dcmdump -v", file);
 }
 
 TEST_F(LookTools, gdcmdumpHasNothingToSay) {
   if (!isInstalled("gdcmdump"))
     GTEST_SKIP() << "gdcmdump is not installed (package libgdcm-tools)";
-  for (const char* file : {"look.dcm", "picture.dcm"})
+  for (const char* file : {"look.dcm", "picture.dcm", "segments.dcm"})
     expectNoComplaint("gdcmdump", file);
 }
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/looks/dicom/Segmentation.h"
+
+#include "scene/volume/VolumePart.h"
+
+#include <dcmtk/dcmfg/fgderimg.h>
+#include <dcmtk/dcmfg/fgfracon.h>
+#include <dcmtk/dcmfg/fgpixmsr.h>
+#include <dcmtk/dcmfg/fgplanor.h>
+#include <dcmtk/dcmfg/fgplanpo.h>
+#include <dcmtk/dcmiod/cielabutil.h>
+#include <dcmtk/dcmseg/segdoc.h>
+#include <dcmtk/dcmseg/segment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+namespace limn::dicom {
+namespace {
+
+constexpr std::size_t longestName = 64; // of VR LO, in characters
+
+/// A label that is written.
+struct Written {
+  std::size_t place = 0;
+  std::string name; ///< UTF-8
+  glm::dvec3 color{1.0};
+};
+
+std::vector<Written> writtenOf(const Region& keep) {
+  std::vector<Written> written;
+  if (!keep.labels)
+    return written;
+  const std::vector<Label>& labels = keep.labels->labels();
+  for (std::size_t place = 0; place < labels.size(); ++place) {
+    const bool isBackground = keep.kind == Region::Kind::labels && labels[place].value == 0;
+    if (isBackground || isEmpty(keep.labels->boxAround(place)))
+      continue;
+    const bool isEverything = keep.kind == Region::Kind::all && place == 0;
+    written.push_back({place, isEverything ? "Kept" : labels[place].name, labels[place].color});
+  }
+  return written;
+}
+
+// A number of VR DS, which has room for 16 characters.
+OFString decimal(double number) {
+  char text[40];
+  for (int digits = 15; digits > 0; --digits)
+    if (std::snprintf(text, sizeof text, "%.*g", digits, number) <= 16)
+      break;
+  return text;
+}
+
+// The first characters of a text in UTF-8, none cut in two.
+std::string shortened(const std::string& text) {
+  std::size_t characters = 0;
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if ((static_cast<unsigned char>(text[at]) & 0xC0) != 0x80 && ++characters > longestName)
+      return text.substr(0, at);
+  return text;
+}
+
+void requireMade(const OFCondition& made) {
+  require(made.good(), DCM_SegmentSequence);
+}
+
+// What all frames share: how they lie, how large pixels are, of which images they are.
+void putShared(DcmSegmentation& segmentation, const Grid& grid, const SeriesImages& series) {
+  const glm::dmat3& axes = grid.direction;
+  const std::unique_ptr<FGPlaneOrientationPatient> plane(
+      FGPlaneOrientationPatient::createMinimal(decimal(axes[0].x), decimal(axes[0].y), decimal(axes[0].z),
+                                               decimal(axes[1].x), decimal(axes[1].y), decimal(axes[1].z)));
+  FGPixelMeasures pixels;
+  const OFString apart = decimal(grid.spacingMm.z);
+  requireMade(pixels.setPixelSpacing(decimal(grid.spacingMm.y) + "\\" + decimal(grid.spacingMm.x)));
+  requireMade(pixels.setSliceThickness(apart));
+  requireMade(pixels.setSpacingBetweenSlices(apart));
+  OFVector<ImageSOPInstanceReferenceMacro> sources;
+  for (const DicomReference& image : series.images) {
+    ImageSOPInstanceReferenceMacro source;
+    requireMade(source.setReferencedSOPClassUID(image.sopClass.c_str()));
+    requireMade(source.setReferencedSOPInstanceUID(image.sopInstance.c_str()));
+    sources.push_back(source);
+  }
+  const std::unique_ptr<FGDerivationImage> derived(
+      DcmSegmentation::createDerivationImageFG(sources, "Kept and cut away in a volume rendering"));
+  require(plane && derived, DCM_SharedFunctionalGroupsSequence);
+  requireMade(segmentation.addForAllFrames(*plane));
+  requireMade(segmentation.addForAllFrames(pixels));
+  requireMade(segmentation.addForAllFrames(*derived));
+}
+
+// A segment whose name is written later, in the character set of the whole object.
+Uint16 addSegment(DcmSegmentation& segmentation, const Written& label, int number) {
+  DcmSegment* made = nullptr;
+  const CodeSequenceMacro tissue("85756007", "SCT", "Tissue");
+  const OFString name = ("Segment " + std::to_string(number)).c_str();
+  requireMade(
+      DcmSegment::create(made, name, tissue, tissue, DcmSegTypes::SAT_SEMIAUTOMATIC, "Limn cuts and labels"));
+  std::unique_ptr<DcmSegment> segment(made);
+  double l = 0.0, a = 0.0, b = 0.0;
+  IODCIELabUtil::rgb2Lab(l, a, b, label.color.r, label.color.g, label.color.b);
+  IODCIELabUtil::lab2DicomLab(l, a, b, l, a, b);
+  const auto word = [](double value) {
+    return static_cast<Uint16>(std::lround(std::clamp(value, 0.0, 65535.0)));
+  };
+  requireMade(segment->setRecommendedDisplayCIELabValue(word(l), word(a), word(b)));
+  Uint16 added = 0;
+  requireMade(segmentation.addSegment(segment.get(), added));
+  segment.release(); // which is the segmentation's now
+  return added;
+}
+
+// The slices in which a label has a voxel.
+void addFrames(DcmSegmentation& segmentation, const LabelMap& map, std::size_t place, const Grid& grid,
+               Uint16 segment) {
+  const glm::ivec3& dims = map.dims();
+  std::vector<Uint8> pixels(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y));
+  const VoxelBox& box = map.boxAround(place);
+  for (int z = box.lower.z; z < box.upper.z; ++z) {
+    const std::size_t first = voxelOffset(dims, 0, 0, z);
+    std::visit(
+        [&](const auto& places) {
+          for (std::size_t n = 0; n < pixels.size(); ++n)
+            pixels[n] = places[first + n] == place ? 1 : 0;
+        },
+        map.places());
+    if (std::find(pixels.begin(), pixels.end(), 1) == pixels.end())
+      continue;
+    const glm::dvec3 position = indexToWorld(grid, {0.0, 0.0, static_cast<double>(z)});
+    const std::unique_ptr<FGPlanePosPatient> plane(
+        FGPlanePosPatient::createMinimal(decimal(position.x), decimal(position.y), decimal(position.z)));
+    require(plane != nullptr, DCM_PlanePositionSequence);
+    FGFrameContent content;
+    requireMade(content.setStackID("1"));
+    requireMade(content.setInStackPositionNumber(static_cast<Uint32>(z) + 1));
+    requireMade(content.setDimensionIndexValues(segment, 0));
+    requireMade(content.setDimensionIndexValues(static_cast<Uint32>(z) + 1, 1));
+    OFVector<FGBase*> groups;
+    groups.push_back(plane.get());
+    groups.push_back(&content);
+    requireMade(segmentation.addFrame(pixels.data(), segment, groups));
+  }
+}
+
+} // namespace
+
+bool hasSegments(const Region& keep) {
+  return !writtenOf(keep).empty();
+}
+
+void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmItem& image,
+                     const SeriesImages& series, const std::string& organisation,
+                     const std::string& version) {
+  DcmSegmentation* made = nullptr;
+  ContentIdentificationMacro content;
+  requireMade(content.setInstanceNumber("1"));
+  requireMade(content.setContentLabel("LIMN SEGMENTS"));
+  requireMade(DcmSegmentation::createBinarySegmentation(
+      made, static_cast<Uint16>(grid.dims.y), static_cast<Uint16>(grid.dims.x),
+      IODGeneralEquipmentModule::EquipmentInfo("Limn", "Limn", "0", version.c_str()), content));
+  const std::unique_ptr<DcmSegmentation> segmentation(made);
+  requireMade(segmentation->importFromSourceImage(image));
+  requireMade(segmentation->getSeries().setSeriesNumber("1"));
+  IODMultiframeDimensionModule& dimensions = segmentation->getDimensions();
+  requireMade(dimensions.addDimensionIndex(DCM_ReferencedSegmentNumber, organisation.c_str(),
+                                           DCM_SegmentIdentificationSequence, "Segment"));
+  requireMade(dimensions.addDimensionIndex(DCM_InStackPositionNumber, organisation.c_str(),
+                                           DCM_FrameContentSequence, "Slice"));
+  putShared(*segmentation, grid, series);
+  int number = 0;
+  for (const Written& label : writtenOf(keep))
+    addFrames(*segmentation, *keep.labels, label.place, grid, addSegment(*segmentation, label, ++number));
+  requireMade(segmentation->writeDataset(object));
+  putCommonReferences(object, series.series, series.images);
+}
+
+void putSegmentNames(DcmItem& object, const Region& keep) {
+  require(object.convertToUTF8().good(), DCM_SpecificCharacterSet);
+  putText(object, DCM_SpecificCharacterSet, "ISO_IR 192");
+  const std::vector<Written> written = writtenOf(keep);
+  const std::vector<DcmItem*> segments = itemsIn(object, DCM_SegmentSequence);
+  for (std::size_t n = 0; n < written.size(); ++n)
+    if (!written[n].name.empty())
+      putText(*segments[n], DCM_SegmentLabel, shortened(written[n].name));
+}
+
+} // namespace limn::dicom

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/dicom/DicomFolder.h"
+#include "io/looks/dicom/References.h"
+#include "scene/regions/Region.h"
+#include "scene/volume/Grid.h"
+
+#include <string>
+
+// What is kept and what is cut away as a segmentation (PS3.3 A.51), for programs that know neither Limn's
+// scenes nor its cuts.
+
+namespace limn::dicom {
+
+/// Whether a region has voxels to tell of: labels, a body, cuts or pieces.
+bool hasSegments(const Region& keep);
+
+/// Fills in a segmentation with a segment for each label that some voxel has, but for the background of a
+/// label map; where there are no labels what stays is called "Kept". Frames are the slices of the grid along
+/// its third axis in which a segment has a voxel. `image` is one of the series, with the UIDs of study and
+/// frame; patient, study and whose object it is are not filled in. Throws Error (other).
+void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmItem& image,
+                     const SeriesImages& series, const std::string& organisation, const std::string& version);
+
+/// Gives the segments their names, once patient and study are filled in: in UTF-8, in which the object then
+/// is.
+void putSegmentNames(DcmItem& object, const Region& keep);
+
+} // namespace limn::dicom
