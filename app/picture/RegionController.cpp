@@ -31,6 +31,19 @@ Region shownWholly(const Region& region) {
   return whole;
 }
 
+// Whether two grids hold their voxels at the same places, but for what is lost as files write numbers.
+bool areAlike(const Grid& a, const Grid& b) {
+  if (a.dims != b.dims)
+    return false;
+  const double least = std::min({a.spacingMm.x, a.spacingMm.y, a.spacingMm.z});
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 index = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(a.dims - 1);
+    if (glm::distance(indexToWorld(a, index), indexToWorld(b, index)) > 0.01 * least)
+      return false;
+  }
+  return true;
+}
+
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
 constexpr int worthSayingMs = 300;
 
@@ -134,12 +147,33 @@ void RegionController::showEverything() {
 void RegionController::showScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     cancel();
+    offerCutsOfBefore(scene);
     m_volume = scene.volume;
     m_body = {};
   }
+  if (scene.volume)
+    m_cuts = scene.keep.cuts;
   if (scene.keep.kind == Region::Kind::body)
     m_body = withoutCuts(scene.keep);
   m_bodyOnly->setChecked(scene.keep.kind == Region::Kind::body);
+}
+
+// Another series of the same grid shows the same body: what hides one hides the other.
+void RegionController::offerCutsOfBefore(const Scene& scene) {
+  const bool suits = m_volume && scene.volume && !m_cuts.empty() && scene.keep.cuts.empty() &&
+                     !scene.volume->sharesVoxelsWith(*m_volume) &&
+                     areAlike(m_volume->grid(), scene.volume->grid());
+  if (!suits)
+    return;
+  m_context.messages.show(MessageBar::Kind::question,
+                          tr("The volume before lies on the same grid and was cut by hand."), {},
+                          {tr("Cut this one likewise"),
+                           [this, volume = scene.volume, cuts = m_cuts] {
+                             m_context.messages.hide();
+                             if (m_context.session.scene().volume == volume)
+                               setCuts(cuts, tr("cuts of the volume before"));
+                           }},
+                          {tr("Not now"), {}});
 }
 
 void RegionController::start(const QString& what, const Gesture& gesture, Work work) {

@@ -59,11 +59,13 @@ private:
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
   void tellReplaced(const Region& before, const Region& now);
+  void offerCutsOfBefore(const Scene& scene);
   void end();
 
   WindowContext& m_context;
   QAction* m_bodyOnly;
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
+  std::vector<Cut> m_cuts;                ///< of it
   Region m_body;                          ///< of it, where it is known
   QString m_doing;                        ///< what is worked at, in words
   QElapsedTimer m_doingFor;

@@ -14,6 +14,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include <fstream>
@@ -265,6 +266,31 @@ TEST_F(CutWindow, aPieceStaysLitWhileThePictureIsTurnedAndGoesOutWithTheTool) {
   EXPECT_FALSE(cutting().hasPiece());
   EXPECT_EQ(view().scene(), scene());
   EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(CutWindow, theCutsOfTheVolumeBeforeAreOfferedOnTheSameGrid) {
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  const auto offer = [this] { return window->findChild<MessageBar*>(QStringLiteral("messageBar")); };
+  ASSERT_TRUE(open(QStringLiteral("phantom:7")));
+  EXPECT_FALSE(offer()->sentence().contains(QStringLiteral("same grid")));
+  EXPECT_TRUE(cuts().empty());
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(open(QStringLiteral("phantom:7")));
+  ASSERT_TRUE(offer()->isVisible());
+  EXPECT_TRUE(offer()->sentence().contains(QStringLiteral("same grid"))) << offer()->sentence().toStdString();
+  EXPECT_TRUE(cuts().empty()) << "it is offered, not done";
+  for (QToolButton* button : offer()->findChildren<QToolButton*>())
+    if (button->text() == QStringLiteral("Cut this one likewise"))
+      button->click();
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("cuts of the volume before"));
+  EXPECT_FALSE(offer()->isVisible());
 }
 
 TEST_F(CutWindow, whereNothingIsSeenThereIsNoPiece) {
