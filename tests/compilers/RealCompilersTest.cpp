@@ -125,10 +125,16 @@ constexpr Room together{64, 76, 88, 78};
 // With own weights eight texels, and those of the gradient's samples, are on their way at once.
 constexpr Room aloneWeighing{64, 60, 84, 0};
 constexpr Room togetherWeighing{64, 84, 128, 78};
+// Where looks of labels meet, looks, shares and weights of eight voxels are held while one look after the
+// other is gathered; such steps are not pre-integrated.
+constexpr Room aloneByLabel{84, 0, 84, 0};
+constexpr Room togetherByLabel{96, 0, 128, 126};
 
 struct Rooms {
-  Room usual, weighing;
-  const Room& of(EffectSet effects) const { return effects.has(Effect::ownWeights) ? weighing : usual; }
+  Room usual, weighing, byLabel;
+  const Room& of(EffectSet effects) const {
+    return effects.has(Effect::labelLooks) ? byLabel : effects.has(Effect::ownWeights) ? weighing : usual;
+  }
 };
 
 int mostVgprs(const Room& room, EffectSet effects) {
@@ -207,7 +213,9 @@ protected:
 
 private:
   static std::string kindOf(EffectSet effects) {
-    const std::string weights = effects.has(Effect::ownWeights) ? ", own weights" : "";
+    const std::string weights = effects.has(Effect::labelLooks)   ? ", looks of labels"
+                                : effects.has(Effect::ownWeights) ? ", own weights"
+                                                                  : "";
     if (effects.has(Effect::localSteps))
       return "of error-controlled steps" + weights;
     return (effects.has(Effect::preintegration) ? "of pre-integrated steps" : "of samples") + weights;
@@ -217,12 +225,12 @@ private:
 };
 
 TEST_P(RealCompilers, everyEffectAloneCompilesAndSpillsNothing) {
-  expectRoom({alone, aloneWeighing}, eachEffectAlone());
+  expectRoom({alone, aloneWeighing, aloneByLabel}, eachEffectAlone());
 }
 
 TEST_P(RealCompilers, everyProgramCompilesAndSpillsNothingToMemory) {
-  expectRoom({together, togetherWeighing}, allEffectsTogether());
-  expectRoom({together, togetherWeighing}, shareOf(GetParam(), everyCombination()));
+  expectRoom({together, togetherWeighing, togetherByLabel}, allEffectsTogether());
+  expectRoom({together, togetherWeighing, togetherByLabel}, shareOf(GetParam(), everyCombination()));
 }
 
 TEST_P(RealCompilers, samplersWeighTexelsInEightBits) {
