@@ -15,6 +15,7 @@
 #include <QSortFilterProxyModel>
 #include <QSpinBox>
 #include <QStyledItemDelegate>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -233,7 +234,10 @@ LabelSection::LabelSection(QWidget* parent)
   m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
   m_search->setPlaceholderText(tr("Search labels"));
   m_search->setAccessibleName(tr("Search labels"));
+  m_search->setToolTip(tr("Shows only labels whose name holds these words"));
   m_search->setClearButtonEnabled(true);
+  for (QToolButton* button : m_search->findChildren<QToolButton*>()) // Qt's own, without a name
+    button->setAccessibleName(tr("Clear the search"));
   connect(m_search, &QLineEdit::textChanged, m_found, &QSortFilterProxyModel::setFilterFixedString);
   m_table->setModel(m_found);
   m_table->setItemDelegate(new RowDelegate(m_table));
