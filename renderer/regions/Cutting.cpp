@@ -18,7 +18,7 @@ constexpr int cutValue = -1, firstPieceValue = -3; // of pieces downwards
 const Label besideLabel{-2, "Beside the piece", glm::dvec3(0.5)};
 
 // Whether an index that was rounded is one of the grid's.
-bool isInside(const glm::dvec3& index, const Grid& grid) {
+bool isVoxel(const glm::dvec3& index, const Grid& grid) {
   return glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
          glm::all(glm::lessThan(index, glm::dvec3(grid.dims)));
 }
@@ -162,7 +162,7 @@ CutSets cutSetsOf(const Region& region, bool isMade, const Volume& volume, const
 // How much of what a piece hangs on was kept before: the weight of the label at its seed.
 double weightAtSeed(const Region& before, const ConnectedPiece& piece, const Grid& grid) {
   const glm::dvec3 index = glm::floor(worldToIndex(grid, piece.seedMm) + 0.5);
-  if (!before.labels || !isInside(index, grid))
+  if (!before.labels || !isVoxel(index, grid))
     return 1.0;
   const glm::ivec3 voxel(index);
   return before.weights[before.labels->placeAt(voxelOffset(grid.dims, voxel.x, voxel.y, voxel.z))];
@@ -242,7 +242,7 @@ BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPie
   const BitGrid inRange = valuesWithin(volume, piece.range, partOf(effort, 0.0, 0.3));
   BitGrid allowed = inRange;
   allowed &= kept;
-  if (!isInside(index, grid) || !allowed.at(glm::ivec3(index)))
+  if (!isVoxel(index, grid) || !allowed.at(glm::ivec3(index)))
     return seed;
   seed.set(glm::ivec3(index));
   const BitGrid found = grownWithin(seed, allowed, partOf(effort, 0.3, 0.8));

@@ -12,6 +12,12 @@
 namespace limn {
 namespace {
 
+// XYZ of white point D50 as linear sRGB, adapted by Bradford (B. Lindbloom, brucelindbloom.com, "RGB/XYZ
+// Matrices").
+const glm::dmat3 xyzToLinear(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914, -0.4906146,
+                             0.0334540, 1.4052427);
+const glm::dvec3 whiteD50(0.96422, 1.0, 0.82521);
+
 namespace fs = std::filesystem;
 
 constexpr const char* segmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
@@ -239,15 +245,29 @@ glm::dvec3 colorOfCieLab(const std::array<std::uint16_t, 3>& words) {
     return t > 6.0 / 29.0 ? t * t * t : 3.0 * 36.0 / 841.0 * (t - 4.0 / 29.0);
   };
   const double y = (lab.x + 16.0) / 116.0;
-  const glm::dvec3 xyz(0.96422 * linear(y + lab.y / 500.0), linear(y), 0.82521 * linear(y - lab.z / 200.0));
-  // XYZ of D50 as linear sRGB, adapted by Bradford (B. Lindbloom, brucelindbloom.com, "RGB/XYZ Matrices").
-  const glm::dmat3 toLinear(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914, -0.4906146,
-                            0.0334540, 1.4052427);
-  glm::dvec3 color = glm::clamp(toLinear * xyz, 0.0, 1.0);
+  const glm::dvec3 xyz =
+      whiteD50 * glm::dvec3(linear(y + lab.y / 500.0), linear(y), linear(y - lab.z / 200.0));
+  glm::dvec3 color = glm::clamp(xyzToLinear * xyz, 0.0, 1.0);
   for (int channel = 0; channel < 3; ++channel)
     color[channel] = color[channel] <= 0.0031308 ? 12.92 * color[channel]
                                                  : 1.055 * std::pow(color[channel], 1.0 / 2.4) - 0.055;
   return color;
+}
+
+std::array<std::uint16_t, 3> cieLabOfColor(const glm::dvec3& color) {
+  glm::dvec3 linear = glm::clamp(color, 0.0, 1.0);
+  for (int channel = 0; channel < 3; ++channel)
+    linear[channel] = linear[channel] <= 0.04045 ? linear[channel] / 12.92
+                                                 : std::pow((linear[channel] + 0.055) / 1.055, 2.4);
+  glm::dvec3 t = glm::inverse(xyzToLinear) * linear / whiteD50;
+  for (int channel = 0; channel < 3; ++channel)
+    t[channel] =
+        t[channel] > 216.0 / 24389.0 ? std::cbrt(t[channel]) : 841.0 / 108.0 * t[channel] + 4.0 / 29.0;
+  const glm::dvec3 lab(116.0 * t.y - 16.0, 500.0 * (t.x - t.y), 200.0 * (t.y - t.z));
+  const auto word = [](double share) {
+    return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0)));
+  };
+  return {word(lab.x / 100.0), word((lab.y + 128.0) / 255.0), word((lab.z + 128.0) / 255.0)};
 }
 
 } // namespace limn

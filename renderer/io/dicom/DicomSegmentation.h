@@ -29,4 +29,7 @@ DicomSegments readDicomSegmentation(const std::filesystem::path& file, const Pro
 /// 0..1, clamped to what a screen can show.
 glm::dvec3 colorOfCieLab(const std::array<std::uint16_t, 3>& words);
 
+/// The words of an sRGB colour, 0..1: the other way round.
+std::array<std::uint16_t, 3> cieLabOfColor(const glm::dvec3& color);
+
 } // namespace limn

@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 namespace limn::dicom {
@@ -142,22 +140,6 @@ std::vector<std::uint16_t> tableEntriesIn(DcmItem& item, const TableChannel& cha
   if (values.size() != descriptor.entries)
     failLength(name, tag, values.size(), descriptor.entries);
   return values;
-}
-
-/// A decimal string has 16 characters.
-constexpr std::size_t longestDecimal = 16;
-
-// The shortest text that reads as the number, or the nearest one of 16 characters.
-std::string decimal(double number) {
-  char text[40];
-  const auto shortest = std::to_chars(text, text + sizeof text, number);
-  int digits = 16;
-  std::string written(text, shortest.ptr);
-  while (written.size() > longestDecimal) {
-    std::snprintf(text, sizeof text, "%.*g", digits--, number);
-    written = text;
-  }
-  return written;
 }
 
 void putChannel(DcmItem& component, const TableChannel& channel, const ColourTable& table, std::size_t c) {
@@ -308,11 +290,11 @@ WrittenWindow windowOver(const ValueRange& range) {
   // One value alone still needs a window of some width.
   double centre = 0.5 * range.lowest + 0.5 * range.highest;
   double width = range.highest > range.lowest ? range.highest - range.lowest : 1.0;
-  WrittenWindow window{decimal(centre), decimal(width), {}};
+  WrittenWindow window{decimalText(centre), decimalText(width), {}};
   const double written = std::strtod(window.centre.c_str(), nullptr);
   const double needed = width + 2.0 * std::abs(written - centre);
   if (std::strtod(window.width.c_str(), nullptr) < needed)
-    window.width = decimal(needed * (1.0 + 1e-8));
+    window.width = decimalText(needed * (1.0 + 1e-8));
   centre = written;
   width = std::strtod(window.width.c_str(), nullptr);
   window.range = {centre - 0.5 * width, centre + 0.5 * width};

@@ -9,7 +9,9 @@
 #include <dcmtk/dcmdata/dcsequen.h>
 #include <dcmtk/dcmdata/dcvrfd.h>
 
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace limn::dicom {
 
@@ -69,6 +71,19 @@ std::vector<DcmItem*> itemsIn(DcmItem& item, const DcmTagKey& tag) {
 
 std::string nameOf(const DcmTagKey& tag) {
   return std::string(DcmTag(tag).getTagName()) + " " + tag.toString().c_str();
+}
+
+std::string decimalText(double number) {
+  constexpr std::size_t longest = 16;
+  char text[40];
+  const auto shortest = std::to_chars(text, text + sizeof text, number);
+  int digits = 16;
+  std::string written(text, shortest.ptr);
+  while (written.size() > longest) {
+    std::snprintf(text, sizeof text, "%.*g", digits--, number);
+    written = text;
+  }
+  return written;
 }
 
 void require(bool succeeded, const DcmTagKey& tag) {

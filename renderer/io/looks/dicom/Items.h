@@ -41,6 +41,10 @@ std::vector<DcmItem*> itemsIn(DcmItem& item, const DcmTagKey& tag);
 /// As "Viewpoint Position (0070,1603)".
 std::string nameOf(const DcmTagKey& tag);
 
+/// The shortest text of VR DS, at most 16 characters, that reads as the number, or as the nearest one that
+/// fits.
+std::string decimalText(double number);
+
 // Writing; what does not fit throws Error (other).
 void putText(DcmItem& item, const DcmTagKey& tag, const std::string& text);
 void putNumbers(DcmItem& item, const DcmTagKey& tag, const std::vector<double>& numbers); ///< VR FD

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/Segmentation.h"
 
+#include "io/dicom/DicomSegmentation.h"
 #include "scene/volume/VolumePart.h"
 
 #include <dcmtk/dcmfg/fgderimg.h>
@@ -8,13 +9,11 @@
 #include <dcmtk/dcmfg/fgpixmsr.h>
 #include <dcmtk/dcmfg/fgplanor.h>
 #include <dcmtk/dcmfg/fgplanpo.h>
-#include <dcmtk/dcmiod/cielabutil.h>
 #include <dcmtk/dcmseg/segdoc.h>
 #include <dcmtk/dcmseg/segment.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -45,13 +44,8 @@ std::vector<Written> writtenOf(const Region& keep) {
   return written;
 }
 
-// A number of VR DS, which has room for 16 characters.
-OFString decimal(double number) {
-  char text[40];
-  for (int digits = 15; digits > 0; --digits)
-    if (std::snprintf(text, sizeof text, "%.*g", digits, number) <= 16)
-      break;
-  return text;
+OFString dsText(double number) {
+  return decimalText(number).c_str();
 }
 
 // The first characters of a text in UTF-8, none cut in two.
@@ -71,11 +65,11 @@ void requireMade(const OFCondition& made) {
 void putShared(DcmSegmentation& segmentation, const Grid& grid, const SeriesImages& series) {
   const glm::dmat3& axes = grid.direction;
   const std::unique_ptr<FGPlaneOrientationPatient> plane(
-      FGPlaneOrientationPatient::createMinimal(decimal(axes[0].x), decimal(axes[0].y), decimal(axes[0].z),
-                                               decimal(axes[1].x), decimal(axes[1].y), decimal(axes[1].z)));
+      FGPlaneOrientationPatient::createMinimal(dsText(axes[0].x), dsText(axes[0].y), dsText(axes[0].z),
+                                               dsText(axes[1].x), dsText(axes[1].y), dsText(axes[1].z)));
   FGPixelMeasures pixels;
-  const OFString apart = decimal(grid.spacingMm.z);
-  requireMade(pixels.setPixelSpacing(decimal(grid.spacingMm.y) + "\\" + decimal(grid.spacingMm.x)));
+  const OFString apart = dsText(grid.spacingMm.z);
+  requireMade(pixels.setPixelSpacing(dsText(grid.spacingMm.y) + "\\" + dsText(grid.spacingMm.x)));
   requireMade(pixels.setSliceThickness(apart));
   requireMade(pixels.setSpacingBetweenSlices(apart));
   OFVector<ImageSOPInstanceReferenceMacro> sources;
@@ -101,22 +95,40 @@ Uint16 addSegment(DcmSegmentation& segmentation, const Written& label, int numbe
   requireMade(
       DcmSegment::create(made, name, tissue, tissue, DcmSegTypes::SAT_SEMIAUTOMATIC, "Limn cuts and labels"));
   std::unique_ptr<DcmSegment> segment(made);
-  double l = 0.0, a = 0.0, b = 0.0;
-  IODCIELabUtil::rgb2Lab(l, a, b, label.color.r, label.color.g, label.color.b);
-  IODCIELabUtil::lab2DicomLab(l, a, b, l, a, b);
-  const auto word = [](double value) {
-    return static_cast<Uint16>(std::lround(std::clamp(value, 0.0, 65535.0)));
-  };
-  requireMade(segment->setRecommendedDisplayCIELabValue(word(l), word(a), word(b)));
+  const std::array<std::uint16_t, 3> color = cieLabOfColor(label.color);
+  requireMade(segment->setRecommendedDisplayCIELabValue(color[0], color[1], color[2]));
   Uint16 added = 0;
   requireMade(segmentation.addSegment(segment.get(), added));
   segment.release(); // which is the segmentation's now
   return added;
 }
 
+/// The pixels of all frames, a bit each, one frame right behind the other: DCMTK 3.6.7 drops the last bits
+/// where those of a frame fill no bytes.
+class Bits {
+public:
+  void add(const std::vector<Uint8>& pixels) {
+    for (const Uint8 pixel : pixels) {
+      if (m_count % 8 == 0)
+        m_bytes.push_back(0);
+      m_bytes.back() |= static_cast<Uint8>(pixel << m_count++ % 8);
+    }
+  }
+
+  std::vector<Uint8> bytes() const {
+    std::vector<Uint8> even = m_bytes;
+    even.resize(even.size() + even.size() % 2); // a value has an even length
+    return even;
+  }
+
+private:
+  std::vector<Uint8> m_bytes;
+  std::size_t m_count = 0;
+};
+
 // The slices in which a label has a voxel.
 void addFrames(DcmSegmentation& segmentation, const LabelMap& map, std::size_t place, const Grid& grid,
-               Uint16 segment) {
+               Uint16 segment, Bits& bits) {
   const glm::ivec3& dims = map.dims();
   std::vector<Uint8> pixels(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y));
   const VoxelBox& box = map.boxAround(place);
@@ -132,7 +144,7 @@ void addFrames(DcmSegmentation& segmentation, const LabelMap& map, std::size_t p
       continue;
     const glm::dvec3 position = indexToWorld(grid, {0.0, 0.0, static_cast<double>(z)});
     const std::unique_ptr<FGPlanePosPatient> plane(
-        FGPlanePosPatient::createMinimal(decimal(position.x), decimal(position.y), decimal(position.z)));
+        FGPlanePosPatient::createMinimal(dsText(position.x), dsText(position.y), dsText(position.z)));
     require(plane != nullptr, DCM_PlanePositionSequence);
     FGFrameContent content;
     requireMade(content.setStackID("1"));
@@ -143,6 +155,7 @@ void addFrames(DcmSegmentation& segmentation, const LabelMap& map, std::size_t p
     groups.push_back(plane.get());
     groups.push_back(&content);
     requireMade(segmentation.addFrame(pixels.data(), segment, groups));
+    bits.add(pixels);
   }
 }
 
@@ -172,9 +185,17 @@ void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmI
                                            DCM_FrameContentSequence, "Slice"));
   putShared(*segmentation, grid, series);
   int number = 0;
+  Bits bits;
   for (const Written& label : writtenOf(keep))
-    addFrames(*segmentation, *keep.labels, label.place, grid, addSegment(*segmentation, label, ++number));
+    addFrames(*segmentation, *keep.labels, label.place, grid, addSegment(*segmentation, label, ++number),
+              bits);
   requireMade(segmentation->writeDataset(object));
+  const std::vector<Uint8> bytes = bits.bytes();
+  require(object
+              .putAndInsertUint8Array(DcmTag(DCM_PixelData, EVR_OB), bytes.data(),
+                                      static_cast<unsigned long>(bytes.size()))
+              .good(),
+          DCM_PixelData);
   putCommonReferences(object, series.series, series.images);
 }
 
