@@ -317,6 +317,13 @@ void Panels::showVolume(const std::shared_ptr<const Volume>& volume, const Histo
     m_properties.foldUnused();
 }
 
+void Panels::takeLabel(std::size_t place) {
+  const Region& keep = m_context.session.scene().keep;
+  m_context.docks.show(SessionDocument::Panel::properties);
+  m_properties.labelSection()->select(place);
+  m_curves.takeInHand(lookOfLabel(keep, place) > 0 ? std::optional(place) : std::nullopt);
+}
+
 void Panels::describe(SessionDocument& session) const {
   session.panel = m_context.docks.panel();
   session.cropBoxIsShown = m_cropBox.isShown();

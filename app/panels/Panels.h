@@ -132,6 +132,9 @@ public:
   /// Shows a volume that was opened; `histogram` is of its values. Null: none is open any more.
   void showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram);
 
+  /// Selects a label in the list, which comes to the front, and shows the curve that it has.
+  void takeLabel(std::size_t place);
+
   /// What a session file says of them.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);

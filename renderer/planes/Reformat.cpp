@@ -177,6 +177,12 @@ constexpr double outside = std::numeric_limits<double>::quiet_NaN();
 // Rows are shared out in pieces of about this many samples; less than one piece is not worth a thread.
 constexpr int samplesPerPiece = 1 << 15;
 
+int rowsTogether(int width, std::size_t samplesOfPixel) {
+  const auto perRow = static_cast<std::int64_t>(width) * static_cast<std::int64_t>(samplesOfPixel);
+  return static_cast<int>(
+      std::clamp<std::int64_t>(samplesPerPiece / std::max<std::int64_t>(1, perRow), 1, 1024));
+}
+
 // A way through the grid; what rounding leaves beside an axis moves no sample by 1e-8 voxels.
 glm::dvec3 indexVector(const Grid& volume, const glm::dvec3& vectorMm) {
   const glm::dvec3 vector = worldVectorToIndex(volume, vectorMm);
@@ -272,10 +278,7 @@ PlaneImage sampled(const Grid& volume, const PlaneGrid& plane, const PlaneSampli
           row[x] /= samples[x];
   };
 
-  const auto perRow =
-      static_cast<std::int64_t>(plane.size.x) * static_cast<std::int64_t>(place.offsets.size());
-  const int together = static_cast<int>(
-      std::clamp<std::int64_t>(samplesPerPiece / std::max<std::int64_t>(1, perRow), 1, 1024));
+  const int together = rowsTogether(plane.size.x, place.offsets.size());
   forEachPiece((plane.size.y + together - 1) / together, effort, [&](int piece) {
     Workroom room{std::vector<int>(static_cast<std::size_t>(plane.size.x)),
                   std::vector<double>(axes ? static_cast<std::size_t>(volume.dims[axes->column]) : 0)};
@@ -283,6 +286,14 @@ PlaneImage sampled(const Grid& volume, const PlaneGrid& plane, const PlaneSampli
       readRow(y, room);
   });
   return image;
+}
+
+// The one share of the voxel that is nearest to an index inside the volume.
+LookShare nearestShare(const Region& region, const LabelLooks& looks, const glm::dvec3& index) {
+  const LabelMap& map = *region.labels;
+  const glm::ivec3 voxel = glm::min(glm::ivec3(index + 0.5), map.dims() - 1);
+  const std::size_t place = map.placeAt(voxelOffset(map.dims(), voxel.x, voxel.y, voxel.z));
+  return {looks.ofLabel[place], 1.0, region.weights[place]};
 }
 
 } // namespace
@@ -312,6 +323,40 @@ PlaneImage weightsOn(const Region& region, const Grid& volume, const PlaneGrid& 
         return sampled(volume, plane, sampling, fetch, effort);
       },
       region.labels->places());
+}
+
+std::span<const LookShare> PlaneShares::at(int x, int y) const {
+  const Row& row = rows[static_cast<std::size_t>(y)];
+  const std::uint32_t begin = x > 0 ? row.ends[static_cast<std::size_t>(x) - 1] : 0;
+  return std::span(row.shares).subspan(begin, row.ends[static_cast<std::size_t>(x)] - begin);
+}
+
+PlaneShares sharesOn(const Region& region, const LabelLooks& looks, const Grid& volume,
+                     const PlaneGrid& plane, PlaneInterpolation interpolation, const Effort& effort) {
+  const IndexPlane place = indexPlane(volume, plane, {});
+  PlaneShares all{plane.size, std::vector<PlaneShares::Row>(static_cast<std::size_t>(plane.size.y))};
+  const auto readRow = [&](int y) {
+    PlaneShares::Row& row = all.rows[static_cast<std::size_t>(y)];
+    row.ends.assign(static_cast<std::size_t>(plane.size.x), 0);
+    const glm::dvec3 start = place.origin + static_cast<double>(y) * place.perRow;
+    const PixelSpan span = spanInside(start, place.perColumn, volume.dims, plane.size.x);
+    for (int x = span.first; x < plane.size.x; ++x) {
+      const glm::dvec3 index = start + static_cast<double>(x) * place.perColumn;
+      if (x < span.last && interpolation == PlaneInterpolation::nearest) {
+        row.shares.push_back(nearestShare(region, looks, index));
+      } else if (x < span.last) {
+        const LookShares shares = lookSharesAt(looks, region, index);
+        row.shares.insert(row.shares.end(), shares.used().begin(), shares.used().end());
+      }
+      row.ends[static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(row.shares.size());
+    }
+  };
+  const int together = rowsTogether(plane.size.x, 1);
+  forEachPiece((plane.size.y + together - 1) / together, effort, [&](int piece) {
+    for (int y = piece * together; y < std::min(plane.size.y, (piece + 1) * together); ++y)
+      readRow(y);
+  });
+  return all;
 }
 
 } // namespace limn

@@ -51,7 +51,8 @@ QString planeTitle(const Volume& volume, PatientPlane plane);
 /// patient's, the letter only where sides are known.
 QString slicePlaceText(const PlaneContent& content, PatientPlane plane);
 
-/// The value under the crosshair, "38 HU"; empty where it lies outside.
+/// The value under the crosshair, "38 HU", and what a segmentation says of it, "38 HU · Liver · opacity 0.2";
+/// empty where it lies outside.
 QString crosshairText(const PlaneContent& content);
 
 /// "W 400 · L 40"; of a slab "max 20 mm · W 400 · L 40".

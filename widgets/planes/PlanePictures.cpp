@@ -21,8 +21,11 @@ PlaneContent withoutPlaces(PlaneContent content) {
   content.settings = kept;
   content.crop = {}; // stands above the picture
   content.firstWindow = {};
-  if (!kept.isTinted && !content.emphasisedPoint)
+  if (!kept.isTinted && !content.emphasisedPoint) {
     content.function = {};
+    content.keep.looks.clear();
+    content.keep.lookOf.clear();
+  }
   return content;
 }
 
@@ -59,9 +62,9 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
   // While a point lights up, its colour is the only one.
   const bool isTinted = content.settings.isTinted || content.emphasisedPoint;
   const std::optional<PlaneTint> tint =
-      isTinted
-          ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr, content.emphasisedPoint})
-          : std::nullopt;
+      isTinted ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr,
+                                         content.emphasisedPoint, looksOf(content, plane)})
+               : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
   if (weighs && content.settings.outlinesRegion) {
     const std::vector<std::uint8_t> edge = outlineOf(m_weights, outlinePixels);
@@ -88,6 +91,7 @@ void PlanePictures::keep(const PlaneReading& read, PlaneImage values, double ms)
   m_values = std::move(values);
   m_read = read;
   m_weights = {};
+  m_looks = {};
   m_painted = {};
   ++m_readings;
 }
@@ -97,6 +101,25 @@ void PlanePictures::weigh(const PlaneContent& content, const PlaneGrid& plane) {
     return;
   m_weights = weightsOn(content.keep, content.volume->grid(), plane, content.settings.interpolation);
   m_region = content.keep;
+}
+
+// A slice classifies each place by itself, whatever the picture projects. Other curves of the same labels
+// read nothing again.
+const PlaneLooks* PlanePictures::looksOf(const PlaneContent& content, const PlaneGrid& plane) {
+  Scene scene;
+  scene.transferFunction = content.function;
+  scene.keep = content.keep;
+  LabelLooks looks = labelLooks(scene);
+  if (!looks.areAny())
+    return nullptr;
+  const bool isRead = m_looks.shares.size == plane.size && m_looked.labels == content.keep.labels &&
+                      m_looked.weights == content.keep.weights && m_looks.looks.ofLabel == looks.ofLabel;
+  if (!isRead)
+    m_looks.shares =
+        sharesOn(content.keep, looks, content.volume->grid(), plane, content.settings.interpolation);
+  m_looked = content.keep;
+  m_looks.looks = std::move(looks);
+  return &m_looks;
 }
 
 } // namespace limn
