@@ -88,7 +88,7 @@ void MainWindow::connectFiles() {
   connect(opening, &OpeningController::looksChosen, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::looksDropped, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::sourceDropped, this, [this](const QString& path) {
-    if (m_context.session.scene().volume && isNamedLikeLabels(path))
+    if (m_context.session.scene().volume && opensAsLabels(path))
       m_picture.regions().openLabels(path);
     else
       openSource(path);
