@@ -22,7 +22,7 @@ std::uint32_t opaque(const glm::dvec3& color) {
 class TintTable {
 public:
   TintTable(const TransferFunction& function, const std::optional<std::size_t>& emphasisedPoint,
-            const ValueRange& range)
+            const ValueRange& range, int steps)
       : m_lowest(range.lowest),
         m_perValue(range.highest > range.lowest ? (steps - 1) / (range.highest - range.lowest) : 0.0) {
     for (int i = 0; i < steps; ++i)
@@ -49,7 +49,6 @@ private:
     m_opacities.push_back(oneMinusExpNeg(extinctionPerMm(tissue.opacity, 1.0) * path));
   }
 
-  static constexpr int steps = 8192;
   double m_lowest;
   double m_perValue;
   std::vector<glm::dvec3> m_colors;
@@ -82,14 +81,18 @@ public:
       for (const PlaneShares::Row& row : tint.looks->shares.rows)
         for (const LookShare& share : row.shares)
           isShown[share.look] = isShown[share.look] || share.weight > 0.0;
-    for (std::size_t look = 0; look < isShown.size(); ++look) {
+    // Of many looks together the tables must not take longer than their pixels.
+    const auto shown = static_cast<int>(std::count(isShown.begin(), isShown.end(), true));
+    const int steps = std::clamp(4 * mostSteps / std::max(shown, 1), mostSteps / 4, mostSteps);
+    m_tables.resize(isShown.size());
+    forEachPiece(static_cast<int>(isShown.size()), {}, [&](int piece) {
+      const auto look = static_cast<std::size_t>(piece);
       // A point of the scene's function governs nothing of the others.
       const bool isLit = isShown[look] && (look == 0 || !tint.emphasisedPoint);
       const TransferFunction& function = look == 0 ? tint.function : tint.looks->looks.functions[look];
-      m_tables.push_back(isLit
-                             ? std::optional<TintTable>(std::in_place, function, tint.emphasisedPoint, range)
-                             : std::nullopt);
-    }
+      if (isLit)
+        m_tables[look].emplace(function, tint.emphasisedPoint, range, steps);
+    });
     m_width = image.size.x;
   }
 
@@ -104,7 +107,19 @@ public:
   }
 
 private:
+  static constexpr int mostSteps = 8192;
+
+  Cover alone(const LookShare& share, double value) const {
+    const std::optional<TintTable>& table = m_tables[share.look];
+    if (!table)
+      return {};
+    const std::size_t step = table->stepOf(value);
+    return {table->color(step), share.weight * table->opacity(step)};
+  }
+
   Cover mixed(std::span<const LookShare> shares, double value) const {
+    if (shares.size() == 1)
+      return alone(shares.front(), value);
     double extinction = 0.0;
     glm::dvec3 color(0.0);
     for (const LookShare& share : shares) {

@@ -288,13 +288,45 @@ PlaneImage sampled(const Grid& volume, const PlaneGrid& plane, const PlaneSampli
   return image;
 }
 
-// The one share of the voxel that is nearest to an index inside the volume.
-LookShare nearestShare(const Region& region, const LabelLooks& looks, const glm::dvec3& index) {
-  const LabelMap& map = *region.labels;
-  const glm::ivec3 voxel = glm::min(glm::ivec3(index + 0.5), map.dims() - 1);
-  const std::size_t place = map.placeAt(voxelOffset(map.dims(), voxel.x, voxel.y, voxel.z));
-  return {looks.ofLabel[place], 1.0, region.weights[place]};
-}
+// The shares of a region's looks at indices inside the volume. Most places lie between voxels of one label,
+// which is seen at once.
+template <class Places>
+class ShareReader {
+public:
+  ShareReader(const Region& region, const LabelLooks& looks, const Places& places)
+      : m_region(region), m_looks(looks), m_places(places.data()), m_dims(region.labels->dims()) {}
+
+  void addNearest(const glm::dvec3& index, std::vector<LookShare>& shares) const {
+    const glm::ivec3 voxel = glm::min(glm::ivec3(index + 0.5), m_dims - 1);
+    shares.push_back(alone(m_places[voxelOffset(m_dims, voxel.x, voxel.y, voxel.z)]));
+  }
+
+  void addBetween(const glm::dvec3& index, std::vector<LookShare>& shares) const {
+    const glm::ivec3 low = glm::min(glm::ivec3(glm::max(index, glm::dvec3(0.0))), m_dims - 1);
+    const glm::ivec3 high = glm::min(low + 1, m_dims - 1);
+    const auto* const near = m_places + voxelOffset(m_dims, 0, 0, low.z);
+    const auto* const far = m_places + voxelOffset(m_dims, 0, 0, high.z);
+    const std::size_t above = static_cast<std::size_t>(low.y) * m_dims.x;
+    const std::size_t below = static_cast<std::size_t>(high.y) * m_dims.x;
+    const auto place = near[above + low.x];
+    const bool isOne = near[above + high.x] == place && near[below + low.x] == place &&
+                       near[below + high.x] == place && far[above + low.x] == place &&
+                       far[above + high.x] == place && far[below + low.x] == place &&
+                       far[below + high.x] == place;
+    if (isOne)
+      return shares.push_back(alone(place));
+    const LookShares mixed = lookSharesAt(m_looks, m_region, index);
+    shares.insert(shares.end(), mixed.used().begin(), mixed.used().end());
+  }
+
+private:
+  LookShare alone(std::size_t place) const { return {m_looks.ofLabel[place], 1.0, m_region.weights[place]}; }
+
+  const Region& m_region;
+  const LabelLooks& m_looks;
+  const typename Places::value_type* m_places;
+  glm::ivec3 m_dims;
+};
 
 } // namespace
 
@@ -335,27 +367,31 @@ PlaneShares sharesOn(const Region& region, const LabelLooks& looks, const Grid& 
                      const PlaneGrid& plane, PlaneInterpolation interpolation, const Effort& effort) {
   const IndexPlane place = indexPlane(volume, plane, {});
   PlaneShares all{plane.size, std::vector<PlaneShares::Row>(static_cast<std::size_t>(plane.size.y))};
-  const auto readRow = [&](int y) {
+  const auto readRow = [&](const auto& reader, int y) {
     PlaneShares::Row& row = all.rows[static_cast<std::size_t>(y)];
     row.ends.assign(static_cast<std::size_t>(plane.size.x), 0);
+    row.shares.reserve(static_cast<std::size_t>(plane.size.x));
     const glm::dvec3 start = place.origin + static_cast<double>(y) * place.perRow;
     const PixelSpan span = spanInside(start, place.perColumn, volume.dims, plane.size.x);
     for (int x = span.first; x < plane.size.x; ++x) {
       const glm::dvec3 index = start + static_cast<double>(x) * place.perColumn;
-      if (x < span.last && interpolation == PlaneInterpolation::nearest) {
-        row.shares.push_back(nearestShare(region, looks, index));
-      } else if (x < span.last) {
-        const LookShares shares = lookSharesAt(looks, region, index);
-        row.shares.insert(row.shares.end(), shares.used().begin(), shares.used().end());
-      }
+      if (x < span.last && interpolation == PlaneInterpolation::nearest)
+        reader.addNearest(index, row.shares);
+      else if (x < span.last)
+        reader.addBetween(index, row.shares);
       row.ends[static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(row.shares.size());
     }
   };
   const int together = rowsTogether(plane.size.x, 1);
-  forEachPiece((plane.size.y + together - 1) / together, effort, [&](int piece) {
-    for (int y = piece * together; y < std::min(plane.size.y, (piece + 1) * together); ++y)
-      readRow(y);
-  });
+  std::visit(
+      [&](const auto& places) {
+        const ShareReader reader(region, looks, places);
+        forEachPiece((plane.size.y + together - 1) / together, effort, [&](int piece) {
+          for (int y = piece * together; y < std::min(plane.size.y, (piece + 1) * together); ++y)
+            readRow(reader, y);
+        });
+      },
+      region.labels->places());
   return all;
 }
 
