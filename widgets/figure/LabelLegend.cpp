@@ -85,9 +85,9 @@ glm::dvec3 shownColor(const Scene& scene, std::size_t place) {
             count += 1.0;
           }
   };
-  ask(stride);
-  if (count == 0.0) // a thin one that lies between
-    ask(1);
+  // Thin ones may lie between.
+  for (int step = stride; count == 0.0 && step > 0; step /= 2)
+    ask(step);
   return opacity > 0.0 ? weighed / opacity : count > 0.0 ? plain / count : map.labels()[place].color;
 }
 
