@@ -45,7 +45,7 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
                                      .needsVolume = true});
   const QAction* openFolder = context.actions.add(
       QStringLiteral("openLabelFolder"),
-      {.text = tr("Open a folder of &masks…"),
+      {.text = tr("Open a folder of mas&ks…"),
        .place = {Menu::file, 1, 5},
        .toolTip =
            tr("Opens a segmentation that has a file for each structure, as TotalSegmentator writes it: "
