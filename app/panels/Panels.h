@@ -75,8 +75,9 @@ public:
   EmphasisController(WindowContext& context, const CurveController& curves);
 
 signals:
-  /// The slices are to light up what this point governs, or nothing.
-  void lit(std::optional<std::size_t> point);
+  /// The slices are to light up what this point governs, of the scene's curve or of that of a label, or
+  /// nothing.
+  void lit(std::optional<std::size_t> point, std::optional<std::size_t> label);
 
 private:
   void show(std::optional<std::size_t> point);

@@ -87,8 +87,7 @@ public:
     m_tables.resize(isShown.size());
     forEachPiece(static_cast<int>(isShown.size()), {}, [&](int piece) {
       const auto look = static_cast<std::size_t>(piece);
-      // A point of the scene's function governs nothing of the others.
-      const bool isLit = isShown[look] && (look == 0 || !tint.emphasisedPoint);
+      const bool isLit = isShown[look] && (look == tint.emphasisedLook || !tint.emphasisedPoint);
       const TransferFunction& function = look == 0 ? tint.function : tint.looks->looks.functions[look];
       if (isLit)
         m_tables[look].emplace(function, tint.emphasisedPoint, range, steps);

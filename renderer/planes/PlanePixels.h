@@ -32,9 +32,10 @@ struct PlaneTint {
   const PlaneImage* weights = nullptr; ///< of the kept region: a factor of the opacity; null: all is kept
   /// Of the function: the tint is its share of the values (shareOfPoint) in the colour of emphasis instead.
   std::optional<std::size_t> emphasisedPoint = std::nullopt;
-  /// Where labels have looks of their own: these in the place of function and weights, but for an emphasised
-  /// point, which only what has the function shows.
+  /// Where labels have looks of their own: these in the place of function and weights, the first being the
+  /// function.
   const PlaneLooks* looks = nullptr;
+  std::size_t emphasisedLook = 0; ///< of these: whose point is emphasised, while the others show nothing
 };
 
 /// The pixels of a slice as 0xAARRGGBB: grey by the window, with the colours of the tint above it, as opaque

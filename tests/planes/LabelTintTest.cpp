@@ -160,6 +160,22 @@ TEST_F(LabelTint, aPointOfTheScenesCurveLightsUpOnlyWhatIsShownByIt) {
   EXPECT_TRUE(isLit);
 }
 
+TEST_F(LabelTint, aPointOfALabelsCurveLightsUpInThatLabelAlone) {
+  const PlaneImage image = reformatted(*scene.volume, plane, {PlaneInterpolation::nearest, {}});
+  const PlaneLooks onPlane{looks, sharesOn(scene.keep, looks, grid, plane, PlaneInterpolation::nearest)};
+  const std::vector<std::uint32_t> pixels =
+      planePixels(image, black, PlaneTint{scene.transferFunction, nullptr, 0, &onPlane, looks.ofLabel[1]});
+  bool isLit = false;
+  for (int x = 0; x < 8; ++x) {
+    const glm::dvec3 color = colorOf(pixels[static_cast<std::size_t>(8 + x)]);
+    if (x / 2 == 1)
+      isLit = isLit || color != glm::dvec3(0.0);
+    else
+      EXPECT_EQ(color, glm::dvec3(0.0)) << x;
+  }
+  EXPECT_TRUE(isLit);
+}
+
 TEST_F(LabelTint, isCancelled) {
   EXPECT_THROW((void)sharesOn(scene.keep, looks, grid, fine(), PlaneInterpolation::linear,
                               {0, [] { return true; }, {}}),

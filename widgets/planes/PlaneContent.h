@@ -17,6 +17,8 @@ struct PlaneContent {
   PlaneSettings settings;
   GreyWindow firstWindow;                                    ///< where the settings have none
   std::optional<std::size_t> emphasisedPoint = std::nullopt; ///< of the function: what it governs lights up
+  /// Whose own curve it is of, by the place in the list of labels; none: of the function.
+  std::optional<std::size_t> emphasisedLabel = std::nullopt;
   bool operator==(const PlaneContent&) const = default;
 };
 

@@ -29,6 +29,22 @@ PlaneContent withoutPlaces(PlaneContent content) {
   return content;
 }
 
+// A slice classifies each place by itself, whatever the picture projects. Of a label's curve in which a point
+// lights up nothing else shows.
+LabelLooks looksIn(const PlaneContent& content) {
+  const Region& keep = content.keep;
+  if (content.emphasisedPoint && content.emphasisedLabel) {
+    LabelLooks looks{{TransferFunction{}, keep.looks[lookOfLabel(keep, *content.emphasisedLabel) - 1]},
+                     std::vector<std::uint8_t>(keep.weights.size(), 0)};
+    looks.ofLabel[*content.emphasisedLabel] = 1;
+    return looks;
+  }
+  Scene scene;
+  scene.transferFunction = content.function;
+  scene.keep = keep;
+  return labelLooks(scene);
+}
+
 QImage imageOf(const std::vector<std::uint32_t>& pixels, const glm::ivec2& size) {
   QImage image(size.x, size.y, QImage::Format_ARGB32_Premultiplied);
   for (int y = 0; y < size.y; ++y)
@@ -62,9 +78,10 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
   // While a point lights up, its colour is the only one.
   const bool isTinted = content.settings.isTinted || content.emphasisedPoint;
   const std::optional<PlaneTint> tint =
-      isTinted ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr,
-                                         content.emphasisedPoint, looksOf(content, plane)})
-               : std::nullopt;
+      isTinted
+          ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr, content.emphasisedPoint,
+                                    looksOf(content, plane), content.emphasisedLabel ? 1u : 0u})
+          : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
   if (weighs && content.settings.outlinesRegion) {
     const std::vector<std::uint8_t> edge = outlineOf(m_weights, outlinePixels);
@@ -103,13 +120,9 @@ void PlanePictures::weigh(const PlaneContent& content, const PlaneGrid& plane) {
   m_region = content.keep;
 }
 
-// A slice classifies each place by itself, whatever the picture projects. Other curves of the same labels
-// read nothing again.
+// Other curves of the same labels read nothing again.
 const PlaneLooks* PlanePictures::looksOf(const PlaneContent& content, const PlaneGrid& plane) {
-  Scene scene;
-  scene.transferFunction = content.function;
-  scene.keep = content.keep;
-  LabelLooks looks = labelLooks(scene);
+  LabelLooks looks = looksIn(content);
   if (!looks.areAny())
     return nullptr;
   const bool isRead = m_looks.shares.size == plane.size && m_looked.labels == content.keep.labels &&

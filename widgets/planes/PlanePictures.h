@@ -49,7 +49,7 @@ private:
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;
   Region m_looked; ///< of whose labels the looks were read
-  PlaneLooks m_looks;
+  PlaneLooks m_looks; ///< of the content, or of the label alone of whose curve a point lights up
   PlaneContent m_painted;
   QImage m_picture;
   int m_readings = 0;

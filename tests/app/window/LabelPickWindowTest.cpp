@@ -232,6 +232,27 @@ TEST_F(LabelPickWindow, readingsNameTheLabelAndReadItsCurve) {
       << overlay.reading->text.toStdString();
 }
 
+TEST_F(LabelPickWindow, aPointOfALabelsCurveLightsUpInThatLabelOfTheSlices) {
+  openMasks();
+  giveCurve(2, {0.0, 0.0, 1.0});
+  showSlices();
+  rightClick(inSlice(inSpleen));
+  ASSERT_NE(menu("sliceMenu"), nullptr);
+  entry("sliceMenu").trigger();
+  close("sliceMenu");
+  const TransferFunctionCanvas& plot = *curves().valueEditor()->canvas();
+  const ControlPoint& point = plot.transferFunction().points[1]; // 300
+  const QPoint at = plot.mapTo(window.get(), QPointF(xOfValue(plot.transform(), point.value),
+                                                     yOfOpacity(plot.transform(), point.opacity)))
+                        .toPoint();
+  QTest::mouseMove(window->windowHandle(), at - QPoint(3, 0));
+  QTest::mouseMove(window->windowHandle(), at);
+  ASSERT_TRUE(test::waitUntil([this] { return axial().content().emphasisedPoint == 1u; }));
+  const QColor spleen = sliceColor(inSpleen), kidney = sliceColor(inKidney);
+  EXPECT_GT(spleen.green(), spleen.blue() + 40);
+  EXPECT_EQ(kidney.green(), kidney.blue()) << "which has another curve";
+}
+
 TEST_F(LabelPickWindow, aFolderOfMasksThatIsDroppedBecomesTheLabels) {
   write<std::int16_t>("segmentations/ct.nii.gz", [](const glm::ivec3& v) { return v.x; });
   QMimeData data;
