@@ -33,7 +33,7 @@ std::vector<LabelSurface> labelSurfaces(const Region& region, const fs::path& pa
       continue;
     std::string name = fileNameOf(label.name);
     if (!taken.insert(name).second)
-      name += "_" + std::to_string(label.value);
+      name.append("_").append(std::to_string(label.value));
     taken.insert(name);
     fs::path file = path;
     file.replace_filename(path.stem().string() + "_" + name + path.extension().string());
