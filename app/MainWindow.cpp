@@ -67,6 +67,7 @@ void MainWindow::connectPictureAndPanels() {
           &RegionController::setKeep);
   connect(properties->labelSection(), &LabelSection::curveRequested, &m_panels.curves(),
           &CurveController::takeInHand);
+  connect(&m_picture, &PictureArea::labelChosen, &m_panels, &Panels::takeLabel);
   connect(properties->labelSection(), &LabelSection::refused, this,
           [this](const QString& sentence) { m_context.showError(sentence); });
   connect(properties->cutSection(), &CutSection::curveRequested, &m_panels.curves(),
@@ -91,7 +92,7 @@ void MainWindow::connectFiles() {
   connect(opening, &OpeningController::looksChosen, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::looksDropped, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::sourceDropped, this, [this](const QString& path) {
-    if (m_context.session.scene().volume && isNamedLikeLabels(path))
+    if (m_context.session.scene().volume && opensAsLabels(path))
       m_picture.regions().openLabels(path);
     else
       openSource(path);

@@ -4,8 +4,10 @@
 #include "app/commands/SceneArguments.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "io/AtomicFile.h"
-#include "io/surfaces/SurfaceExport.h"
+#include "io/labels/LabelReader.h"
+#include "io/surfaces/LabelSurfaces.h"
 #include "io/surfaces/SurfaceFile.h"
+#include "scene/volume/Orientation.h"
 
 #include <chrono>
 #include <csignal>
@@ -19,6 +21,7 @@ namespace {
 struct SurfaceArguments {
   SourceArguments source;
   std::vector<double> values;
+  std::string labels;
   std::string out;
   std::string keep;
   std::vector<double> crop;
@@ -58,9 +61,9 @@ Scene sceneOf(const SurfaceArguments& arguments, const Progress& progress) {
 }
 
 // What is told of a surface on a terminal: how large, how whole, how exact.
-void tell(const WrittenSurface& surface) {
+void tell(const WrittenSurface& surface, const std::string& what) {
   const MadeSurface& made = surface.made;
-  std::printf("%s: value %g\n", surface.file.filename().c_str(), made.order.isovalue);
+  std::printf("%s: %s\n", surface.file.filename().c_str(), what.c_str());
   std::printf("  triangles  %zu", made.mesh.triangles.size());
   if (made.mesh.triangles.size() != made.trianglesBefore)
     std::printf(" of %zu", made.trianglesBefore);
@@ -93,8 +96,58 @@ void noteMissedTolerance(const MadeSurface& made) {
   }
 }
 
+// The surfaces that were written, and what each is.
+struct Written {
+  std::vector<WrittenSurface> surfaces;
+  std::vector<std::string> what;
+};
+
+Written writeValues(const Scene& scene, const std::vector<double>& values, SurfaceOrder order,
+                    const std::string& out, const Progress& progress) {
+  std::vector<SurfaceOrder> orders;
+  Written written;
+  for (const double value : values) {
+    order.isovalue = value;
+    orders.push_back(order);
+    char what[40];
+    std::snprintf(what, sizeof what, "value %g", value);
+    written.what.emplace_back(what);
+  }
+  written.surfaces = exportSurfaces(scene, orders, out, progress);
+  return written;
+}
+
+Written writeLabels(const Scene& scene, const SurfaceArguments& arguments, const SurfaceOrder& order,
+                    const Progress& progress) {
+  const Segmentation labels =
+      readSegmentation(arguments.labels, gridOfFile(*scene.volume), part(progress, 0.0, 0.2));
+  if (!labels.remark.empty() && !arguments.source.quiet)
+    note(labels.remark.english());
+  const std::vector<LabelSurface> surfaces = labelSurfaces(labels.region, arguments.out);
+  if (surfaces.empty())
+    throw Error(Error::Kind::input, arguments.labels + " has no label but the background where the volume "
+                                                       "is; choose the segmentation of this volume.");
+  Written written{
+      exportLabelSurfaces(labels.region, scene.volume->grid(), surfaces, order, part(progress, 0.2, 1.0)),
+      {}};
+  for (const LabelSurface& surface : surfaces)
+    written.what.push_back(surface.name);
+  return written;
+}
+
+void requireOneKind(const SurfaceArguments& arguments) {
+  if (arguments.values.empty() == arguments.labels.empty())
+    throw Error(Error::Kind::usage, "Give --value for the surface of a value, or --labels for one of each "
+                                    "label of a segmentation.");
+  if (!arguments.labels.empty() && (!arguments.keep.empty() || !arguments.crop.empty()))
+    throw Error(Error::Kind::usage,
+                "--labels makes the surface of whole labels; leave --keep and --crop out.");
+}
+
 void makeSurfaces(const SurfaceArguments& arguments) {
-  for (const std::filesystem::path& file : surfacePaths(arguments.out, arguments.values)) {
+  requireOneKind(arguments);
+  for (const std::filesystem::path& file :
+       surfacePaths(arguments.out, arguments.values.empty() ? std::vector{0.5} : arguments.values)) {
     surfaceFormatOf(file);
     requireWritable(file);
   }
@@ -105,21 +158,21 @@ void makeSurfaces(const SurfaceArguments& arguments) {
   const double budget = 1e6 * arguments.source.memoryMb;
   const std::optional<double> memory =
       budget > 0.0 ? std::optional<double>(budget) : std::optional<double>(freeMemory());
-  std::vector<SurfaceOrder> orders;
-  for (const double value : arguments.values)
-    orders.push_back({value, !arguments.isOpen, arguments.smallestPartMm3, arguments.toleranceMm,
-                      arguments.cells, memory});
-  const std::vector<WrittenSurface> written =
-      exportSurfaces(scene, orders, arguments.out, part(progress, 0.1, 1.0));
+  const SurfaceOrder order{
+      0.0, !arguments.isOpen, arguments.smallestPartMm3, arguments.toleranceMm, arguments.cells, memory};
+  const Progress making = part(progress, 0.1, 1.0);
+  const Written written = arguments.labels.empty()
+                              ? writeValues(scene, arguments.values, order, arguments.out, making)
+                              : writeLabels(scene, arguments, order, making);
   if (progress.report)
     progress.report(1.0, ""); // takes its line away
   if (arguments.json)
-    std::cout << surfacesJson(written);
-  for (const WrittenSurface& surface : written) {
+    std::cout << surfacesJson(written.surfaces);
+  for (std::size_t n = 0; n < written.surfaces.size(); ++n) {
     if (!arguments.json)
-      tell(surface);
+      tell(written.surfaces[n], written.what[n]);
     if (!isQuiet)
-      noteMissedTolerance(surface.made);
+      noteMissedTolerance(written.surfaces[n].made);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   char line[120];
@@ -148,12 +201,16 @@ void addSurfaceCommand(CommandSyntax& root) {
   addSourceArguments(
       command, arguments->source,
       "volume, DICOM folder, scene or session file, Limn picture, `sample` or `phantom:SPACING`");
+  command.option("--value", arguments->values,
+                 "isovalue, in the volume's unit; several make several surfaces");
   command
-      .option("--value", arguments->values, "isovalue, in the volume's unit; several make several surfaces")
-      .required();
+      .option("--labels", arguments->labels,
+              "segmentation of the volume, a file or a folder of masks: a surface of each label instead")
+      .file();
   command
       .option("-o,--output", arguments->out,
-              "OUT.stl, .ply or .obj; several values are objects of one .obj, or files OUT_VALUE.stl")
+              "OUT.stl, .ply or .obj; several values are objects of one .obj, or files OUT_VALUE.stl; labels "
+              "are files OUT_LABEL.stl")
       .required()
       .file({".stl", ".ply", ".obj"});
   command.flag("--open", arguments->isOpen, "leave the holes where crop, volume or kept region cut");

@@ -27,6 +27,8 @@ QString markText(FigureMark mark) {
     return FigureOptions::tr("Scale bar");
   case FigureMark::curve:
     return FigureOptions::tr("Curve and colours");
+  case FigureMark::labels:
+    return FigureOptions::tr("Labels and colours");
   case FigureMark::accuracy:
     return FigureOptions::tr("Accuracy");
   case FigureMark::region:

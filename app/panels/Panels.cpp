@@ -223,8 +223,7 @@ void EmphasisController::show(std::optional<std::size_t> point) {
   Scene scene = m_context.session.scene();
   const TransferFunction& curve = m_curves.curveInHand();
   const bool isShown = scene.volume && point && *point < curve.points.size();
-  // Slices know the scene's own curve alone.
-  emit lit(isShown && !m_curves.labelInHand() ? point : std::nullopt);
+  emit lit(isShown ? point : std::nullopt, isShown ? m_curves.labelInHand() : std::nullopt);
   if (isShown)
     scene = m_curves.withCurveInHand(withPointEmphasised(curve, *point));
   m_context.view.setScene(scene); // until the session's own ends it
@@ -315,6 +314,13 @@ void Panels::showVolume(const std::shared_ptr<const Volume>& volume, const Histo
   m_curves.showVolume(volume, histogram);
   if (volume)
     m_properties.foldUnused();
+}
+
+void Panels::takeLabel(std::size_t place) {
+  const Region& keep = m_context.session.scene().keep;
+  m_context.docks.show(SessionDocument::Panel::properties);
+  m_properties.labelSection()->select(place);
+  m_curves.takeInHand(lookOfLabel(keep, place) > 0 ? std::optional(place) : std::nullopt);
 }
 
 void Panels::describe(SessionDocument& session) const {

@@ -75,8 +75,9 @@ public:
   EmphasisController(WindowContext& context, const CurveController& curves);
 
 signals:
-  /// The slices are to light up what this point governs, or nothing.
-  void lit(std::optional<std::size_t> point);
+  /// The slices are to light up what this point governs, of the scene's curve or of that of a label, or
+  /// nothing.
+  void lit(std::optional<std::size_t> point, std::optional<std::size_t> label);
 
 private:
   void show(std::optional<std::size_t> point);
@@ -131,6 +132,9 @@ public:
 
   /// Shows a volume that was opened; `histogram` is of its values. Null: none is open any more.
   void showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram);
+
+  /// Selects a label in the list, which comes to the front, and shows the curve that it has.
+  void takeLabel(std::size_t place);
 
   /// What a session file says of them.
   void describe(SessionDocument& session) const;

@@ -3,6 +3,7 @@
 
 #include "app/window/WindowContext.h"
 #include "reference/ProfileAlong.h"
+#include "scene/regions/LabelAt.h"
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/ray/RayPanel.h"
 #include "widgets/view/CompareView.h"
@@ -11,9 +12,22 @@
 namespace limn {
 namespace {
 
-ProfileNames namesOf(const Volume& volume) {
+// The label that each sample lies in.
+std::vector<QString> labelsAlong(const RayProfile& profile, const Scene& scene) {
+  std::vector<QString> labels;
+  if (scene.keep.kind != Region::Kind::labels)
+    return labels;
+  for (const RayProfile::Sample& sample : profile.samples)
+    labels.push_back(QString::fromStdString(
+        labelNameAt(scene.keep, worldToIndex(scene.volume->grid(), placeAt(profile, sample.depthMm)))));
+  return labels;
+}
+
+ProfileNames namesOf(const Scene& scene, const std::optional<RayProfile>& profile) {
+  const Volume& volume = *scene.volume;
   return {QString::fromStdString(volume.info().unit),
-          volume.info().spacingKnown ? RayController::tr("mm") : QString(), valueDecimals(volume)};
+          volume.info().spacingKnown ? RayController::tr("mm") : QString(), valueDecimals(volume),
+          profile ? labelsAlong(*profile, scene) : std::vector<QString>()};
 }
 
 bool hasSlices(const PlaneSettings& planes) {
@@ -101,7 +115,8 @@ void RayController::show() {
   const std::optional<double> half = profile ? halfLightDepth(*profile) : std::nullopt;
   m_context.view.setHalfMark(half ? std::optional(placeAt(*profile, *half)) : std::nullopt);
   if (isSeen)
-    m_panel.setProfile(profile, scene.volume ? namesOf(*scene.volume) : ProfileNames{},
+    m_panel.setProfile(profile,
+                       scene.volume ? namesOf(m_context.view.sceneOfSide(m_side), profile) : ProfileNames{},
                        profile ? crosshairDepth(*profile) : std::nullopt);
 }
 

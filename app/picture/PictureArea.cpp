@@ -7,6 +7,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewDrag.h"
+#include "widgets/view/overlay/LabelReading.h"
 #include "widgets/view/panels/PictureStatus.h"
 
 #include <QApplication>
@@ -62,8 +63,11 @@ void StatusTexts::showVolume(const Volume* volume) {
                            : QString());
 }
 
-void StatusTexts::showProbe(const std::optional<Probe>& probe, const Volume* volume) {
-  m_probe->setText(probe && volume ? probeText(*probe, volume->info()) : QString());
+void StatusTexts::showProbe(const std::optional<Probe>& probe, const Scene& scene) {
+  m_probe->setText(probe && scene.volume ? withLabelReading(probeText(*probe, scene.volume->info()),
+                                                            labelReading(scene.keep, scene.transferFunction,
+                                                                         probe->index, probe->value))
+                                         : QString());
 }
 
 void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
@@ -85,11 +89,12 @@ PictureArea::PictureArea(WindowContext& context)
   connect(view, &CompareView::graphicsRestored, this,
           [this](const QString& sentence) { m_context.messages.show(MessageBar::Kind::warning, sentence); });
   connect(&m_planes, &PlaneController::probed, this, [this](const std::optional<Probe>& probe) {
-    m_status.showProbe(probe, m_context.session.scene().volume.get());
+    m_status.showProbe(probe, m_context.session.scene());
   });
   connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
   connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
   connect(&m_menu, &PictureMenu::pieceChosen, &m_cuts, &CutController::pick);
+  connect(&m_menu, &PictureMenu::labelChosen, this, &PictureArea::labelChosen);
   connect(&m_cuts, &CutController::cutWanted, &m_regions, &RegionController::addCut);
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {
     m_context.view.setScene(scene); // ends a preview

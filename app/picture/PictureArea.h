@@ -28,7 +28,7 @@ public:
 
   /// Also whether its voxels stay on the disk. Null: none.
   void showVolume(const Volume* volume);
-  void showProbe(const std::optional<Probe>& probe, const Volume* volume);
+  void showProbe(const std::optional<Probe>& probe, const Scene& scene);
   void showPicture(const PictureState& state, const Scene& scene);
 
 private:
@@ -55,6 +55,10 @@ public:
   /// What a session file says of it.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
+
+signals:
+  /// The label at this place in the list shall be in hand.
+  void labelChosen(std::size_t place);
 
 private:
   void addTools();

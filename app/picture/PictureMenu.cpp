@@ -3,6 +3,9 @@
 
 #include "app/picture/CameraController.h"
 #include "app/window/WindowContext.h"
+#include "planes/PlaneGrid.h"
+#include "scene/regions/LabelAt.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/Overlay.h"
@@ -26,13 +29,19 @@ QAction* addEntry(QMenu& menu, const char* name, const QString& text, const QStr
 
 PictureMenu::PictureMenu(WindowContext& context) : QObject(&context.window), m_context(context) {
   connect(&context.view.input(), &ViewInput::menuRequested, this, &PictureMenu::open);
+  connect(&context.planes, &PlaneDeck::menuRequested, this, &PictureMenu::openOnSlice);
+}
+
+QMenu* PictureMenu::newMenu(const char* name) {
+  auto* menu = new QMenu(&m_context.view);
+  menu->setObjectName(QLatin1String(name));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  return menu;
 }
 
 void PictureMenu::open(const std::optional<Ray>& ray, int side, const QPoint& at) {
-  auto* menu = new QMenu(&m_context.view);
-  menu->setObjectName(QStringLiteral("pictureMenu"));
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->setToolTipsVisible(true);
+  QMenu* menu = newMenu("pictureMenu");
   addTurns(*menu, ray, side);
   menu->addSeparator();
   const std::optional<Probe> probe =
@@ -41,9 +50,22 @@ void PictureMenu::open(const std::optional<Ray>& ray, int side, const QPoint& at
   addPlace(*menu, probe);
   menu->addSeparator();
   addPiece(*menu, ray, side, probe.has_value());
+  addLabel(*menu, probe);
   menu->addSeparator();
   addViews(*menu);
   menu->popup(m_context.view.mapToGlobal(at));
+}
+
+void PictureMenu::openOnSlice(const glm::dvec3& worldMm, const QPoint& globalAt) {
+  const Volume& volume = *m_context.session.scene().volume;
+  const glm::dvec3 index = worldToIndex(volume.grid(), worldMm);
+  const std::optional<Probe> probe = isInside(volume.grid(), worldMm)
+                                         ? std::optional(Probe{valueAt(volume, index), worldMm, index})
+                                         : std::nullopt;
+  QMenu* menu = newMenu("sliceMenu");
+  addCopying(*menu, probe);
+  addLabel(*menu, probe);
+  menu->popup(globalAt);
 }
 
 void PictureMenu::addTurns(QMenu& menu, const std::optional<Ray>& ray, int side) {
@@ -63,13 +85,18 @@ void PictureMenu::addTurns(QMenu& menu, const std::optional<Ray>& ray, int side)
   connect(freely, &QAction::triggered, this, [this] { emit turnAboutChosen(std::nullopt); });
 }
 
-void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
+void PictureMenu::addCopying(QMenu& menu, const std::optional<Probe>& probe) {
   const Scene& scene = m_context.view.scene();
   const QString value = probe && scene.volume ? readingText(probe->value, *scene.volume) : QString();
   const QAction* copy = addEntry(
       menu, "copyValue", probe ? tr("Copy value: %1").arg(value) : tr("Copy value"),
       probe ? tr("Puts the value that is seen here on the clipboard, with its unit.") : noPlaceText(),
       probe.has_value());
+  connect(copy, &QAction::triggered, this, [value] { QApplication::clipboard()->setText(value); });
+}
+
+void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
+  addCopying(menu, probe);
   const bool hasSlices = m_context.session.planes().layout != PlaneLayout::pictureOnly;
   const QAction* go =
       addEntry(menu, "goInSlices", tr("Go there in slices"),
@@ -77,7 +104,6 @@ void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
                : probe    ? tr("Moves the crosshair to what is seen here. Shift+click does the same.")
                           : noPlaceText(),
                probe && hasSlices);
-  connect(copy, &QAction::triggered, this, [value] { QApplication::clipboard()->setText(value); });
   connect(go, &QAction::triggered, this, [this, probe] { emit placeChosen(probe->positionMm); });
 }
 
@@ -86,6 +112,21 @@ void PictureMenu::addPiece(QMenu& menu, const std::optional<Ray>& ray, int side,
       menu, "pickPiece", tr("Pick this piece"),
       isSeen ? tr("Lights up what hangs together here, to be hidden or kept alone.") : noPlaceText(), isSeen);
   connect(pick, &QAction::triggered, this, [this, ray, side] { emit pieceChosen(*ray, side); });
+}
+
+void PictureMenu::addLabel(QMenu& menu, const std::optional<Probe>& probe) {
+  const Region& keep = m_context.session.scene().keep;
+  const std::optional<std::size_t> place = probe ? voxelLabelAt(keep, probe->index) : std::nullopt;
+  QString name = place ? QString::fromStdString(keep.labels->labels()[*place].name) : QString();
+  name.replace(u'&', QStringLiteral("&&")); // or it would be a letter of the menu's
+  const QAction* take = addEntry(
+      menu, "takeLabel", place ? tr("Take %1 in hand").arg(name) : tr("Take this label in hand"),
+      keep.kind != Region::Kind::labels ? tr("No segmentation is open; File ▸ Open labels… opens one.")
+      : !place                          ? noPlaceText()
+      : lookOfLabel(keep, *place) > 0   ? tr("Selects it in the list of labels, and shows its curve.")
+                                        : tr("Selects it in the list of labels."),
+      place.has_value());
+  connect(take, &QAction::triggered, this, [this, place] { emit labelChosen(*place); });
 }
 
 void PictureMenu::addViews(QMenu& menu) {

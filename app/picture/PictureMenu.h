@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <cstddef>
 #include <optional>
 
 class QMenu;
@@ -16,7 +17,8 @@ namespace limn {
 struct WindowContext;
 
 /// What can be done with what is seen in the picture, on a right click there: turn about it, copy its value,
-/// go there in the slices, look from elsewhere. What cannot be done is shown out of use, and says why.
+/// go there in the slices, look from elsewhere, take its label in hand; on a slice what of that means
+/// anything there. What cannot be done is shown out of use, and says why.
 class PictureMenu : public QObject {
   Q_OBJECT
 
@@ -30,11 +32,17 @@ signals:
   /// What hangs together with what is seen along a ray of the picture of a side.
   void pieceChosen(const limn::Ray& ray, int side);
   void placeChosen(const glm::dvec3& worldMm);
+  /// The label at this place in the list.
+  void labelChosen(std::size_t place);
 
 private:
   void open(const std::optional<Ray>& ray, int side, const QPoint& at);
+  void openOnSlice(const glm::dvec3& worldMm, const QPoint& globalAt);
+  QMenu* newMenu(const char* name);
   void addTurns(QMenu& menu, const std::optional<Ray>& ray, int side);
+  void addCopying(QMenu& menu, const std::optional<Probe>& probe);
   void addPlace(QMenu& menu, const std::optional<Probe>& probe);
+  void addLabel(QMenu& menu, const std::optional<Probe>& probe);
   void addPiece(QMenu& menu, const std::optional<Ray>& ray, int side, bool isSeen);
   void addViews(QMenu& menu);
 

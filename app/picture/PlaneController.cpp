@@ -63,8 +63,9 @@ void PlaneController::goTo(const glm::dvec3& worldMm) {
   showInSlices(worldMm);
 }
 
-void PlaneController::setEmphasised(std::optional<std::size_t> point) {
+void PlaneController::setEmphasised(std::optional<std::size_t> point, std::optional<std::size_t> label) {
   m_content.emphasisedPoint = point;
+  m_content.emphasisedLabel = label;
   m_context.planes.setContent(m_content);
 }
 
@@ -84,6 +85,7 @@ void PlaneController::showScene(const Scene& scene) {
   m_content.volume = scene.volume;
   m_content.function = scene.transferFunction;
   m_content.emphasisedPoint.reset();
+  m_content.emphasisedLabel.reset();
   m_content.keep = scene.keep;
   m_content.crop = scene.crop;
   if (scene.volume != before) {

@@ -28,8 +28,9 @@ public:
   /// Pins the value of a place on the curve, and where there are slices puts the crosshair there.
   void goTo(const glm::dvec3& worldMm);
 
-  /// Lights up in the slices what a point of the scene's curve governs, or nothing; the next scene ends it.
-  void setEmphasised(std::optional<std::size_t> point);
+  /// Lights up in the slices what a point of the scene's curve governs, or of that of a label, or nothing;
+  /// the next scene ends it.
+  void setEmphasised(std::optional<std::size_t> point, std::optional<std::size_t> label);
 
   /// The slices in a session file.
   void describe(SessionDocument& session) const;

@@ -3,7 +3,7 @@
 
 #include "app/asking/FileDialogs.h"
 #include "app/window/WindowContext.h"
-#include "io/labels/LabelReader.h"
+#include "io/labels/MaskFolder.h"
 #include "regions/Cutting.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
@@ -56,6 +56,14 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
                                      .toolTip = tr("Opens a segmentation of the volume: each label can be "
                                                    "shown, hidden or faded."),
                                      .needsVolume = true});
+  const QAction* openFolder = context.actions.add(
+      QStringLiteral("openLabelFolder"),
+      {.text = tr("Open a folder of mas&ks…"),
+       .place = {Menu::file, 1, 5},
+       .toolTip =
+           tr("Opens a segmentation that has a file for each structure, as TotalSegmentator writes it: "
+              "each becomes a label, called after its file."),
+       .needsVolume = true});
   m_bodyOnly =
       context.actions.add(QStringLiteral("bodyOnly"),
                           {.text = tr("&Body only"),
@@ -65,6 +73,7 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
                            .isCheckable = true,
                            .needsVolume = true});
   connect(open, &QAction::triggered, this, &RegionController::askForLabels);
+  connect(openFolder, &QAction::triggered, this, &RegionController::askForMasks);
   connect(m_bodyOnly, &QAction::triggered, this, &RegionController::setBodyOnly);
   connect(&context.view, &CompareView::everythingRequested, this, &RegionController::showEverything);
   connect(&context.view, &CompareView::loadingCancelled, this, &RegionController::cancel);
@@ -90,10 +99,19 @@ void RegionController::askForLabels() {
     openLabels(path);
 }
 
+void RegionController::askForMasks() {
+  const QString path = askWhatToOpen(&m_context.window,
+                                     {.title = tr("Open a folder of masks of this volume"), .isFolder = true},
+                                     m_context.settings);
+  if (!path.isEmpty())
+    openLabels(path);
+}
+
 void RegionController::openLabels(const QString& path) {
   start(tr("Opening labels"), {nextGestureId(), tr("open labels")},
         [path](const Volume& volume, const Progress& progress) {
-          return FoundRegion{readLabels(path.toStdString(), gridOfFile(volume), progress), {}, false};
+          const Segmentation labels = readSegmentation(path.toStdString(), gridOfFile(volume), progress);
+          return FoundRegion{labels.region, labels.remark, false};
         });
 }
 
@@ -244,6 +262,10 @@ void RegionController::end() {
   m_context.view.clearLoading();
   // A box that was checked for what did not come of it.
   m_bodyOnly->setChecked(m_context.session.scene().keep.kind == Region::Kind::body);
+}
+
+bool opensAsLabels(const QString& path) {
+  return isNamedLikeLabels(path) || isMaskFolder(path.toStdString());
 }
 
 bool isNamedLikeLabels(const QString& path) {

@@ -35,6 +35,7 @@ public:
 
 public slots:
   void askForLabels();
+  void askForMasks();
   void openLabels(const QString& path);
   void setBodyOnly(bool isOn);
   /// What is kept shall be this: of other labels that pieces hang on, those are found anew.
@@ -76,5 +77,9 @@ private:
 /// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",
 /// "label_Brain.nrrd".
 bool isNamedLikeLabels(const QString& path);
+
+/// Whether what is dropped beside an open volume becomes its labels: a file that is named so, or a folder of
+/// masks.
+bool opensAsLabels(const QString& path);
 
 } // namespace limn

@@ -18,13 +18,15 @@ std::uint32_t opaque(const glm::dvec3& color) {
   return 0xff000000u | bytes.r << 16 | bytes.g << 8 | bytes.b;
 }
 
-// The transfer function at steps so fine that classifying a pixel is one look-up.
+// A transfer function at steps so fine that classifying a pixel is one look-up.
 class TintTable {
 public:
-  TintTable(const PlaneTint& tint, double lowest, double highest)
-      : m_lowest(lowest), m_perValue(highest > lowest ? (steps - 1) / (highest - lowest) : 0.0) {
+  TintTable(const TransferFunction& function, const std::optional<std::size_t>& emphasisedPoint,
+            const ValueRange& range, int steps)
+      : m_lowest(range.lowest),
+        m_perValue(range.highest > range.lowest ? (steps - 1) / (range.highest - range.lowest) : 0.0) {
     for (int i = 0; i < steps; ++i)
-      add(tint, m_perValue > 0.0 ? lowest + i / m_perValue : lowest);
+      add(function, emphasisedPoint, m_perValue > 0.0 ? m_lowest + i / m_perValue : m_lowest);
   }
 
   std::size_t stepOf(double value) const {
@@ -34,28 +36,26 @@ public:
   double opacity(std::size_t step) const { return m_opacities[step]; }
 
 private:
-  void add(const PlaneTint& tint, double value) {
-    if (tint.emphasisedPoint) {
+  void add(const TransferFunction& function, const std::optional<std::size_t>& emphasisedPoint,
+           double value) {
+    if (emphasisedPoint) {
       m_colors.push_back(emphasisColor);
-      m_opacities.push_back(strongestTint * shareOfPoint(tint.function, *tint.emphasisedPoint, value));
+      m_opacities.push_back(strongestTint * shareOfPoint(function, *emphasisedPoint, value));
       return;
     }
-    const Classified tissue = classify(tint.function, value);
-    const double path = tintPathMm / tint.function.unitDistanceMm;
+    const Classified tissue = classify(function, value);
+    const double path = tintPathMm / function.unitDistanceMm;
     m_colors.push_back(tissue.color);
     m_opacities.push_back(oneMinusExpNeg(extinctionPerMm(tissue.opacity, 1.0) * path));
   }
 
-  static constexpr int steps = 8192;
   double m_lowest;
   double m_perValue;
   std::vector<glm::dvec3> m_colors;
   std::vector<double> m_opacities;
 };
 
-std::optional<TintTable> tableOf(const PlaneImage& image, const std::optional<PlaneTint>& tint) {
-  if (!tint)
-    return std::nullopt;
+std::optional<ValueRange> rangeOf(const PlaneImage& image) {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const double value : image.values)
@@ -63,8 +63,80 @@ std::optional<TintTable> tableOf(const PlaneImage& image, const std::optional<Pl
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
-  return highest < lowest ? std::nullopt : std::optional<TintTable>(std::in_place, *tint, lowest, highest);
+  return highest < lowest ? std::nullopt : std::optional(ValueRange{lowest, highest});
 }
+
+// What covers the grey of a pixel.
+struct Cover {
+  glm::dvec3 color{0.0};
+  double opacity = 0.0;
+};
+
+// The tint of every pixel, of which the tables are made that a slice shows.
+class Covers {
+public:
+  Covers(const PlaneImage& image, const PlaneTint& tint, const ValueRange& range) : m_tint(tint) {
+    std::vector<bool> isShown(tint.looks ? tint.looks->looks.functions.size() : 1, !tint.looks);
+    if (tint.looks)
+      for (const PlaneShares::Row& row : tint.looks->shares.rows)
+        for (const LookShare& share : row.shares)
+          isShown[share.look] = isShown[share.look] || share.weight > 0.0;
+    // Of many looks together the tables must not take longer than their pixels.
+    const auto shown = static_cast<int>(std::count(isShown.begin(), isShown.end(), true));
+    const int steps = std::clamp(4 * mostSteps / std::max(shown, 1), mostSteps / 4, mostSteps);
+    m_tables.resize(isShown.size());
+    forEachPiece(static_cast<int>(isShown.size()), {}, [&](int piece) {
+      const auto look = static_cast<std::size_t>(piece);
+      const bool isLit = isShown[look] && (look == tint.emphasisedLook || !tint.emphasisedPoint);
+      const TransferFunction& function = look == 0 ? tint.function : tint.looks->looks.functions[look];
+      if (isLit)
+        m_tables[look].emplace(function, tint.emphasisedPoint, range, steps);
+    });
+    m_width = image.size.x;
+  }
+
+  Cover at(std::size_t pixel, double value) const {
+    if (m_tint.looks)
+      return mixed(
+          m_tint.looks->shares.at(static_cast<int>(pixel) % m_width, static_cast<int>(pixel) / m_width),
+          value);
+    const TintTable& table = *m_tables.front();
+    const std::size_t step = table.stepOf(value);
+    return {table.color(step), (m_tint.weights ? m_tint.weights->values[pixel] : 1.0) * table.opacity(step)};
+  }
+
+private:
+  static constexpr int mostSteps = 8192;
+
+  Cover alone(const LookShare& share, double value) const {
+    const std::optional<TintTable>& table = m_tables[share.look];
+    if (!table)
+      return {};
+    const std::size_t step = table->stepOf(value);
+    return {table->color(step), share.weight * table->opacity(step)};
+  }
+
+  Cover mixed(std::span<const LookShare> shares, double value) const {
+    if (shares.size() == 1)
+      return alone(shares.front(), value);
+    double extinction = 0.0;
+    glm::dvec3 color(0.0);
+    for (const LookShare& share : shares) {
+      const std::optional<TintTable>& table = m_tables[share.look];
+      if (!table)
+        continue;
+      const std::size_t step = table->stepOf(value);
+      const double own = share.share * minusLog1mOpacity(share.weight * table->opacity(step));
+      extinction += own;
+      color += own * table->color(step);
+    }
+    return extinction > 0.0 ? Cover{color / extinction, oneMinusExpNeg(extinction)} : Cover{};
+  }
+
+  const PlaneTint& m_tint;
+  std::vector<std::optional<TintTable>> m_tables; ///< by look; of none that shows nothing
+  int m_width = 0;
+};
 
 } // namespace
 
@@ -75,21 +147,22 @@ double greyOf(const GreyWindow& window, double value) {
 std::vector<std::uint32_t> planePixels(const PlaneImage& image, const GreyWindow& window,
                                        const std::optional<PlaneTint>& tint, const Effort& effort) {
   assert(!tint || !tint->weights || tint->weights->size == image.size);
-  const std::optional<TintTable> table = tableOf(image, tint);
+  assert(!tint || !tint->looks || tint->looks->shares.size == image.size);
+  const std::optional<ValueRange> range = tint ? rangeOf(image) : std::nullopt;
+  const std::optional<Covers> covers =
+      range ? std::optional<Covers>(std::in_place, image, *tint, *range) : std::nullopt;
   std::vector<std::uint32_t> pixels(image.values.size(), 0);
   const auto paint = [&](std::size_t i) {
     const double value = image.values[i];
     if (std::isnan(value))
       return;
     const double grey = greyOf(window, value);
-    if (!table) {
+    if (!covers) {
       pixels[i] = 0xff000000u | static_cast<std::uint32_t>(std::lrint(grey * 255.0)) * 0x010101u;
       return;
     }
-    const std::size_t step = table->stepOf(value);
-    const double weight = tint->weights ? tint->weights->values[i] : 1.0;
-    const double cover = std::min(weight * table->opacity(step), strongestTint);
-    pixels[i] = opaque(glm::mix(glm::dvec3(grey), table->color(step), cover));
+    const Cover cover = covers->at(i, value);
+    pixels[i] = opaque(glm::mix(glm::dvec3(grey), cover.color, std::min(cover.opacity, strongestTint)));
   };
   const int pieces = static_cast<int>((pixels.size() + pixelsPerPiece - 1) / pixelsPerPiece);
   forEachPiece(pieces, effort, [&](int piece) {

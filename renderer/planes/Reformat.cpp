@@ -177,6 +177,12 @@ constexpr double outside = std::numeric_limits<double>::quiet_NaN();
 // Rows are shared out in pieces of about this many samples; less than one piece is not worth a thread.
 constexpr int samplesPerPiece = 1 << 15;
 
+int rowsTogether(int width, std::size_t samplesOfPixel) {
+  const auto perRow = static_cast<std::int64_t>(width) * static_cast<std::int64_t>(samplesOfPixel);
+  return static_cast<int>(
+      std::clamp<std::int64_t>(samplesPerPiece / std::max<std::int64_t>(1, perRow), 1, 1024));
+}
+
 // A way through the grid; what rounding leaves beside an axis moves no sample by 1e-8 voxels.
 glm::dvec3 indexVector(const Grid& volume, const glm::dvec3& vectorMm) {
   const glm::dvec3 vector = worldVectorToIndex(volume, vectorMm);
@@ -272,10 +278,7 @@ PlaneImage sampled(const Grid& volume, const PlaneGrid& plane, const PlaneSampli
           row[x] /= samples[x];
   };
 
-  const auto perRow =
-      static_cast<std::int64_t>(plane.size.x) * static_cast<std::int64_t>(place.offsets.size());
-  const int together = static_cast<int>(
-      std::clamp<std::int64_t>(samplesPerPiece / std::max<std::int64_t>(1, perRow), 1, 1024));
+  const int together = rowsTogether(plane.size.x, place.offsets.size());
   forEachPiece((plane.size.y + together - 1) / together, effort, [&](int piece) {
     Workroom room{std::vector<int>(static_cast<std::size_t>(plane.size.x)),
                   std::vector<double>(axes ? static_cast<std::size_t>(volume.dims[axes->column]) : 0)};
@@ -284,6 +287,46 @@ PlaneImage sampled(const Grid& volume, const PlaneGrid& plane, const PlaneSampli
   });
   return image;
 }
+
+// The shares of a region's looks at indices inside the volume. Most places lie between voxels of one label,
+// which is seen at once.
+template <class Places>
+class ShareReader {
+public:
+  ShareReader(const Region& region, const LabelLooks& looks, const Places& places)
+      : m_region(region), m_looks(looks), m_places(places.data()), m_dims(region.labels->dims()) {}
+
+  void addNearest(const glm::dvec3& index, std::vector<LookShare>& shares) const {
+    const glm::ivec3 voxel = glm::min(glm::ivec3(index + 0.5), m_dims - 1);
+    shares.push_back(alone(m_places[voxelOffset(m_dims, voxel.x, voxel.y, voxel.z)]));
+  }
+
+  void addBetween(const glm::dvec3& index, std::vector<LookShare>& shares) const {
+    const glm::ivec3 low = glm::min(glm::ivec3(glm::max(index, glm::dvec3(0.0))), m_dims - 1);
+    const glm::ivec3 high = glm::min(low + 1, m_dims - 1);
+    const auto* const near = m_places + voxelOffset(m_dims, 0, 0, low.z);
+    const auto* const far = m_places + voxelOffset(m_dims, 0, 0, high.z);
+    const std::size_t above = static_cast<std::size_t>(low.y) * m_dims.x;
+    const std::size_t below = static_cast<std::size_t>(high.y) * m_dims.x;
+    const auto place = near[above + low.x];
+    const bool isOne = near[above + high.x] == place && near[below + low.x] == place &&
+                       near[below + high.x] == place && far[above + low.x] == place &&
+                       far[above + high.x] == place && far[below + low.x] == place &&
+                       far[below + high.x] == place;
+    if (isOne)
+      return shares.push_back(alone(place));
+    const LookShares mixed = lookSharesAt(m_looks, m_region, index);
+    shares.insert(shares.end(), mixed.used().begin(), mixed.used().end());
+  }
+
+private:
+  LookShare alone(std::size_t place) const { return {m_looks.ofLabel[place], 1.0, m_region.weights[place]}; }
+
+  const Region& m_region;
+  const LabelLooks& m_looks;
+  const typename Places::value_type* m_places;
+  glm::ivec3 m_dims;
+};
 
 } // namespace
 
@@ -312,6 +355,44 @@ PlaneImage weightsOn(const Region& region, const Grid& volume, const PlaneGrid& 
         return sampled(volume, plane, sampling, fetch, effort);
       },
       region.labels->places());
+}
+
+std::span<const LookShare> PlaneShares::at(int x, int y) const {
+  const Row& row = rows[static_cast<std::size_t>(y)];
+  const std::uint32_t begin = x > 0 ? row.ends[static_cast<std::size_t>(x) - 1] : 0;
+  return std::span(row.shares).subspan(begin, row.ends[static_cast<std::size_t>(x)] - begin);
+}
+
+PlaneShares sharesOn(const Region& region, const LabelLooks& looks, const Grid& volume,
+                     const PlaneGrid& plane, PlaneInterpolation interpolation, const Effort& effort) {
+  const IndexPlane place = indexPlane(volume, plane, {});
+  PlaneShares all{plane.size, std::vector<PlaneShares::Row>(static_cast<std::size_t>(plane.size.y))};
+  const auto readRow = [&](const auto& reader, int y) {
+    PlaneShares::Row& row = all.rows[static_cast<std::size_t>(y)];
+    row.ends.assign(static_cast<std::size_t>(plane.size.x), 0);
+    row.shares.reserve(static_cast<std::size_t>(plane.size.x));
+    const glm::dvec3 start = place.origin + static_cast<double>(y) * place.perRow;
+    const PixelSpan span = spanInside(start, place.perColumn, volume.dims, plane.size.x);
+    for (int x = span.first; x < plane.size.x; ++x) {
+      const glm::dvec3 index = start + static_cast<double>(x) * place.perColumn;
+      if (x < span.last && interpolation == PlaneInterpolation::nearest)
+        reader.addNearest(index, row.shares);
+      else if (x < span.last)
+        reader.addBetween(index, row.shares);
+      row.ends[static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(row.shares.size());
+    }
+  };
+  const int together = rowsTogether(plane.size.x, 1);
+  std::visit(
+      [&](const auto& places) {
+        const ShareReader reader(region, looks, places);
+        forEachPiece((plane.size.y + together - 1) / together, effort, [&](int piece) {
+          for (int y = piece * together; y < std::min(plane.size.y, (piece + 1) * together); ++y)
+            readRow(reader, y);
+        });
+      },
+      region.labels->places());
+  return all;
 }
 
 } // namespace limn

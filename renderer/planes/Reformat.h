@@ -2,10 +2,13 @@
 #pragma once
 
 #include "planes/PlaneGrid.h"
+#include "scene/LabelLooks.h"
 #include "scene/basics/Effort.h"
 #include "scene/regions/Region.h"
 #include "scene/volume/Volume.h"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace limn {
@@ -41,5 +44,23 @@ PlaneImage reformatted(const Volume& volume, const PlaneGrid& plane, const Plane
 /// All 1 inside the volume where the region has no labels.
 PlaneImage weightsOn(const Region& region, const Grid& volume, const PlaneGrid& plane,
                      PlaneInterpolation interpolation, const Effort& effort = {});
+
+/// What of each pixel of a plane belongs to voxels of which look (DEFINITION section 10).
+struct PlaneShares {
+  struct Row {
+    std::vector<std::uint32_t> ends; ///< of each pixel: behind the last of its shares
+    std::vector<LookShare> shares;   ///< of pixel after pixel
+  };
+  glm::ivec2 size{0};
+  std::vector<Row> rows; ///< from above
+
+  /// Those of a pixel, which sum to 1; none outside the volume.
+  std::span<const LookShare> at(int x, int y) const;
+};
+
+/// The shares of a region's looks on a plane of its volume: trilinear between voxels, or all the nearest
+/// voxel's; of a slab those of the plane in its middle. `looks` has a number for each label of the region.
+PlaneShares sharesOn(const Region& region, const LabelLooks& looks, const Grid& volume,
+                     const PlaneGrid& plane, PlaneInterpolation interpolation, const Effort& effort = {});
 
 } // namespace limn

@@ -4,9 +4,13 @@
 #include "scene/basics/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <set>
+#include <span>
 
 namespace limn {
 namespace {
@@ -128,21 +132,64 @@ public:
       step[axis] = 1.0;
       m_steps[axis] = worldToIndex(to, indexToWorld(from, step)) - m_origin;
     }
+    if (areAligned(from.dims))
+      for (int axis = 0; axis < 3; ++axis)
+        fillTable(axis, from.dims[axis]);
   }
 
   // Its position in the stored array; negative where it lies outside.
   std::ptrdiff_t at(int x, int y, int z) const {
-    // Centres that lie between two voxels up to rounding go to the same one everywhere.
-    const glm::ivec3 index(glm::floor(m_origin + m_steps * glm::dvec3(x, y, z) + 0.5 + 1e-7));
+    if (!m_tables[0].empty()) {
+      const std::ptrdiff_t inX = m_tables[0][static_cast<std::size_t>(x)];
+      const std::ptrdiff_t inY = m_tables[1][static_cast<std::size_t>(y)];
+      const std::ptrdiff_t inZ = m_tables[2][static_cast<std::size_t>(z)];
+      return inX < 0 || inY < 0 || inZ < 0 ? -1 : inX + inY + inZ;
+    }
+    const glm::ivec3 index(glm::floor(m_origin + m_steps * glm::dvec3(x, y, z) + 0.5 + tie));
     if (glm::any(glm::lessThan(index, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(index, m_dims)))
       return -1;
     return static_cast<std::ptrdiff_t>(voxelOffset(m_dims, index.x, index.y, index.z));
   }
 
 private:
+  // Centres that lie between two voxels up to rounding go to the same one everywhere.
+  static constexpr double tie = 1e-7;
+
+  // Whether the axes of both grids are the same in some order, so that each can be looked up by itself; what
+  // rounding leaves beside an axis is less than a tie. Axes that two of the other grid's share are none.
+  bool areAligned(const glm::ivec3& dims) const {
+    glm::bvec3 isTaken(false);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int other = 0; other < 3; ++other)
+        if (std::abs(m_steps[axis][other]) * dims[axis] > tie / 2.0) {
+          if (isTaken[other] || otherAxisOf(axis) != other)
+            return false;
+          isTaken[other] = true;
+        }
+    return glm::all(isTaken);
+  }
+
+  int otherAxisOf(int axis) const {
+    const glm::dvec3 size = glm::abs(m_steps[axis]);
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  }
+
+  void fillTable(int axis, int count) {
+    const int other = otherAxisOf(axis);
+    const std::ptrdiff_t stride = other == 0   ? 1
+                                  : other == 1 ? m_dims.x
+                                               : static_cast<std::ptrdiff_t>(m_dims.x) * m_dims.y;
+    for (int n = 0; n < count; ++n) {
+      const double index = std::floor(m_origin[other] + n * m_steps[axis][other] + 0.5 + tie);
+      m_tables[static_cast<std::size_t>(axis)].push_back(
+          index >= 0.0 && index < m_dims[other] ? static_cast<std::ptrdiff_t>(index) * stride : -1);
+    }
+  }
+
   glm::ivec3 m_dims;
   glm::dvec3 m_origin;
   glm::dmat3 m_steps{1.0};
+  std::array<std::vector<std::ptrdiff_t>, 3> m_tables; // of axes that are aligned; -1 lies outside
 };
 
 template <class Place, class T>
@@ -163,7 +210,87 @@ RoomVector<Place> placesOn(const Grid& grid, const Volume& volume, const StoredV
   return places;
 }
 
+// Gives the voxels of a mask a place in the list of labels; how many there were, by the place that they had.
+template <class Place, class T>
+std::vector<std::size_t> takenBy(std::span<Place> places, const Grid& grid, const Volume& mask,
+                                 const StoredVoxels<T>& stored, std::size_t place, const Effort& effort) {
+  const NearestVoxel nearest(grid, mask.grid());
+  const VoxelMask& invalid = mask.invalidMask();
+  const Rescale rescale = mask.rescale();
+  const glm::ivec3& dims = grid.dims;
+  std::vector<std::vector<std::size_t>> taken(static_cast<std::size_t>(dims.z));
+  forEachPiece(dims.z, effort, [&](int z) {
+    std::vector<std::size_t>& had = taken[static_cast<std::size_t>(z)];
+    had.assign(place, 0);
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) {
+        const std::ptrdiff_t at = nearest.at(x, y, z);
+        if (at < 0)
+          continue;
+        const auto voxel = static_cast<std::size_t>(at);
+        const bool isIn = rescale.slope * static_cast<double>(stored[voxel]) + rescale.intercept > 0.0 &&
+                          (invalid.empty() || !invalid[voxel]);
+        if (!isIn)
+          continue;
+        Place& own = places[voxelOffset(dims, x, y, z)];
+        ++had[own];
+        own = static_cast<Place>(place);
+      }
+  });
+  std::vector<std::size_t> sums(place, 0);
+  for (const std::vector<std::size_t>& had : taken)
+    std::transform(had.begin(), had.end(), sums.begin(), sums.begin(), std::plus());
+  return sums;
+}
+
 } // namespace
+
+bool isMask(const Volume& volume) {
+  const ValueRange& range = volume.range();
+  if (range.lowest < 0.0 || (range.lowest > 0.0 && range.lowest < range.highest))
+    return false;
+  return visitVoxels(volume, [&](const auto& stored) {
+    const VoxelMask& invalid = volume.invalidMask();
+    const Rescale& rescale = volume.rescale();
+    for (std::size_t voxel = 0; voxel < stored.size(); ++voxel) {
+      const double value = rescale.slope * static_cast<double>(stored[voxel]) + rescale.intercept;
+      if (value != 0.0 && value != range.highest && (invalid.empty() || !invalid[voxel]))
+        return false;
+    }
+    return true;
+  });
+}
+
+MasksOnGrid::MasksOnGrid(const Grid& grid, std::size_t most, std::shared_ptr<Room> room)
+    : m_grid(grid), m_labels{{0, "Background", glm::dvec3(0.5)}} {
+  const std::size_t voxels = static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z;
+  if (most < 256)
+    m_places = StoredVoxels<std::uint8_t>(RoomVector<std::uint8_t>(voxels, 0, std::move(room)));
+  else
+    m_places = StoredVoxels<std::uint16_t>(RoomVector<std::uint16_t>(voxels, 0, std::move(room)));
+}
+
+void MasksOnGrid::add(const Volume& mask, int value, const std::string& name, const Effort& effort) {
+  const std::vector<std::size_t> taken = std::visit(
+      [&](auto& places) {
+        return visitVoxels(mask, [&](const auto& stored) {
+          return takenBy(places.writable(), m_grid, mask, stored, m_labels.size(), effort);
+        });
+      },
+      m_places);
+  if (std::accumulate(taken.begin(), taken.end(), std::size_t{0}) == 0)
+    return;
+  for (std::size_t place = 1; place < taken.size(); ++place) {
+    m_overlapping += taken[place];
+    if (taken[place] > (m_largest ? m_largest->voxels : 0))
+      m_largest = Overlap{m_labels[place].name, name, taken[place]};
+  }
+  m_labels.push_back({value, name, labelColor(m_labels.size())});
+}
+
+std::shared_ptr<const LabelMap> MasksOnGrid::finished() {
+  return std::make_shared<const LabelMap>(m_grid.dims, std::move(m_places), std::move(m_labels));
+}
 
 glm::dvec3 labelColor(std::size_t n) {
   // Hues a golden section apart never come close to one another soon; three rows of brightness besides.

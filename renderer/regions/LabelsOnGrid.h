@@ -4,7 +4,9 @@
 #include "scene/regions/Region.h"
 #include "scene/volume/Volume.h"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace limn {
 
@@ -15,6 +17,41 @@ namespace limn {
 /// number or where there are more than 65535 labels; Cancelled.
 std::shared_ptr<const LabelMap> labelsOnGrid(const Volume& labels, const std::vector<Label>& described,
                                              const Grid& grid, const Effort& effort = {});
+
+/// Whether a volume is the mask of one structure: beside 0 it has one value, above 0, or none.
+bool isMask(const Volume& volume);
+
+/// Masks that become one label map on a grid. They are added one after the other, so that beside the map one
+/// mask lies in memory; a voxel belongs to the last that has it.
+class MasksOnGrid {
+public:
+  /// At most `most` masks come, < 65536. The map lies in `room`, in memory where there is none.
+  MasksOnGrid(const Grid& grid, std::size_t most, std::shared_ptr<Room> room);
+
+  /// A mask (isMask) as a label, in the colour of its number in the list; nearest voxel by nearest voxel
+  /// where it has another grid. One without a voxel on the grid makes no label. Throws Cancelled, after
+  /// which the map is of no use.
+  void add(const Volume& mask, int value, const std::string& name, const Effort& effort = {});
+
+  /// Voxels that one label had and another took.
+  struct Overlap {
+    std::string loser, winner;
+    std::size_t voxels = 0;
+  };
+  /// The largest of them, and how many voxels changed hands in all.
+  const std::optional<Overlap>& largestOverlap() const { return m_largest; }
+  std::size_t overlapping() const { return m_overlapping; }
+
+  /// What has become of them, the background first; of use once.
+  std::shared_ptr<const LabelMap> finished();
+
+private:
+  Grid m_grid;
+  LabelMap::Places m_places;
+  std::vector<Label> m_labels;
+  std::optional<Overlap> m_largest;
+  std::size_t m_overlapping = 0;
+};
 
 /// The colour of the n-th label: neighbours in the list differ much.
 glm::dvec3 labelColor(std::size_t n);

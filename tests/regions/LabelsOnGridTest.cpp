@@ -101,5 +101,43 @@ TEST(LabelsOnGrid, areRefusedWhereTheyAreNone) {
   EXPECT_THROW(labelsOnGrid(volumeOf(large, values), {}, large), Error);
 }
 
+TEST(LabelsOnGrid, ofAlignedAxesInAnotherOrderAreTheSameAsOfTurnedOnes) {
+  // The label grid's axes are the volume's z, -x and y; every voxel has its own label.
+  Grid from = gridOf({4, 3, 5}, {1.5, 2.0, 1.0});
+  from.originMm = {-3.0, 7.0, 2.0};
+  Grid to = gridOf({6, 5, 4}, {1.0, 1.5, 2.0});
+  to.direction = glm::dmat3(0, 0, 1, -1, 0, 0, 0, 1, 0);
+  to.originMm = indexToWorld(from, {3.2, -0.4, -0.3});
+  std::vector<std::uint16_t> values(6 * 5 * 4);
+  std::iota(values.begin(), values.end(), std::uint16_t{1});
+  const auto map = labelsOnGrid(volumeOf(to, values), {}, from);
+  int inside = 0;
+  for (int z = 0; z < from.dims.z; ++z)
+    for (int y = 0; y < from.dims.y; ++y)
+      for (int x = 0; x < from.dims.x; ++x) {
+        const glm::ivec3 nearest(glm::floor(worldToIndex(to, indexToWorld(from, {x, y, z})) + 0.5));
+        const bool isInside = glm::all(glm::greaterThanEqual(nearest, glm::ivec3(0))) &&
+                              glm::all(glm::lessThan(nearest, to.dims));
+        inside += isInside ? 1 : 0;
+        const std::size_t voxel = isInside ? voxelOffset(to.dims, nearest.x, nearest.y, nearest.z) : 0;
+        ASSERT_EQ(valueAt(*map, {x, y, z}), isInside ? static_cast<int>(values[voxel]) : 0)
+            << x << ' ' << y << ' ' << z;
+      }
+  EXPECT_GT(inside, 20);
+}
+
+TEST(MasksOnGrid, knowsMasksFromImages) {
+  const Grid grid = gridOf({4, 1, 1});
+  EXPECT_TRUE(isMask(volumeOf<std::uint8_t>(grid, {0, 1, 1, 0})));
+  EXPECT_TRUE(isMask(volumeOf<std::uint8_t>(grid, {0, 255, 0, 0})));
+  EXPECT_TRUE(isMask(volumeOf<float>(grid, {0.0f, 1.0f, 1.0f, 0.0f})));
+  EXPECT_TRUE(isMask(volumeOf<std::uint8_t>(grid, {0, 0, 0, 0}))) << "of a structure that is not there";
+  EXPECT_TRUE(isMask(volumeOf<std::uint8_t>(grid, {1, 1, 1, 1})));
+  EXPECT_FALSE(isMask(volumeOf<std::uint8_t>(grid, {0, 1, 2, 0})));
+  EXPECT_FALSE(isMask(volumeOf<std::int16_t>(grid, {0, -1, 0, -1})));
+  EXPECT_FALSE(isMask(volumeOf<std::int16_t>(grid, {1, 2, 1, 2})));
+  EXPECT_TRUE(isMask(volumeOf<std::uint8_t>(grid, {1, 3, 1, 1}, {0.5, -0.5}))) << "0 and 1 as they are meant";
+}
+
 } // namespace
 } // namespace limn

@@ -6,6 +6,7 @@
 #include "widgets/controls/FoldingSection.h"
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -142,6 +143,34 @@ TEST_F(LabelSectionTest, withoutLabelsOffersToOpenSome) {
   EXPECT_EQ(asked, 1);
   section.setScene({});
   EXPECT_FALSE(button(QStringLiteral("Open labels…")).isEnabled()) << "there is no volume";
+}
+
+TEST_F(LabelSectionTest, aLabelIsSelectedWhereItIsSeen) {
+  section.setFolded(true);
+  section.select(2);
+  EXPECT_FALSE(section.isFolded());
+  EXPECT_EQ(table().currentIndex().row(), 2);
+  EXPECT_TRUE(table().selectionModel()->isRowSelected(2));
+  section.select(7);
+  EXPECT_EQ(table().currentIndex().row(), 2) << "there is no such label";
+}
+
+TEST_F(LabelSectionTest, selectingEndsASearchThatLeavesTheLabelOut) {
+  std::vector<Label> many;
+  for (int n = 0; n < 40; ++n)
+    many.push_back({n, "Label " + std::to_string(n), {}});
+  scene.keep = labelled(many);
+  section.setScene(scene);
+  auto* search = section.findChild<QLineEdit*>();
+  ASSERT_NE(search, nullptr);
+  search->setText(QStringLiteral("label 3"));
+  section.select(33);
+  EXPECT_EQ(search->text(), QStringLiteral("label 3")) << "which it does not";
+  EXPECT_EQ(table().currentIndex().data().toString(), QStringLiteral("Label 33"));
+  section.select(28);
+  EXPECT_EQ(search->text(), QString());
+  EXPECT_EQ(table().currentIndex().data().toString(), QStringLiteral("Label 28"));
+  EXPECT_TRUE(table().viewport()->rect().intersects(table().visualRect(table().currentIndex())));
 }
 
 } // namespace

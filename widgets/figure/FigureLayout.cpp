@@ -3,6 +3,7 @@
 
 #include "scene/basics/Error.h"
 #include "widgets/figure/FigureText.h"
+#include "widgets/figure/LabelLegend.h"
 
 #include <QFontMetricsF>
 #include <QObject>
@@ -32,12 +33,13 @@ struct Furniture {
   int columns = 1, rows = 1;
   double margin = 0.0, gap = 0.0, heading = 0.0;
   double ownLegend = 0.0, sharedLegend = 0.0;
+  double ownLabels = 0.0, sharedLabels = 0.0;
   double notes = 0.0;
 
   double besidePictures() const { return 2.0 * margin + (columns - 1) * gap; }
-  double cellFurniture() const { return heading + ownLegend; }
+  double cellFurniture() const { return heading + ownLegend + ownLabels; }
   double abovePictures() const {
-    return 2.0 * margin + (rows - 1) * gap + rows * cellFurniture() + sharedLegend + notes;
+    return 2.0 * margin + (rows - 1) * gap + rows * cellFurniture() + sharedLegend + sharedLabels + notes;
   }
 };
 
@@ -76,6 +78,30 @@ bool shareCurve(const Figure& figure, const std::vector<std::size_t>& panels) {
   });
 }
 
+// The labels of each panel that are told, if they are.
+std::vector<std::vector<LabelRow>> labelsOfPanels(const Figure& figure) {
+  std::vector<std::vector<LabelRow>> rows(figure.panels.size());
+  if (figure.settings.shows(FigureMark::labels))
+    std::ranges::transform(figure.panels, rows.begin(), labelRows);
+  return rows;
+}
+
+// Told once where all that have some have the same.
+void addLabels(Furniture& furniture, const Figure& figure, const FigureLayout& layout) {
+  const double cell = (layout.size.width() - furniture.besidePictures()) / furniture.columns;
+  const double gap = std::round(legendGap * layout.textPixels);
+  std::vector<std::vector<LabelRow>> all = labelsOfPanels(figure);
+  std::erase_if(all, [](const std::vector<LabelRow>& rows) { return rows.empty(); });
+  if (all.empty())
+    return;
+  const bool isShared = std::ranges::all_of(all, [&](const auto& rows) { return rows == all.front(); });
+  const double width = isShared ? layout.size.width() - 2.0 * furniture.margin : cell;
+  double height = 0.0;
+  for (const std::vector<LabelRow>& rows : all)
+    height = std::max(height, labelColumns(rows, width, layout.textPixels).height);
+  (isShared ? furniture.sharedLabels : furniture.ownLabels) = height + gap;
+}
+
 double heightOfNotes(const Figure& figure, const FigureLayout& layout, double width) {
   const QString notes = notesOf(figure);
   if (notes.isEmpty())
@@ -100,6 +126,7 @@ Furniture furnitureOf(const Figure& figure, const FigureLayout& layout) {
   const double legend = std::round((legendGap + legendHeight) * text);
   if (!curves.empty())
     (shareCurve(figure, curves) ? furniture.sharedLegend : furniture.ownLegend) = legend;
+  addLabels(furniture, figure, layout);
   const double notes = heightOfNotes(figure, layout, layout.size.width() - 2.0 * furniture.margin);
   if (notes > 0.0)
     furniture.notes = notes + std::round(notesGap * text);
@@ -121,6 +148,26 @@ void placeLegends(FigureLayout& layout, const Figure& figure, const Furniture& f
           {QRectF(picture.left(), picture.bottom() + 1.0 + gap, picture.width(), furniture.ownLegend - gap),
            panel});
     }
+}
+
+void placeLabels(FigureLayout& layout, const Figure& figure, const Furniture& furniture, double top) {
+  const double gap = std::round(legendGap * layout.textPixels);
+  const std::vector<std::vector<LabelRow>> rows = labelsOfPanels(figure);
+  for (std::size_t panel = 0; panel < rows.size(); ++panel) {
+    if (rows[panel].empty())
+      continue;
+    if (furniture.sharedLabels > 0.0) {
+      layout.labelLegends.push_back(
+          {QRectF(furniture.margin, top + gap, layout.size.width() - 2.0 * furniture.margin,
+                  furniture.sharedLabels - gap),
+           panel});
+      return;
+    }
+    const QRect& picture = layout.pictures[panel];
+    layout.labelLegends.push_back({QRectF(picture.left(), picture.bottom() + 1.0 + furniture.ownLegend + gap,
+                                          picture.width(), furniture.ownLabels - gap),
+                                   panel});
+  }
 }
 
 void placePictures(FigureLayout& layout, const Figure& figure, const Furniture& furniture,
@@ -178,8 +225,9 @@ FigureLayout figureLayout(const Figure& figure) {
     layout.size.setHeight(pixelsOf(inPixels, needed, QObject::tr("high")));
   }
   placePictures(layout, figure, furniture, {width, height});
-  const double below = layout.size.height() - furniture.margin - furniture.notes - furniture.sharedLegend;
-  placeLegends(layout, figure, furniture, below);
+  const double labels = layout.size.height() - furniture.margin - furniture.notes - furniture.sharedLabels;
+  placeLegends(layout, figure, furniture, labels - furniture.sharedLegend);
+  placeLabels(layout, figure, furniture, labels);
   if (furniture.notes > 0.0)
     layout.notes = QRectF(furniture.margin, layout.size.height() - furniture.margin - furniture.notes,
                           layout.size.width() - 2.0 * furniture.margin, furniture.notes)

@@ -35,10 +35,10 @@ struct Figure {
   bool operator==(const Figure&) const = default;
 };
 
-/// Where a curve stands that explains colours.
+/// Where a curve stands that explains colours, or a list of labels.
 struct LegendPlace {
   QRectF place;
-  std::size_t panel = 0; ///< whose curve it is
+  std::size_t panel = 0; ///< whose it is
 };
 
 /// Where everything of a figure stands, in pixels of the figure. Pictures lie on whole pixels and all have
@@ -50,6 +50,8 @@ struct FigureLayout {
   std::vector<QRectF> headings; ///< above the pictures; empty where there are none
   /// One below all pictures where they share a curve, otherwise one below each that has one.
   std::vector<LegendPlace> legends;
+  /// The same of the labels that have curves of their own.
+  std::vector<LegendPlace> labelLegends;
   QRectF notes; ///< empty where nothing is said
 
   QSize pictureSize() const { return pictures.front().size(); }

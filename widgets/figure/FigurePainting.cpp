@@ -3,6 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/curve/picture/CurveGeometry.h"
+#include "widgets/figure/LabelLegend.h"
 #include "widgets/plot/Axes.h"
 #include "widgets/theme/Theme.h"
 
@@ -350,6 +351,11 @@ void paintMarks(QPainter& painter, const Figure& figure, const FigureLayout& lay
   for (const LegendPlace& legend : layout.legends)
     paintLegend(painter, legend.place, figure.panels[legend.panel].scene, figureFont(layout, noteScale),
                 colorsOn(figure.settings.page));
+  for (const LegendPlace& labels : layout.labelLegends) {
+    const FigureColors colors = colorsOn(figure.settings.page);
+    paintLabelRows(painter, labels.place, labelRows(figure.panels[labels.panel]), layout, colors.text,
+                   colors.line);
+  }
   if (!layout.notes.isEmpty())
     paintNotes(painter, figure, layout);
 }

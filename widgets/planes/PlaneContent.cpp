@@ -4,6 +4,7 @@
 #include "planes/PlaneGrid.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/ValueText.h"
+#include "widgets/view/overlay/LabelReading.h"
 #include "widgets/view/overlay/OrientationMarks.h"
 
 #include <QObject>
@@ -116,8 +117,10 @@ QString crosshairText(const PlaneContent& content) {
   const std::optional<double> value = valueUnderCrosshair(content);
   if (!value)
     return {};
-  return valueText(*value, QString::fromStdString(content.volume->info().unit),
-                   valueDecimals(*content.volume));
+  const glm::dvec3 index = worldToIndex(content.volume->grid(), crosshairOf(content));
+  return withLabelReading(
+      valueText(*value, QString::fromStdString(content.volume->info().unit), valueDecimals(*content.volume)),
+      labelReading(content.keep, content.function, index, *value));
 }
 
 QString windowText(const PlaneContent& content) {

@@ -17,6 +17,8 @@ struct PlaneContent {
   PlaneSettings settings;
   GreyWindow firstWindow;                                    ///< where the settings have none
   std::optional<std::size_t> emphasisedPoint = std::nullopt; ///< of the function: what it governs lights up
+  /// Whose own curve it is of, by the place in the list of labels; none: of the function.
+  std::optional<std::size_t> emphasisedLabel = std::nullopt;
   bool operator==(const PlaneContent&) const = default;
 };
 
@@ -51,7 +53,8 @@ QString planeTitle(const Volume& volume, PatientPlane plane);
 /// patient's, the letter only where sides are known.
 QString slicePlaceText(const PlaneContent& content, PatientPlane plane);
 
-/// The value under the crosshair, "38 HU"; empty where it lies outside.
+/// The value under the crosshair, "38 HU", and what a segmentation says of it, "38 HU · Liver · opacity 0.2";
+/// empty where it lies outside.
 QString crosshairText(const PlaneContent& content);
 
 /// "W 400 · L 40"; of a slab "max 20 mm · W 400 · L 40".

@@ -325,6 +325,7 @@ PlaneDeck::PlaneDeck(QWidget& picture, QWidget* parent)
     connect(view, &PlaneView::settingsEdited, this, &PlaneDeck::settingsEdited);
     connect(view, &PlaneView::distanceEdited, this, &PlaneDeck::distanceEdited);
     connect(view, &PlaneView::toolRequested, this, &PlaneDeck::setTool);
+    connect(view, &PlaneView::menuRequested, this, &PlaneDeck::menuRequested);
   }
   connect(m_bar, &PlaneBar::settingsEdited, this, &PlaneDeck::settingsEdited);
   connect(m_bar, &PlaneBar::distanceEdited, this, &PlaneDeck::distanceEdited);

@@ -83,6 +83,7 @@ public:
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
   void distanceEdited(const std::optional<limn::MeasuredDistance>& before); ///< as PlaneView says it
+  void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);    ///< likewise
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -21,9 +21,28 @@ PlaneContent withoutPlaces(PlaneContent content) {
   content.settings = kept;
   content.crop = {}; // stands above the picture
   content.firstWindow = {};
-  if (!kept.isTinted && !content.emphasisedPoint)
+  if (!kept.isTinted && !content.emphasisedPoint) {
     content.function = {};
+    content.keep.looks.clear();
+    content.keep.lookOf.clear();
+  }
   return content;
+}
+
+// A slice classifies each place by itself, whatever the picture projects. Of a label's curve in which a point
+// lights up nothing else shows.
+LabelLooks looksIn(const PlaneContent& content) {
+  const Region& keep = content.keep;
+  if (content.emphasisedPoint && content.emphasisedLabel) {
+    LabelLooks looks{{TransferFunction{}, keep.looks[lookOfLabel(keep, *content.emphasisedLabel) - 1]},
+                     std::vector<std::uint8_t>(keep.weights.size(), 0)};
+    looks.ofLabel[*content.emphasisedLabel] = 1;
+    return looks;
+  }
+  Scene scene;
+  scene.transferFunction = content.function;
+  scene.keep = keep;
+  return labelLooks(scene);
 }
 
 QImage imageOf(const std::vector<std::uint32_t>& pixels, const glm::ivec2& size) {
@@ -60,7 +79,8 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
   const bool isTinted = content.settings.isTinted || content.emphasisedPoint;
   const std::optional<PlaneTint> tint =
       isTinted
-          ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr, content.emphasisedPoint})
+          ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr, content.emphasisedPoint,
+                                    looksOf(content, plane), content.emphasisedLabel ? 1u : 0u})
           : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
   if (weighs && content.settings.outlinesRegion) {
@@ -88,6 +108,7 @@ void PlanePictures::keep(const PlaneReading& read, PlaneImage values, double ms)
   m_values = std::move(values);
   m_read = read;
   m_weights = {};
+  m_looks = {};
   m_painted = {};
   ++m_readings;
 }
@@ -97,6 +118,21 @@ void PlanePictures::weigh(const PlaneContent& content, const PlaneGrid& plane) {
     return;
   m_weights = weightsOn(content.keep, content.volume->grid(), plane, content.settings.interpolation);
   m_region = content.keep;
+}
+
+// Other curves of the same labels read nothing again.
+const PlaneLooks* PlanePictures::looksOf(const PlaneContent& content, const PlaneGrid& plane) {
+  LabelLooks looks = looksIn(content);
+  if (!looks.areAny())
+    return nullptr;
+  const bool isRead = m_looks.shares.size == plane.size && m_looked.labels == content.keep.labels &&
+                      m_looked.weights == content.keep.weights && m_looks.looks.ofLabel == looks.ofLabel;
+  if (!isRead)
+    m_looks.shares =
+        sharesOn(content.keep, looks, content.volume->grid(), plane, content.settings.interpolation);
+  m_looked = content.keep;
+  m_looks.looks = std::move(looks);
+  return &m_looks;
 }
 
 } // namespace limn

@@ -42,11 +42,14 @@ public:
 private:
   void keep(const PlaneReading& read, PlaneImage values, double ms);
   void weigh(const PlaneContent& content, const PlaneGrid& plane);
+  const PlaneLooks* looksOf(const PlaneContent& content, const PlaneGrid& plane);
 
   PlaneReading m_read;
   PlaneImage m_values;
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;
+  Region m_looked; ///< of whose labels the looks were read
+  PlaneLooks m_looks; ///< of the content, or of the label alone of whose curve a point lights up
   PlaneContent m_painted;
   QImage m_picture;
   int m_readings = 0;

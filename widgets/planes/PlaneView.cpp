@@ -8,6 +8,8 @@
 #include "widgets/view/panels/FocusRing.h"
 
 #include <QAccessibleWidget>
+#include <QContextMenuEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -29,7 +31,7 @@ constexpr double mostMovingMs = 16.0;
 constexpr int restMs = 150;
 
 // Shorter ones are clicks, logical pixels.
-constexpr double shortestDistance = 3.0;
+constexpr double shortestDrag = 3.0;
 
 // For assistive technology a slice is a slider: its value is the place of the slice along the patient, mm,
 // and setting it goes there.
@@ -208,13 +210,18 @@ void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   const PlaneDrag drag = *m_drag;
   m_drag.reset();
+  if (drag.button == Qt::RightButton && QLineF(drag.press, event->position()).length() < shortestDrag) {
+    emit settingsEdited(drag.before);
+    emit menuRequested(worldAt(drag.frame, drag.press), event->globalPosition().toPoint());
+    return;
+  }
   const std::optional<PlaneSettings> settings = settingsAfter(drag, event->position());
   const bool measures =
       drag.kind == PlaneDrag::Kind::distanceFrom || drag.kind == PlaneDrag::Kind::distanceTo;
   if (!measures || !settings)
     return;
   const MeasuredDistance& distance = *settings->distance;
-  if (glm::length(distance.to - distance.from) < shortestDistance * mmPerLogicalPixel(drag.frame))
+  if (glm::length(distance.to - distance.from) < shortestDrag * mmPerLogicalPixel(drag.frame))
     emit settingsEdited(drag.before);
   else
     emit distanceEdited(drag.before.distance);
@@ -248,6 +255,15 @@ void PlaneView::keyPressEvent(QKeyEvent* event) {
 void PlaneView::enterEvent(QEnterEvent* event) {
   QWidget::enterEvent(event);
   takeFocusUnderPointer(*this);
+}
+
+// A right click asks as its button is let go.
+void PlaneView::contextMenuEvent(QContextMenuEvent* event) {
+  event->accept();
+  if (!m_content.volume || event->reason() != QContextMenuEvent::Keyboard)
+    return;
+  const glm::dvec3 crosshair = crosshairOf(m_content);
+  emit menuRequested(crosshair, mapToGlobal(pointOf(frame(), crosshair).toPoint()));
 }
 
 bool PlaneView::obey(int key, bool isFast) {

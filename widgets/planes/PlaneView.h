@@ -14,9 +14,9 @@ namespace limn {
 /// nothing: it asks for other settings, through its signal, and is given what became of them by setContent().
 ///
 /// The left button does what the tool says: crosshair, window/level or a distance; the right one always drags
-/// the window, the middle one pans, the wheel leads through the slices, with Ctrl it zooms. Keys: arrows,
-/// Page up and down, Home (middle), + − and F (all of the slice), 0 (full window) and 1 … 4 (those of
-/// tissues), C W D and Esc (tools), Delete (the distance).
+/// the window and asks with a click for a menu, the middle one pans, the wheel leads through the slices, with
+/// Ctrl it zooms. Keys: arrows, Page up and down, Home (middle), + − and F (all of the slice), 0 (full
+/// window) and 1 … 4 (those of tissues), C W D and Esc (tools), Delete (the distance).
 class PlaneView : public QWidget {
   Q_OBJECT
 
@@ -48,6 +48,9 @@ signals:
   /// A drag or a key has ended that left another distance in the settings than `before`.
   void distanceEdited(const std::optional<limn::MeasuredDistance>& before);
   void toolRequested(limn::PlaneTool tool);
+  /// What can be done with a place of the slice, by a right click on it or the key for menus at the
+  /// crosshair.
+  void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -58,6 +61,7 @@ protected:
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void enterEvent(QEnterEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
   bool obey(int key, bool isFast);

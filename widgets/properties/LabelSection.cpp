@@ -302,4 +302,15 @@ void LabelSection::setScene(const Scene& scene) {
   setSummary(summaryOf(scene.keep));
 }
 
+void LabelSection::select(std::size_t place) {
+  if (place >= static_cast<std::size_t>(m_labels->rowCount()))
+    return;
+  setFolded(false);
+  const QModelIndex row = m_labels->index(static_cast<int>(place), LabelTable::nameColumn);
+  if (!m_found->mapFromSource(row).isValid())
+    m_search->clear();
+  m_table->setCurrentIndex(m_found->mapFromSource(row));
+  m_table->scrollTo(m_table->currentIndex(), QAbstractItemView::PositionAtCenter);
+}
+
 } // namespace limn

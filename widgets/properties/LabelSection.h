@@ -63,6 +63,9 @@ public:
 
   void setScene(const Scene& scene);
 
+  /// Selects the label at this place, if there is one, where it is seen.
+  void select(std::size_t place);
+
 signals:
   void keepEdited(const limn::Region& region, const limn::Gesture& gesture);
   void openRequested();

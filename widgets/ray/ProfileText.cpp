@@ -89,6 +89,9 @@ QString profileSummary(const RayProfile& profile, const ProfileNames& names) {
 QString readingAt(const RayProfile& profile, const ProfileNames& names, double depthMm) {
   const RayProfile::Sample& sample = sampleAt(profile, depthMm);
   QString what = QStringLiteral("%1: %2").arg(depthText(names, depthMm), valueOf(names, sample.value));
+  const auto place = static_cast<std::size_t>(&sample - profile.samples.data());
+  if (place < names.labels.size() && !names.labels[place].isEmpty())
+    what += QStringLiteral(", %1").arg(names.labels[place]);
   if (!gathersLight(profile.projection) || !(profile.alpha > 0.0))
     return what;
   double gathered = 0.0;

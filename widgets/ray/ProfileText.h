@@ -6,14 +6,16 @@
 #include <QString>
 
 #include <array>
+#include <vector>
 
 namespace limn {
 
 /// How depths and values of a volume are called.
 struct ProfileNames {
-  QString valueUnit;     ///< "HU", or empty
-  QString depthUnit;     ///< "mm"; empty where the file tells no lengths
-  int valueDecimals = 0; ///< ≥ 0
+  QString valueUnit;             ///< "HU", or empty
+  QString depthUnit;             ///< "mm"; empty where the file tells no lengths
+  int valueDecimals = 0;         ///< ≥ 0
+  std::vector<QString> labels{}; ///< of each sample; none where no segmentation is open
   bool operator==(const ProfileNames&) const = default;
 };
 
@@ -21,7 +23,7 @@ struct ProfileNames {
 /// projections that gather no light, what they show instead.
 QString profileSummary(const RayProfile& profile, const ProfileNames& names);
 
-/// What lies at a depth: "34.2 mm: 310 HU, opacity 0.34/mm, 48 % of the light so far".
+/// What lies at a depth: "34.2 mm: 310 HU, Liver, opacity 0.34/mm, 48 % of the light so far".
 QString readingAt(const RayProfile& profile, const ProfileNames& names, double depthMm);
 
 /// What each lane shows, and the most that it shows of it: value, opacity, contribution.

@@ -48,7 +48,8 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
   if (part.kind == Region::Kind::body)
     found = bodyOf(volume, progress);
   if (part.kind == Region::Kind::labels) {
-    found.region = readLabels(part.labels, gridOfFile(volume), progress);
+    Segmentation labels = readSegmentation(part.labels, gridOfFile(volume), progress);
+    found = {std::move(labels.region), labels.remark};
     const std::string name = std::filesystem::path(part.labels).filename().string();
     found.region.weights = weightsOf(found.region.labels->labels(), part.weights, name);
     found.region = withLooksOf(found.region, part.looks, name);

@@ -159,7 +159,7 @@ void VolumeLoader::cancel() {
 
 OpeningController::OpeningController(WindowContext& context, std::function<std::function<void()>()> before)
     : QObject(&context.window), m_context(context),
-      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 5})), m_before(std::move(before)) {
+      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 6})), m_before(std::move(before)) {
   m_recent->setObjectName(QStringLiteral("recentSources"));
   connect(m_recent, &QMenu::aboutToShow, this, &OpeningController::refreshRecent);
   addActions();

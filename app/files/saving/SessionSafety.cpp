@@ -38,7 +38,7 @@ QString described(const std::filesystem::path& file) {
 
 SessionSafety::SessionSafety(WindowContext& context, std::function<SessionDocument()> session)
     : QObject(&context.window), m_context(context),
-      m_unsaved(context.actions.addMenu(tr("Open &unsaved session"), {Menu::file, 1, 6})),
+      m_unsaved(context.actions.addMenu(tr("Open &unsaved session"), {Menu::file, 1, 7})),
       m_session(std::move(session)) {
   m_unsaved->setObjectName(QStringLiteral("unsavedSessions"));
   m_unsaved->setToolTip(tr("Sessions that were left with unsaved changes."));

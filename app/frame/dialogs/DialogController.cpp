@@ -79,6 +79,8 @@ QList<HelpRow> sliceRows() {
       {QObject::tr("Left drag"), QObject::tr("crosshair, or what the chosen tool does")},
       {QObject::tr("Wheel, PgUp PgDn"), QObject::tr("through the slices; Shift+keys: ten at a time")},
       {QObject::tr("Right drag, Alt+left drag"), QObject::tr("window and level")},
+      {QObject::tr("Right click, Menu key"),
+       QObject::tr("what can be done there: take its label in hand, copy the value")},
       {QObject::tr("0, 1 2 3 4"), QObject::tr("full range; soft tissue, lung, bone, brain")},
       {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
       {QObject::tr("Ctrl+wheel, + −, F"), QObject::tr("zoom, show all of the slice")},

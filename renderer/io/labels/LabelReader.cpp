@@ -3,8 +3,11 @@
 
 #include "io/VolumeReader.h"
 #include "io/dicom/DicomSegmentation.h"
+#include "io/formats/nifti/NiftiFile.h"
 #include "io/formats/nrrd/NrrdFile.h"
 #include "io/formats/voxels/Bytes.h"
+#include "io/labels/CaretLabels.h"
+#include "io/labels/MaskFolder.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
 
@@ -68,8 +71,13 @@ LabelVolume readLabelVolume(const fs::path& path, const Progress& progress) {
     return {std::move(segments.numbers), std::move(segments.labels)};
   }
   LabelVolume labels{readVolume(path, {}, progress), {}};
-  if (fs::is_regular_file(path) && isNrrd(firstBytes(path, 16)))
+  if (!fs::is_regular_file(path))
+    return labels;
+  if (isNrrd(firstBytes(path, 16)))
     labels.described = slicerSegments(readNrrdHeader(path));
+  for (const std::string& extension : niftiExtensions(path))
+    for (Label& label : caretLabels(extension))
+      labels.described.push_back(std::move(label));
   return labels;
 }
 
@@ -90,18 +98,32 @@ bool overlaps(const Grid& a, const Grid& b) {
 
 } // namespace
 
-Region readLabels(const fs::path& path, const Grid& grid, const Progress& progress) {
-  const LabelVolume labels = readLabelVolume(path, part(progress, 0.0, 0.6));
-  const Grid& own = labels.volume->grid();
-  if (!overlaps(own, grid) && !overlaps(grid, own))
+void requireNear(const fs::path& path, const Grid& labels, const Grid& volume) {
+  if (!overlaps(labels, volume) && !overlaps(volume, labels))
     failReading(path, Message::tr("it lies elsewhere than the volume"),
                 Message::tr("open the label map that belongs to this volume"));
+}
+
+std::string sourceOf(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).string();
+}
+
+Segmentation readSegmentation(const fs::path& path, const Grid& grid, const Progress& progress) {
+  if (isMaskFolder(path))
+    return readMaskFolder(path, grid, progress);
+  const LabelVolume labels = readLabelVolume(path, part(progress, 0.0, 0.6));
+  requireNear(path, labels.volume->grid(), grid);
   return naming(path, [&] {
     const auto map = labelsOnGrid(*labels.volume, labels.described, grid,
                                   effortOf(part(progress, 0.6, 1.0), Message::tr("Placing labels")));
-    return Region{Region::Kind::labels, fs::absolute(path).lexically_normal().string(), map,
-                  std::vector<double>(map->labels().size(), 1.0)};
+    return Segmentation{
+        {Region::Kind::labels, sourceOf(path), map, std::vector<double>(map->labels().size(), 1.0)}, {}};
   });
+}
+
+Region readLabels(const fs::path& path, const Grid& grid, const Progress& progress) {
+  return readSegmentation(path, grid, progress).region;
 }
 
 } // namespace limn

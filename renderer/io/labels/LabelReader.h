@@ -9,10 +9,26 @@
 
 namespace limn {
 
-/// Reads a label map: a DICOM segmentation, or a volume of whole numbers in any format that readVolume reads.
-/// It comes on `grid`, nearest label by nearest label where it has another one, with the names and colours
-/// that the file gives (DICOM segments, Slicer's segmentations in NRRD). Every label weighs 1. Throws Error
-/// (input) with one sentence naming the file; Cancelled.
+/// Labels that were read, and what of them is not as their files have it: empty, or a sentence or two.
+struct Segmentation {
+  Region region;
+  Message remark;
+};
+
+/// Reads a label map: a DICOM segmentation, a volume of whole numbers in any format that readVolume reads, or
+/// a folder of masks (MaskFolder.h). It comes on `grid`, nearest label by nearest label where it has another
+/// one, with the names and colours that the file gives (DICOM segments, Slicer's segmentations in NRRD, label
+/// tables in NIfTI). Every label weighs 1. Throws Error (input) with one sentence naming the file; Cancelled.
+Segmentation readSegmentation(const std::filesystem::path& path, const Grid& grid,
+                              const Progress& progress = {});
+
+/// The same without the remark.
 Region readLabels(const std::filesystem::path& path, const Grid& grid, const Progress& progress = {});
+
+/// How a region names where its labels are: absolute, without a slash at its end.
+std::string sourceOf(const std::filesystem::path& path);
+
+/// Throws Error (input) with the path where labels on a grid lie wholly beside the volume's.
+void requireNear(const std::filesystem::path& path, const Grid& labels, const Grid& volume);
 
 } // namespace limn

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 
 // `limn figure`, called as a user calls it: without a display.
 
@@ -291,6 +292,53 @@ TEST_F(FigureCommand, aPanelThatShowsNothingIsSaid) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("Panel b shows nothing: everything in view is transparent."), std::string::npos)
       << outcome.err;
+}
+
+TEST_F(FigureCommand, labelsWithCurvesOfTheirOwnStandInALegend) {
+  // Two halves of a cube of one value, red and blue; the labels are called after the files of their masks.
+  const auto write = [&](const std::string& name, const auto& value) {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    std::ofstream stream(folder.path() / name);
+    stream << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\nspace "
+              "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: ascii\n\n";
+    for (int voxel = 0; voxel < 512; ++voxel)
+      stream << value(voxel % 8) << '\n';
+  };
+  write("v.nrrd", [](int) { return 300; });
+  write("masks/Liver.nrrd", [](int x) { return x < 4 ? 1 : 0; });
+  write("masks/Spleen.nrrd", [](int x) { return x < 4 ? 0 : 1; });
+  const auto look = [](const std::string& color) {
+    return R"({"unit_distance_mm": 1.0, "points": [{"value": 0, "color": )" + color + R"(, "opacity": 0.4},
+             {"value": 900, "color": )" +
+           color + R"(, "opacity": 0.4}]})";
+  };
+  std::ofstream(folder.path() / "s.json")
+      << R"({"limn_scene": 1, "volume": "v.nrrd", "keep": {"labels": "masks", "looks": {"1": )"
+      << look("[1, 0, 0]") << R"(, "2": )" << look("[0, 0, 1]") << "}}}";
+  make("figure " + file("s.json") + std::string(small) + "-o " + file("figure.png"));
+  const Figure figure = figureIn("figure.png");
+  EXPECT_TRUE(figure.settings.shows(FigureMark::labels));
+  const FigureLayout layout = figureLayout(figure);
+  ASSERT_EQ(layout.labelLegends.size(), 1u);
+  const QRectF place = layout.labelLegends.front().place;
+  const Pixels<std::uint8_t> pixels = bytesOf("figure.png");
+  int red = 0, blue = 0;
+  for (int y = static_cast<int>(place.top()); y < place.bottom(); ++y)
+    for (int x = static_cast<int>(place.left()); x < place.right(); ++x) {
+      const std::uint8_t* pixel = pixels.at(x, y);
+      red += pixel[0] == 255 && pixel[1] == 0 && pixel[2] == 0 ? 1 : 0;
+      blue += pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 255 ? 1 : 0;
+    }
+  EXPECT_GT(red, 4);
+  EXPECT_EQ(red, blue) << "a square of each";
+  make("figure " + file("s.json") + " --marks names,note" + std::string(small) + "-o " + file("without.png"));
+  EXPECT_LT(bytesOf("without.png").height, pixels.height);
+  if (std::system("command -v pdftotext >/dev/null") != 0)
+    GTEST_SKIP() << "poppler-utils is not installed";
+  make("figure " + file("s.json") + std::string(small) + "-o " + file("figure.pdf"));
+  const std::string text = printedBy("pdftotext -layout '" + file("figure.pdf") + "' -");
+  for (const char* word : {"Liver", "Spleen"})
+    EXPECT_NE(text.find(word), std::string::npos) << word << " is not in\n" << text;
 }
 
 } // namespace

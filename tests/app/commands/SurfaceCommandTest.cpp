@@ -3,8 +3,11 @@
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 
 // `limn surface`, as a user types it.
 
@@ -103,6 +106,42 @@ TEST_F(SurfaceCommand, leavesNothingBehindWhereItIsInterrupted) {
           "timeout --preserve-status -s INT 1");
   EXPECT_NE(outcome.status, 0);
   EXPECT_EQ(test::entriesOf(folder.path()), 0u);
+}
+
+TEST_F(SurfaceCommand, writesAMeshOfEachLabel) {
+  const auto write = [&](const std::string& name, const auto& value) {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    std::ofstream stream(folder.path() / name);
+    stream << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 9 9 9\nspace "
+              "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: ascii\n\n";
+    for (int voxel = 0; voxel < 729; ++voxel)
+      stream << value(glm::ivec3(voxel % 9, voxel / 9 % 9, voxel / 81)) << '\n';
+  };
+  const auto isIn = [](const glm::ivec3& v, int from, int to) {
+    return glm::all(glm::greaterThanEqual(v, glm::ivec3(from, 2, 2))) &&
+           glm::all(glm::lessThan(v, glm::ivec3(to, 7, 7)));
+  };
+  write("v.nrrd", [](const glm::ivec3& v) { return 10 * v.x; });
+  write("masks/liver.nrrd", [&](const glm::ivec3& v) { return isIn(v, 1, 4) ? 1 : 0; });
+  write("masks/spleen.nrrd", [&](const glm::ivec3& v) { return isIn(v, 5, 8) ? 1 : 0; });
+  std::ofstream(folder.path() / "masks/notes.txt") << "none";
+  const Outcome outcome = run(file("v.nrrd") + " --labels " + file("masks") + " -o " + file("organ.stl"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* organ : {"liver", "spleen"}) {
+    const std::string name = "organ_" + std::string(organ) + ".stl";
+    EXPECT_GT(test::bytesOfFile(file(name)).size(), 84u) << name;
+    EXPECT_NE(outcome.out.find(name + ": " + organ + "\n"), std::string::npos) << outcome.out;
+  }
+  EXPECT_NE(outcome.err.find("notes.txt is no mask and was left out."), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(file("organ.stl")));
+  const auto refused = [&](const std::string& arguments) {
+    const Outcome one = run(file("v.nrrd") + " " + arguments + " -o " + file("no.stl"));
+    EXPECT_EQ(one.status, 2) << one.err;
+    return one.err;
+  };
+  EXPECT_NE(refused("").find("Give --value"), std::string::npos);
+  EXPECT_NE(refused("--value 3 --labels " + file("masks")).find("Give --value"), std::string::npos);
+  EXPECT_NE(refused("--keep body --labels " + file("masks")).find("--keep and --crop"), std::string::npos);
 }
 
 } // namespace

@@ -5,11 +5,13 @@
 #include "scene/volume/Phantom.h"
 #include "widgets/figure/FigurePainting.h"
 #include "widgets/figure/FigureText.h"
+#include "widgets/figure/LabelLegend.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace limn {
 namespace {
@@ -231,6 +233,123 @@ TEST(FigurePainting, changesNoPixelOfAPictureOutsideItsMarks) {
       EXPECT_GT(painted, 100) << "the marks are there";
     }
   }
+}
+
+// Labels in turns, every one but the first (the background) with a look of its own: opaque in a colour
+// of its number.
+Region turnsWithLooks(int labels) {
+  const glm::ivec3& dims = volume()->grid().dims;
+  std::vector<std::uint8_t> places;
+  for (int voxel = 0; voxel < dims.x * dims.y * dims.z; ++voxel)
+    places.push_back(static_cast<std::uint8_t>(voxel % labels));
+  std::vector<Label> names;
+  std::map<std::size_t, TransferFunction> looks;
+  for (int n = 0; n < labels; ++n) {
+    names.push_back({n, "organ " + std::to_string(n), glm::dvec3(1.0)});
+    if (n > 0)
+      looks[static_cast<std::size_t>(n)] = {1.0, {{0.0, {n / 255.0, 0.0, 1.0}, 0.5}}};
+  }
+  return withLooks({Region::Kind::labels, "seg", std::make_shared<const LabelMap>(dims, places, names),
+                    std::vector<double>(static_cast<std::size_t>(labels), 1.0)},
+                   looks);
+}
+
+TEST(LabelLegend, namesTheLabelsThatAreShownByCurvesOfTheirOwn) {
+  Figure figure = figureOf(1);
+  FigurePanel& panel = figure.panels.front();
+  EXPECT_TRUE(labelRows(panel).empty());
+  panel.scene.keep = turnsWithLooks(6);
+  panel.scene.keep.weights[2] = 0.0;
+  panel.scene.keep.lookOf[4] = 0;
+  std::vector<LabelRow> rows = labelRows(panel);
+  ASSERT_EQ(rows.size(), 3u) << "not the hidden one, nor that with the scene's curve";
+  EXPECT_EQ(rows[0], (LabelRow{QColor(1, 0, 255), QStringLiteral("organ 1")}));
+  EXPECT_EQ(rows[2], (LabelRow{QColor(5, 0, 255), QStringLiteral("organ 5")}));
+  panel.scene.projection = Projection::mip;
+  EXPECT_TRUE(labelRows(panel).empty()) << "which takes the scene's curve";
+  panel.plane = PatientPlane::axial;
+  EXPECT_TRUE(labelRows(panel).empty()) << "plain grey";
+  panel.planes.isTinted = true;
+  EXPECT_EQ(labelRows(panel).size(), 3u);
+}
+
+TEST(LabelLegend, endsAfterTwelveWithHowManyMoreThereAre) {
+  Figure figure = figureOf(1);
+  figure.panels.front().scene.keep = turnsWithLooks(13);
+  EXPECT_EQ(labelRows(figure.panels.front()).size(), 12u);
+  figure.panels.front().scene.keep = turnsWithLooks(30);
+  const std::vector<LabelRow> rows = labelRows(figure.panels.front());
+  ASSERT_EQ(rows.size(), 13u);
+  EXPECT_EQ(rows[11].text, QStringLiteral("organ 12"));
+  EXPECT_EQ(rows.back(), (LabelRow{std::nullopt, QStringLiteral("and 17 more")}));
+}
+
+TEST(LabelLegend, aColourIsTheMeanOfWhatTheCurveShowsOfTheVoxels) {
+  Grid grid;
+  grid.dims = {4, 1, 1};
+  Scene scene;
+  scene.volume = std::make_shared<const Volume>(grid, std::vector<float>{0.0f, 10.0f, 20.0f, 90.0f},
+                                                Rescale{}, std::nullopt, VolumeInfo{});
+  // Three voxels of the label: clear green, red of 0.2, blue of 0.6. The fourth is another's.
+  const TransferFunction look{
+      1.0, {{0.0, {0, 1, 0}, 0.0}, {10.0, {1, 0, 0}, 0.2}, {20.0, {0, 0, 1}, 0.6}, {90.0, {1, 1, 1}, 1.0}}};
+  scene.keep = withLooks({Region::Kind::labels,
+                          "seg",
+                          std::make_shared<const LabelMap>(grid.dims, std::vector<std::uint8_t>{1, 1, 1, 0},
+                                                           std::vector<Label>{{0, "", {}}, {1, "", {}}}),
+                          {1.0, 1.0}},
+                         {{1, look}});
+  const glm::dvec3 color = shownColor(scene, 1);
+  EXPECT_NEAR(color.r, 0.25, 1e-12);
+  EXPECT_NEAR(color.g, 0.0, 1e-12);
+  EXPECT_NEAR(color.b, 0.75, 1e-12);
+}
+
+TEST(LabelLegend, standsBelowThePicturesOnceWhereAllHaveTheSame) {
+  for (const std::size_t count : {1u, 2u, 4u})
+    for (const bool isShared : {true, false}) {
+      Figure figure = figureOf(count);
+      const FigureLayout without = figureLayout(figure);
+      for (FigurePanel& panel : figure.panels)
+        panel.scene.keep = turnsWithLooks(8);
+      if (!isShared)
+        figure.panels.back().scene.keep.weights[3] = 0.0;
+      const FigureLayout layout = figureLayout(figure);
+      ASSERT_EQ(layout.labelLegends.size(), isShared || count == 1 ? 1u : count);
+      EXPECT_EQ(layout.pictureSize(), without.pictureSize());
+      EXPECT_GT(layout.size.height(), without.size.height());
+      std::vector<QRectF> places(layout.headings);
+      for (const QRect& picture : layout.pictures)
+        places.emplace_back(picture);
+      for (const LegendPlace& legend : layout.legends)
+        places.push_back(legend.place);
+      for (const LegendPlace& legend : layout.labelLegends)
+        places.push_back(legend.place);
+      places.push_back(layout.notes);
+      const QRectF page(QPointF(0.0, 0.0), layout.size);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_TRUE(page.contains(places[i])) << count << " panels, place " << i;
+        for (std::size_t k = 0; k < i; ++k)
+          EXPECT_FALSE(places[i].intersects(places[k])) << count << " panels, places " << i << " and " << k;
+      }
+      // Every label's colour is on the page, each in a square within its legend.
+      const QImage page1 = figureImage(figure, layout, {});
+      const QRectF legend = layout.labelLegends.front().place;
+      for (const LabelRow& row : labelRows(figure.panels[layout.labelLegends.front().panel])) {
+        int found = 0;
+        for (int y = 0; y < page1.height(); ++y)
+          for (int x = 0; x < page1.width(); ++x)
+            if (page1.pixelColor(x, y) == *row.color) {
+              EXPECT_TRUE(legend.contains(QPointF(x, y)));
+              ++found;
+            }
+        // Its side is 0.95 of the text's height, without its frame.
+        EXPECT_GT(found, 0.5 * std::pow(0.95 * noteScale * layout.textPixels, 2.0)) << row.text.toStdString();
+      }
+      hide(figure, FigureMark::labels);
+      EXPECT_TRUE(figureLayout(figure).labelLegends.empty());
+      EXPECT_EQ(figureLayout(figure).size, without.size);
+    }
 }
 
 } // namespace

@@ -96,5 +96,15 @@ TEST(ProfileChartWidget, takesAShorterRayWhileItIsZoomed) {
   EXPECT_FALSE(chart.grab().isNull());
 }
 
+TEST(ProfileChart, namesTheLabelThatADepthLiesIn) {
+  ProfileNames names = inHu;
+  const QString without = readingAt(fourPieces(), names, 15.0);
+  names.labels = {{}, QStringLiteral("liver"), {}, {}};
+  const QString reading = readingAt(fourPieces(), names, 15.0);
+  EXPECT_TRUE(reading.contains(QStringLiteral(", liver, "))) << reading.toStdString();
+  EXPECT_EQ(QString(reading).remove(QStringLiteral(", liver")), without);
+  EXPECT_FALSE(readingAt(fourPieces(), names, 25.0).contains(QStringLiteral("liver")));
+}
+
 } // namespace
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/Probe.h"
 
+#include "scene/LabelLooks.h"
 #include "scene/basics/StableMath.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/RayFrame.h"
@@ -16,48 +17,74 @@ namespace {
 // A probe answers at the speed of the pointer; further samples could not be told apart on the screen.
 constexpr double mostReadings = 8192.0;
 
-// The opacity of samples as the side's model and the kept region show them (DEFINITION sections 3, 5 and 10).
-class SampleOpacity {
+// What samples absorb as the side's model, the kept region and the looks of its labels show them (DEFINITION
+// sections 3, 5 and 10).
+class SampleExtinction {
 public:
-  SampleOpacity(const Scene& scene, const GradientScale& scale)
+  SampleExtinction(const Scene& scene, const GradientScale& scale)
       : m_scene(scene), m_scale(scale), m_terms(lightingTerms(scene.shading)),
-        m_isRestricted(isRestricting(scene.keep)) {}
+        m_isRestricted(isRestricting(scene.keep)), m_looks(labelLooks(scene)) {}
 
   // Whether projections of extremes and surfaces take a sample.
   bool isKept(const glm::dvec3& index) const {
     return !m_isRestricted || weightAt(m_scene.keep, index) >= 0.5;
   }
 
+  // Per millimetre.
   double at(const glm::dvec3& index, double value) const {
+    if (m_looks.areAny())
+      return mixedAt(index, value);
     const double opacity = classify(m_scene.transferFunction, value).opacity *
                            (m_isRestricted ? weightAt(m_scene.keep, index) : 1.0);
-    const bool readsGradient = m_terms.mapsOpacity() || m_scene.gradientOpacity;
-    if (opacity <= 0.0 || !readsGradient)
-      return std::clamp(m_terms.opacity.atFlat * opacity, 0.0, 1.0);
+    return extinctionPerMm(std::clamp(opacity > 0.0 ? factorAt(index) * opacity : 0.0, 0.0, 1.0),
+                           m_scene.transferFunction.unitDistanceMm);
+  }
+
+private:
+  double mixedAt(const glm::dvec3& index, double value) const {
+    double extinction = 0.0;
+    std::optional<double> factor; // where anything shows
+    for (const LookShare& share : lookSharesAt(m_looks, m_scene.keep, index).used()) {
+      const TransferFunction& function = m_looks.functions[share.look];
+      const double opacity = classify(function, value).opacity * share.weight;
+      if (opacity <= 0.0)
+        continue;
+      if (!factor)
+        factor = factorAt(index);
+      extinction +=
+          share.share * extinctionPerMm(std::clamp(*factor * opacity, 0.0, 1.0), function.unitDistanceMm);
+    }
+    return extinction;
+  }
+
+  // What model and gradient opacity make of opacities.
+  double factorAt(const glm::dvec3& index) const {
+    if (!m_terms.mapsOpacity() && !m_scene.gradientOpacity)
+      return m_terms.opacity.atFlat;
     const double modulus = glm::length(gradientAt(*m_scene.volume, index));
     const double boundary =
         mapped(gradientRatio(m_terms, m_scale, modulus), m_terms.opacity.atFlat, m_terms.opacity.atBoundary);
     const double curve = m_scene.gradientOpacity ? gradientOpacityAt(*m_scene.gradientOpacity, modulus) : 1.0;
-    return std::clamp(curve * boundary * opacity, 0.0, 1.0);
+    return curve * boundary;
   }
 
-private:
   const Scene& m_scene;
   GradientScale m_scale;
   LightingTerms m_terms;
   bool m_isRestricted;
+  LabelLooks m_looks;
 };
 
 // How much each sample speaks for itself; the largest one is what the pixel shows.
 class Contribution {
 public:
-  Contribution(const Scene& scene, const GradientScale& scale) : m_scene(scene), m_opacity(scene, scale) {}
+  Contribution(const Scene& scene, const GradientScale& scale) : m_scene(scene), m_extinction(scene, scale) {}
 
   double of(const glm::dvec3& index, double value, double stepMm) {
     switch (m_scene.projection) {
     case Projection::mip:
     case Projection::minip:
-      if (!m_opacity.isKept(index))
+      if (!m_extinction.isKept(index))
         return nothing;
       m_hasSample = true;
       return m_scene.projection == Projection::mip ? value : -value;
@@ -72,9 +99,7 @@ public:
     case Projection::xray:
       break;
     }
-    const double unit = m_scene.transferFunction.unitDistanceMm;
-    const double extinction = extinctionPerMm(m_opacity.at(index, value), unit);
-    const double seen = m_transmittance * oneMinusExpNeg(extinction * stepMm);
+    const double seen = m_transmittance * oneMinusExpNeg(m_extinction.at(index, value) * stepMm);
     m_transmittance -= seen;
     return seen;
   }
@@ -95,7 +120,7 @@ private:
   static constexpr double nothing = -std::numeric_limits<double>::infinity();
 
   bool crosses(double value, const glm::dvec3& index) {
-    const bool above = value >= m_scene.isovalue && m_opacity.isKept(index);
+    const bool above = value >= m_scene.isovalue && m_extinction.isKept(index);
     const bool crossed = m_started ? above != m_above : above;
     m_started = true;
     m_above = above;
@@ -103,7 +128,7 @@ private:
   }
 
   const Scene& m_scene;
-  SampleOpacity m_opacity;
+  SampleExtinction m_extinction;
   double m_transmittance = 1.0;
   bool m_hasSample = false; ///< of an extreme
   bool m_started = false;

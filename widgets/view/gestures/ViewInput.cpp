@@ -4,6 +4,7 @@
 #include "widgets/theme/Icons.h"
 #include "widgets/theme/Theme.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/LabelReading.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QMouseEvent>
@@ -293,7 +294,7 @@ void ViewInput::hover(const QMouseEvent& event) {
   }
   m_view->setToolTip(toolTipAt(source, point));
   const bool isProbing = event.modifiers() == Qt::ShiftModifier && event.buttons() == Qt::NoButton;
-  showProbe(isProbing ? probeAt(source, point) : std::nullopt, point);
+  showProbe(isProbing ? probeAt(source, point) : std::nullopt, source, point);
   if (isProbing)
     readRayAt(source, point);
 }
@@ -312,15 +313,21 @@ std::optional<Probe> ViewInput::probeAt(const OverlaySource& source, const QPoin
   return probeAlong(sceneOfSide(comparison, side), m_facts.scaleOfSide(side), *ray);
 }
 
-void ViewInput::showProbe(const std::optional<Probe>& probe, const QPointF& point) {
-  if (!probe && !m_read)
-    return;
-  m_read = probe ? std::optional(ReadValue{probe->value, point}) : std::nullopt;
+void ViewInput::showProbe(const std::optional<Probe>& probe, const OverlaySource& source,
+                          const QPointF& point) {
+  if (!probe)
+    return stopReading();
+  const Scene scene = sceneOfSide(source.comparison, sideAt(source, point));
+  m_read = ReadValue{probe->value, point,
+                     labelReading(scene.keep, scene.transferFunction, probe->index, probe->value)};
   emit probed(probe);
 }
 
 void ViewInput::stopReading() {
-  showProbe(std::nullopt, {});
+  if (m_read) {
+    m_read.reset();
+    emit probed(std::nullopt);
+  }
 }
 
 void ViewInput::leave() {

@@ -121,7 +121,7 @@ private:
   void readRayAt(const OverlaySource& source, const QPointF& point);
   bool drawLine(const OverlaySource& source, const QMouseEvent& event);
   void closeLine();
-  void showProbe(const std::optional<Probe>& probe, const QPointF& point);
+  void showProbe(const std::optional<Probe>& probe, const OverlaySource& source, const QPointF& point);
 
   QWidget* m_view;
   Facts m_facts;

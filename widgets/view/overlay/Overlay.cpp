@@ -2,6 +2,7 @@
 #include "widgets/view/overlay/Overlay.h"
 
 #include "widgets/ValueText.h"
+#include "widgets/view/overlay/LabelReading.h"
 #include "widgets/view/overlay/OverlayParts.h"
 #include "widgets/view/overlay/ViewGeometry.h"
 
@@ -246,7 +247,9 @@ Overlay overlayOf(const OverlaySource& source) {
   if (source.isTurning)
     overlay.centres = marksOf(source, source.comparison.turnsAboutMm);
   if (source.read)
-    overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
+    overlay.reading = Overlay::Reading{
+        withLabelReading(readingText(source.read->value, source.volume()), source.read->label),
+        source.read->at};
   overlay.cutLine = source.cutLine;
   overlay.progress = progressOf(source.state);
   return overlay;

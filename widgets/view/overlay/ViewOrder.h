@@ -10,6 +10,7 @@
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QFont>
+#include <QString>
 
 #include <array>
 #include <functional>
@@ -84,6 +85,7 @@ struct Hovered {
 struct ReadValue {
   double value = 0.0; ///< scalar units
   QPointF at;         ///< logical pixels
+  QString label = {}; ///< what a segmentation says of the place (labelReading)
   bool operator==(const ReadValue&) const = default;
 };
 

@@ -234,6 +234,7 @@ namespace fs = std::filesystem;
 
 constexpr double mostNiftiVolumes = 1e9;
 constexpr double farthestOffset = 1 << 30; // of the voxels: behind it no header ends
+constexpr double mostExtensionBytes = 1 << 24;
 
 struct Sample {
   int datatype; ///< its number in the header
@@ -427,6 +428,28 @@ VolumeParts readNifti(const fs::path& path, const MemoryBudget& budget, const Pr
   parts.rescale = rescaleOf(header, sample.components, parts.info.warnings);
   readVoxels(locationOf(voxelFile, header), layout, budget, progress, parts);
   return parts;
+}
+
+std::vector<std::string> niftiExtensions(const fs::path& path) {
+  const std::optional<NiftiHeader> header = parseNiftiHeader(firstBytes(path, niftiHeaderBytes));
+  const std::size_t flags = !header || header->version == 1 ? size1 : size2;
+  if (!header || !header->singleFile || !(header->voxelOffset > static_cast<double>(flags + 4)))
+    return {};
+  const std::string bytes =
+      firstBytes(path, static_cast<std::size_t>(std::min(header->voxelOffset, mostExtensionBytes)));
+  std::vector<std::string> extensions;
+  if (bytes.size() < flags + 4 || bytes[flags] == 0)
+    return extensions;
+  // Each begins with its size, these eight bytes included, and its code.
+  const Fields fields(bytes, header->bigEndian);
+  for (std::size_t at = flags + 4; at + 8 <= bytes.size();) {
+    const auto size = fields.at<std::int32_t>(at);
+    if (size < 8 || static_cast<std::size_t>(size) > bytes.size() - at)
+      break;
+    extensions.push_back(bytes.substr(at + 8, static_cast<std::size_t>(size) - 8));
+    at += static_cast<std::size_t>(size);
+  }
+  return extensions;
 }
 
 } // namespace limn

@@ -109,5 +109,55 @@ TEST(Probe, takesTheFirstCrossingOfAnIsosurface) {
   EXPECT_FALSE(probeAlong(scene, {}, throughTheMiddle));
 }
 
+// The front half of the volume is a label, the back half another.
+Scene labelledLayers() {
+  Scene scene = layers();
+  const glm::ivec3& dims = scene.volume->grid().dims;
+  std::vector<std::uint8_t> places(8 * 40 * 8);
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 8; ++i)
+        places[voxelOffset(dims, i, j, k)] = j < 20 ? 0 : 1;
+  scene.keep = {
+      Region::Kind::labels,
+      "seg",
+      std::make_shared<const LabelMap>(dims, places, std::vector<Label>{{1, "Front", {}}, {2, "Back", {}}}),
+      {1.0, 1.0}};
+  return scene;
+}
+
+TEST(Probe, seesALabelByItsOwnCurve) {
+  Scene scene = labelledLayers();
+  // The scene's curve shows nothing in front; by its own the thin layer there hides all behind.
+  TransferFunction opaque = scene.transferFunction;
+  opaque.points[1].opacity = 0.95;
+  scene.keep = withLooks(scene.keep, {{0, opaque}});
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_NEAR(probe->positionMm.y, 9.5, 1.0);
+  // And the other way round: what its own curve makes clear is seen through.
+  Scene clear = labelledLayers();
+  clear.transferFunction = opaque;
+  TransferFunction nothing = opaque;
+  for (ControlPoint& point : nothing.points)
+    point.opacity = 0.0;
+  clear.keep = withLooks(clear.keep, {{0, nothing}});
+  const auto behind = probeAlong(clear, {}, throughTheMiddle);
+  ASSERT_TRUE(behind);
+  // Between the voxels of the two labels, 19 to 20, the share of the back's grows.
+  EXPECT_GT(behind->positionMm.y, 18.9);
+}
+
+TEST(Probe, ofAHiddenLabelSeesNothingWhateverItsCurve) {
+  Scene scene = labelledLayers();
+  TransferFunction opaque = scene.transferFunction;
+  opaque.points[1].opacity = 0.95;
+  scene.keep = withLooks(scene.keep, {{0, opaque}});
+  scene.keep.weights = {0.0, 1.0};
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_GT(probe->positionMm.y, 18.9);
+}
+
 } // namespace
 } // namespace limn

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/labels/MaskFolder.h"
+
+#include "io/VolumeReader.h"
+#include "io/reading/ReadError.h"
+#include "regions/LabelsOnGrid.h"
+
+#include <algorithm>
+#include <array>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array volumeEndings{".nii.gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd"};
+constexpr std::size_t longestMaskName = 200;
+constexpr std::size_t mostNamed = 3;
+
+// "liver" of "liver.nii.gz"; empty of what is no volume by its ending.
+std::string structureOf(const fs::path& file) {
+  const std::string name = file.filename().string();
+  for (const std::string_view ending : volumeEndings)
+    if (name.size() > ending.size() && name.ends_with(ending))
+      return name.substr(0, name.size() - ending.size());
+  return {};
+}
+
+// The files of a folder by name; hidden ones are none of the user's.
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.'))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Message listOf(const std::vector<std::string>& names) {
+  Message list;
+  for (std::size_t n = 0; n < std::min(names.size(), mostNamed); ++n)
+    list = list.followedBy(", ", plainText(names[n], longestMaskName));
+  return names.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list, names.size() - mostNamed) : list;
+}
+
+Message remarkOn(const std::vector<std::string>& skipped, const MasksOnGrid& masks) {
+  Message remark;
+  if (skipped.size() == 1)
+    remark = Message::tr("%1 is no mask and was left out.").arg(listOf(skipped));
+  else if (!skipped.empty())
+    remark = Message::tr("%1 files are no masks and were left out: %2.").arg(skipped.size(), listOf(skipped));
+  if (const auto& largest = masks.largestOverlap())
+    remark = remark.followedBy(
+        " ", Message::tr("%1 voxels lie in more than one mask and belong to the one whose name comes last; "
+                         "most of them, %2, to %3 and not to %4.")
+                 .arg(masks.overlapping(), largest->voxels, largest->winner, largest->loser));
+  return remark;
+}
+
+} // namespace
+
+bool isMaskFolder(const fs::path& path) {
+  try {
+    const std::vector<fs::path> files = fs::is_directory(path) ? filesIn(path) : std::vector<fs::path>();
+    return std::any_of(files.begin(), files.end(),
+                       [](const fs::path& file) { return !structureOf(file).empty(); });
+  } catch (const fs::filesystem_error&) {
+    return false;
+  }
+}
+
+Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Progress& progress) {
+  const std::vector<fs::path> files = filesIn(folder);
+  std::vector<std::string> skipped;
+  std::optional<MasksOnGrid> masks;
+  int value = 0;
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const std::string structure = structureOf(files[n]);
+    value += structure.empty() ? 0 : 1;
+    const auto share = [&](double done) {
+      return (static_cast<double>(n) + done) / static_cast<double>(files.size());
+    };
+    const auto mask =
+        structure.empty() ? nullptr : readVolume(files[n], {}, part(progress, share(0.0), share(0.8)));
+    if (!mask || !isMask(*mask)) {
+      skipped.push_back(files[n].filename().string());
+      continue;
+    }
+    requireNear(files[n], mask->grid(), grid);
+    if (!masks)
+      masks.emplace(grid, files.size(), mask->room());
+    masks->add(*mask, value, plainText(structure, longestMaskName),
+               effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
+  }
+  if (!masks)
+    failReading(folder, Message::tr("no file in it is the mask of a structure: 0, and one value inside"),
+                Message::tr("open the folder that the segmentation was written to"));
+  const Message remark = remarkOn(skipped, *masks);
+  const auto map = masks->finished();
+  if (map->labels().size() == 1)
+    failReading(folder, Message::tr("all of its masks are empty"),
+                Message::tr("open the segmentation of this volume"));
+  return {{Region::Kind::labels, sourceOf(folder), map, std::vector<double>(map->labels().size(), 1.0)},
+          remark};
+}
+
+} // namespace limn

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/regions/LabelAt.h"
+
+namespace limn {
+
+std::optional<std::size_t> voxelLabelAt(const Region& region, const glm::dvec3& index) {
+  // What is cut away is one label more, under which the others lie.
+  const std::shared_ptr<const LabelMap>& map = region.isCut ? region.uncut : region.labels;
+  if (region.kind != Region::Kind::labels || !map)
+    return std::nullopt;
+  const glm::dvec3 nearest = glm::floor(index + 0.5);
+  const bool isInside = glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0))) &&
+                        glm::all(glm::lessThan(nearest, glm::dvec3(map->dims())));
+  if (!isInside)
+    return std::nullopt;
+  const glm::ivec3 voxel(nearest);
+  return map->placeAt(voxelOffset(map->dims(), voxel.x, voxel.y, voxel.z));
+}
+
+std::string labelNameAt(const Region& region, const glm::dvec3& index) {
+  const std::optional<std::size_t> place = voxelLabelAt(region, index);
+  if (!place || region.labels->labels()[*place].value == 0)
+    return {};
+  return region.labels->labels()[*place].name;
+}
+
+const TransferFunction* ownLookAt(const Region& region, const glm::dvec3& index) {
+  const std::optional<std::size_t> place = voxelLabelAt(region, index);
+  const std::size_t look = place ? lookOfLabel(region, *place) : 0;
+  return look > 0 ? &region.looks[look - 1] : nullptr;
+}
+
+} // namespace limn

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/figure/LabelLegend.h"
+
+#include "scene/LabelLooks.h"
+#include "scene/ProjectionFacts.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/volume/VolumePart.h"
+#include "widgets/theme/Theme.h"
+
+#include <QFontMetricsF>
+#include <QObject>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// In heights of the legend's font.
+constexpr double rowOfText = 1.5;
+constexpr double swatchOfText = 0.95;
+constexpr double besideSwatch = 0.5;
+constexpr double betweenColumns = 1.6;
+
+// Voxels that tell a label's colour.
+constexpr int mostVoxelsAsked = 4096;
+
+// Those that a picture, or a slice that is tinted, shows by curves of their own.
+std::vector<std::size_t> labelsShown(const FigurePanel& panel) {
+  const Region& keep = panel.scene.keep;
+  const bool hasAny = panel.plane ? panel.planes.isTinted : integrates(panel.scene.projection);
+  std::vector<std::size_t> places;
+  if (!hasAny || keep.kind != Region::Kind::labels || !keep.labels)
+    return places;
+  for (std::size_t place = 0; place < ownLabels(keep); ++place) {
+    const VoxelBox& box = keep.labels->boxAround(place);
+    if (lookOfLabel(keep, place) > 0 && keep.weights[place] > 0.0 && box.lower != box.upper)
+      places.push_back(place);
+  }
+  return places;
+}
+
+// Measured where rounding to whole pixels plays no part, so that a small figure is laid out as a large one.
+double widthOfText(const QString& text, const FigureLayout& layout) {
+  FigureLayout large = layout;
+  large.textPixels = 100.0;
+  return QFontMetricsF(figureFont(large, noteScale)).horizontalAdvance(text) / 100.0;
+}
+
+} // namespace
+
+std::vector<LabelRow> labelRows(const FigurePanel& panel) {
+  const std::vector<std::size_t> places = labelsShown(panel);
+  std::vector<LabelRow> rows;
+  for (const std::size_t place : places) {
+    if (rows.size() == mostLabelRows)
+      break;
+    rows.push_back({toQColor(shownColor(panel.scene, place)),
+                    QString::fromStdString(panel.scene.keep.labels->labels()[place].name)});
+  }
+  if (places.size() > rows.size())
+    rows.push_back({std::nullopt, QObject::tr("and %1 more").arg(places.size() - rows.size())});
+  return rows;
+}
+
+glm::dvec3 shownColor(const Scene& scene, std::size_t place) {
+  const LabelMap& map = *scene.keep.labels;
+  const TransferFunction& look = scene.keep.looks[lookOfLabel(scene.keep, place) - 1];
+  const VoxelBox& box = map.boxAround(place);
+  const glm::ivec3 size = box.upper - box.lower;
+  const double voxels = 1.0 * size.x * size.y * size.z;
+  const int stride = std::max(1, static_cast<int>(std::ceil(std::cbrt(voxels / mostVoxelsAsked))));
+  glm::dvec3 weighed(0.0), plain(0.0);
+  double opacity = 0.0, count = 0.0;
+  const auto ask = [&](int step) {
+    for (int z = box.lower.z; z < box.upper.z; z += step)
+      for (int y = box.lower.y; y < box.upper.y; y += step)
+        for (int x = box.lower.x; x < box.upper.x; x += step)
+          if (map.placeAt(voxelOffset(map.dims(), x, y, z)) == place) {
+            const Classified shown = classify(look, scene.volume->value({x, y, z}));
+            weighed += shown.opacity * shown.color;
+            opacity += shown.opacity;
+            plain += shown.color;
+            count += 1.0;
+          }
+  };
+  // Thin ones may lie between.
+  for (int step = stride; count == 0.0 && step > 0; step /= 2)
+    ask(step);
+  return opacity > 0.0 ? weighed / opacity : count > 0.0 ? plain / count : map.labels()[place].color;
+}
+
+LabelColumns labelColumns(const std::vector<LabelRow>& rows, double width, double textPixels) {
+  LabelColumns result;
+  if (rows.empty())
+    return result;
+  const double text = noteScale * textPixels;
+  FigureLayout layout;
+  layout.textPixels = textPixels;
+  double widest = 0.0;
+  for (const LabelRow& row : rows)
+    widest = std::max(widest, widthOfText(row.text, layout) * textPixels);
+  const double wanted = widest + (swatchOfText + besideSwatch + betweenColumns) * text;
+  const auto count = static_cast<int>(rows.size());
+  result.columns = std::clamp(static_cast<int>(width / wanted), 1, count);
+  const int high = (count + result.columns - 1) / result.columns;
+  result.columns = (count + high - 1) / high;
+  result.columnWidth = std::min(wanted, width / result.columns);
+  result.rowHeight = std::round(rowOfText * text);
+  result.height = high * result.rowHeight;
+  return result;
+}
+
+void paintLabelRows(QPainter& painter, const QRectF& place, const std::vector<LabelRow>& rows,
+                    const FigureLayout& layout, const QColor& text, const QColor& line) {
+  painter.save();
+  const QFont font = figureFont(layout, noteScale);
+  const QFontMetricsF metrics(font);
+  const LabelColumns columns = labelColumns(rows, place.width(), layout.textPixels);
+  const int high = std::max(1, static_cast<int>(std::lround(columns.height / columns.rowHeight)));
+  const double size = swatchOfText * font.pixelSize();
+  painter.setFont(font);
+  for (int n = 0; n < static_cast<int>(rows.size()); ++n) {
+    const LabelRow& row = rows[static_cast<std::size_t>(n)];
+    const QRectF cell(place.left() + (n / high) * columns.columnWidth,
+                      place.top() + (n % high) * columns.rowHeight, columns.columnWidth, columns.rowHeight);
+    if (row.color) {
+      painter.setPen(QPen(line, std::max(1.0, font.pixelSize() / 14.0)));
+      painter.setBrush(*row.color);
+      painter.drawRect(QRectF(cell.left(), cell.center().y() - size / 2.0, size, size));
+    }
+    const QRectF words =
+        cell.adjusted(row.color ? size + besideSwatch * font.pixelSize() : 0.0, 0.0, 0.0, 0.0);
+    painter.setPen(text);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                     metrics.elidedText(row.text, Qt::ElideRight, words.width()));
+  }
+  painter.restore();
+}
+
+} // namespace limn

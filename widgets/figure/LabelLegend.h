@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/figure/FigureLayout.h"
+
+#include <QColor>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace limn {
+
+/// A label in a legend. The row that says how many more there are has no colour.
+struct LabelRow {
+  std::optional<QColor> color;
+  QString text;
+  bool operator==(const LabelRow&) const = default;
+};
+
+/// So many labels stand in a legend.
+inline constexpr std::size_t mostLabelRows = 12;
+
+/// The labels that a panel shows by curves of their own, in the order of their list; behind `mostLabelRows`
+/// one row says how many more there are. None where its picture classifies by one curve alone.
+std::vector<LabelRow> labelRows(const FigurePanel& panel);
+
+/// What a label looks like by its own curve: the mean colour of its voxels, each as much as the curve makes
+/// it opaque, of some thousand of them; where it makes all of them transparent, of all alike. The label is
+/// shown and has a curve of its own.
+glm::dvec3 shownColor(const Scene& scene, std::size_t place);
+
+/// How rows stand beside and below each other in a width, pixels of a figure.
+struct LabelColumns {
+  int columns = 1;
+  double columnWidth = 0.0;
+  double rowHeight = 0.0;
+  double height = 0.0; ///< of all rows
+};
+
+/// Without `rows` nothing has a height.
+LabelColumns labelColumns(const std::vector<LabelRow>& rows, double width, double textPixels);
+
+/// Paints the rows from the upper left of a place on, column by column, names that are too long cut.
+void paintLabelRows(QPainter& painter, const QRectF& place, const std::vector<LabelRow>& rows,
+                    const FigureLayout& layout, const QColor& text, const QColor& line);
+
+} // namespace limn
