@@ -31,16 +31,19 @@ Camera withProjection(Camera camera, Camera::Projection projection) {
   return camera;
 }
 
-/// Replaces scene and preset in use, keeping the camera of the moment.
+/// Replaces scene and preset in use, keeping the camera of the moment. Where the volume lies otherwise from
+/// now on, what was measured goes with it and comes back with it.
 class SceneEdit : public QUndoCommand {
 public:
   struct State {
     Scene scene;
     Preset preset;
+    std::vector<Measurement> measurements = {};
   };
 
   SceneEdit(Session& session, State after, const Gesture& gesture)
-      : QUndoCommand(gesture.text), m_session(session), m_before{session.m_scene, session.m_preset},
+      : QUndoCommand(gesture.text),
+        m_session(session), m_before{session.m_scene, session.m_preset, session.m_measurements},
         m_after(std::move(after)), m_gesture(gesture.id) {}
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
@@ -63,6 +66,8 @@ private:
   void show(const State& state) {
     m_session.m_preset = state.preset;
     m_session.replace(withCameraOf(state.scene, m_session.scene()));
+    if (m_before.scene.volume != m_after.scene.volume)
+      m_session.replaceMeasurements(state.measurements);
   }
 
   static Scene withCameraOf(Scene scene, const Scene& other) {
@@ -76,30 +81,35 @@ private:
   std::uint64_t m_gesture;
 };
 
-/// Replaces the distance measured in the slices, and nothing else that they show.
-class DistanceEdit : public QUndoCommand {
+/// Replaces what was measured, and nothing else.
+class MeasurementsEdit : public QUndoCommand {
 public:
-  using Distance = std::optional<MeasuredDistance>;
+  using Measurements = std::vector<Measurement>;
 
-  DistanceEdit(Session& session, const Distance& before, const Distance& after)
-      : QUndoCommand(!before  ? QObject::tr("measure distance")
-                     : !after ? QObject::tr("remove distance")
-                              : QObject::tr("change distance")),
-        m_session(session), m_before(before), m_after(after) {}
+  MeasurementsEdit(Session& session, const Measurements& after, const Gesture& gesture)
+      : QUndoCommand(gesture.text), m_session(session), m_before(session.m_measurements), m_after(after),
+        m_gesture(gesture.id) {}
 
-  void undo() override { show(m_before); }
-  void redo() override { show(m_after); }
+  int id() const override { return 2; } // merges with none of the scene's
 
-private:
-  void show(const Distance& distance) {
-    PlaneSettings settings = m_session.planes();
-    settings.distance = distance;
-    m_session.setPlanes(settings);
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* later = static_cast<const MeasurementsEdit*>(other);
+    if (later->m_gesture != m_gesture)
+      return false;
+    m_after = later->m_after;
+    setText(later->text());
+    setObsolete(m_before == m_after);
+    return true;
   }
 
+  void undo() override { m_session.replaceMeasurements(m_before); }
+  void redo() override { m_session.replaceMeasurements(m_after); }
+
+private:
   Session& m_session;
-  Distance m_before;
-  Distance m_after;
+  Measurements m_before;
+  Measurements m_after;
+  std::uint64_t m_gesture;
 };
 
 Session::Session(QObject* parent) : QObject(parent) {}
@@ -109,6 +119,7 @@ void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_preset = preset;
   m_volumePath = loaded.volumePath;
   replace(loaded.scene);
+  replaceMeasurements(loaded.measurements);
 }
 
 void Session::edit(const Scene& next, const Gesture& gesture) {
@@ -140,9 +151,16 @@ void Session::setPlanes(const PlaneSettings& settings) {
   emit planesChanged(m_planes);
 }
 
-void Session::noteDistance(const std::optional<MeasuredDistance>& before) {
-  if (before != m_planes.distance)
-    m_undo.push(new DistanceEdit(*this, before, m_planes.distance));
+void Session::setMeasurements(const std::vector<Measurement>& measurements, const Gesture& gesture) {
+  if (measurements != m_measurements)
+    m_undo.push(new MeasurementsEdit(*this, measurements, gesture));
+}
+
+void Session::replaceMeasurements(const std::vector<Measurement>& measurements) {
+  if (measurements == m_measurements)
+    return;
+  m_measurements = measurements;
+  emit measurementsChanged(m_measurements);
 }
 
 void Session::replace(const Scene& scene) {

@@ -31,6 +31,10 @@ public:
   /// Lights up in the slices what a point of the scene's curve governs, or nothing; the next scene ends it.
   void setEmphasised(std::optional<std::size_t> point);
 
+  /// What is measured in the volume, and which of it is in hand.
+  void setMeasured(const std::vector<Measured>& measured, const std::shared_ptr<const Volume>& volume,
+                   std::optional<std::size_t> inHand);
+
   /// The slices in a session file.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
