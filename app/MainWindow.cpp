@@ -70,6 +70,8 @@ void MainWindow::connectPictureAndPanels() {
           &CurveController::takeInHand);
   connect(properties->labelSection(), &LabelSection::refused, this,
           [this](const QString& sentence) { m_context.showError(sentence); });
+  connect(&m_picture.regions(), &RegionController::labelsMeasured, properties->labelSection(),
+          &LabelSection::setFigures);
   connect(properties->cutSection(), &CutSection::cutsEdited, &m_picture.regions(),
           &RegionController::setCuts);
   connect(properties->cutSection(), &CutSection::scissorsRequested, &m_context.view,

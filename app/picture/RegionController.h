@@ -3,6 +3,7 @@
 
 #include "app/core/sources/KeptRegion.h"
 #include "scene/Scene.h"
+#include "scene/regions/LabelFigures.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
 
@@ -48,12 +49,18 @@ public slots:
   void cancel();
   void showScene(const limn::Scene& scene);
 
+signals:
+  /// What the voxels of each label say of the volume; none as long as it is not known, or without labels.
+  void labelsMeasured(const std::vector<limn::LabelFigures>& figures,
+                      const std::shared_ptr<const limn::Volume>& volume);
+
 private:
   using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
 
   void start(const QString& what, const Gesture& gesture, Work work);
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
+  void measureLabels(const Scene& scene);
   void tellReplaced(const Region& before, const Region& now);
   void end();
 
@@ -65,6 +72,8 @@ private:
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
   BackgroundWork m_work;
+  std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
+  BackgroundWork m_measuring;
 };
 
 /// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",

@@ -18,8 +18,8 @@ struct Measurement {
   /// World millimetres. A distance has its two ends, an angle one end, its corner and the other end, an
   /// ellipse two opposite corners of the box around it (whose sides run along the plane's axes), a mark its
   /// place. They may lie outside the volume.
-  std::vector<glm::dvec3> placesMm;
-  std::string name; ///< given by a person; of a mark a number at first
+  std::vector<glm::dvec3> placesMm = {};
+  std::string name = {}; ///< given by a person; of a mark a number at first
   bool isShown = true;
   bool operator==(const Measurement&) const = default;
 };
