@@ -8,6 +8,7 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/properties/CutSection.h"
 #include "widgets/properties/LabelSection.h"
+#include "widgets/properties/MeasureSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewDrag.h"
@@ -74,12 +75,22 @@ void MainWindow::connectPictureAndPanels() {
           &CurveController::takeInHand);
   connect(&m_picture.regions(), &RegionController::curveGiven, &m_panels.curves(),
           &CurveController::takeInHand);
+  connect(&m_picture.regions(), &RegionController::labelsMeasured, properties->labelSection(),
+          &LabelSection::setFigures);
   connect(properties->cutSection(), &CutSection::cutsEdited, &m_picture.regions(),
           &RegionController::setCuts);
   connect(properties->cutSection(), &CutSection::scissorsRequested, &m_context.view,
           [this] { m_context.view.setTool(ViewTool::scissors); });
   connect(properties->cutSection(), &CutSection::pieceRequested, &m_context.view,
           [this] { m_context.view.setTool(ViewTool::piece); });
+  connect(properties->measureSection(), &MeasureSection::measurementsEdited, &m_picture.measures(),
+          &MeasureController::edit);
+  connect(properties->measureSection(), &MeasureSection::chosen, &m_picture.measures(),
+          &MeasureController::goTo);
+  connect(properties->measureSection(), &MeasureSection::toolRequested, &m_picture.measures(),
+          &MeasureController::useTool);
+  connect(&m_picture.measures(), &MeasureController::shown, properties->measureSection(),
+          &MeasureSection::setMeasured);
   connect(planes, &PlaneController::valueMarked, curve, &TransferFunctionEditor::setMark);
   connect(planes, &PlaneController::valuePinned, curve, &TransferFunctionEditor::setPinnedValue);
   connect(&m_panels.ray(), &RayController::placeChosen, planes, &PlaneController::goTo);

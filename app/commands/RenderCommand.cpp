@@ -137,7 +137,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   const std::optional<PictureAccuracy> accuracy =
       isComparison ? std::nullopt : accuracyOf(scene, picture, arguments.threads, progress);
   writeImage(arguments.out, picture.image, scene.image.background,
-             sceneToJson(written, shareable(loaded.volumePath), accuracy));
+             sceneToJson(written, shareable(loaded.volumePath), accuracy, loaded.measurements));
   if (arguments.json)
     printJson(picture, arguments.out, ms.count(), accuracy, figures);
   if (arguments.scene.source.quiet)

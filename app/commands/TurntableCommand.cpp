@@ -61,7 +61,7 @@ void runTurntable(const TurntableArguments& arguments) {
     Scene written = scene;
     if (!written.keep.source.empty())
       written.keep.source = shareable(written.keep.source);
-    return sceneToJson(written, shareable(loaded.volumePath));
+    return sceneToJson(written, shareable(loaded.volumePath), {}, loaded.measurements);
   };
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Message> notes = writeTurntable(arguments.out, turntable, order, describe);

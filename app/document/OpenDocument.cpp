@@ -58,6 +58,7 @@ SessionDocument OpenDocument::described() const {
   session.scene.scene.keep = {};
   session.scene.keep = keptPartOf(scene().keep);
   session.scene.volume = volumePath();
+  session.scene.measurements = m_session.measurements();
   if (scene().volume)
     session.scene.orientation = scene().volume->info().orientationByHand;
   session.scene.hasCamera = true;

@@ -32,13 +32,15 @@ Camera withProjection(Camera camera, Camera::Projection projection) {
 }
 
 /// Replaces scene and preset in use, keeping the camera of the moment. Each cut has a map of labels of its
-/// own, a byte or two for each voxel: steps hold them packed.
+/// own, a byte or two for each voxel: steps hold them packed. Where the volume lies otherwise from now on,
+/// what was measured goes with it and comes back with it.
 class SceneEdit : public QUndoCommand {
 public:
-  SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture)
+  SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture,
+            std::vector<Measurement> measurements = {})
       : QUndoCommand(gesture.text), m_session(session),
-        m_before(stateOf(session, session.m_scene, session.m_preset)),
-        m_after(stateOf(session, scene, preset)), m_gesture(gesture.id) {}
+        m_before(stateOf(session, session.m_scene, session.m_preset, session.m_measurements)),
+        m_after(stateOf(session, scene, preset, std::move(measurements))), m_gesture(gesture.id) {}
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
   int id() const override { return 1; }
@@ -62,12 +64,14 @@ private:
     Scene scene; // without its labels
     std::shared_ptr<const PackedLabels> labels;
     Preset preset;
+    std::vector<Measurement> measurements;
   };
 
-  static State stateOf(Session& session, Scene scene, const Preset& preset) {
+  static State stateOf(Session& session, Scene scene, const Preset& preset,
+                       std::vector<Measurement> measurements) {
     std::shared_ptr<const PackedLabels> labels = session.packed(scene.keep.labels);
     scene.keep.labels.reset();
-    return {std::move(scene), std::move(labels), preset};
+    return {std::move(scene), std::move(labels), preset, std::move(measurements)};
   }
 
   void show(const State& state) {
@@ -75,6 +79,8 @@ private:
     Scene scene = withCameraOf(state.scene, m_session.scene());
     scene.keep.labels = state.labels ? state.labels->map() : nullptr;
     m_session.replace(scene);
+    if (m_before.scene.volume != m_after.scene.volume)
+      m_session.replaceMeasurements(state.measurements);
   }
 
   static Scene withCameraOf(Scene scene, const Scene& other) {
@@ -88,30 +94,35 @@ private:
   std::uint64_t m_gesture;
 };
 
-/// Replaces the distance measured in the slices, and nothing else that they show.
-class DistanceEdit : public QUndoCommand {
+/// Replaces what was measured, and nothing else.
+class MeasurementsEdit : public QUndoCommand {
 public:
-  using Distance = std::optional<MeasuredDistance>;
+  using Measurements = std::vector<Measurement>;
 
-  DistanceEdit(Session& session, const Distance& before, const Distance& after)
-      : QUndoCommand(!before  ? QObject::tr("measure distance")
-                     : !after ? QObject::tr("remove distance")
-                              : QObject::tr("change distance")),
-        m_session(session), m_before(before), m_after(after) {}
+  MeasurementsEdit(Session& session, const Measurements& after, const Gesture& gesture)
+      : QUndoCommand(gesture.text), m_session(session), m_before(session.m_measurements), m_after(after),
+        m_gesture(gesture.id) {}
 
-  void undo() override { show(m_before); }
-  void redo() override { show(m_after); }
+  int id() const override { return 2; } // merges with none of the scene's
 
-private:
-  void show(const Distance& distance) {
-    PlaneSettings settings = m_session.planes();
-    settings.distance = distance;
-    m_session.setPlanes(settings);
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* later = static_cast<const MeasurementsEdit*>(other);
+    if (later->m_gesture != m_gesture)
+      return false;
+    m_after = later->m_after;
+    setText(later->text());
+    setObsolete(m_before == m_after);
+    return true;
   }
 
+  void undo() override { m_session.replaceMeasurements(m_before); }
+  void redo() override { m_session.replaceMeasurements(m_after); }
+
+private:
   Session& m_session;
-  Distance m_before;
-  Distance m_after;
+  Measurements m_before;
+  Measurements m_after;
+  std::uint64_t m_gesture;
 };
 
 Session::Session(QObject* parent) : QObject(parent) {}
@@ -121,6 +132,7 @@ void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_preset = preset;
   m_volumePath = loaded.volumePath;
   replace(loaded.scene);
+  replaceMeasurements(loaded.measurements);
 }
 
 void Session::edit(const Scene& next, const Gesture& gesture) {
@@ -152,9 +164,16 @@ void Session::setPlanes(const PlaneSettings& settings) {
   emit planesChanged(m_planes);
 }
 
-void Session::noteDistance(const std::optional<MeasuredDistance>& before) {
-  if (before != m_planes.distance)
-    m_undo.push(new DistanceEdit(*this, before, m_planes.distance));
+void Session::setMeasurements(const std::vector<Measurement>& measurements, const Gesture& gesture) {
+  if (measurements != m_measurements)
+    m_undo.push(new MeasurementsEdit(*this, measurements, gesture));
+}
+
+void Session::replaceMeasurements(const std::vector<Measurement>& measurements) {
+  if (measurements == m_measurements)
+    return;
+  m_measurements = measurements;
+  emit measurementsChanged(m_measurements);
 }
 
 std::shared_ptr<const PackedLabels> Session::packed(const std::shared_ptr<const LabelMap>& map) {

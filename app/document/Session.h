@@ -5,6 +5,7 @@
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
 #include "scene/regions/PackedLabels.h"
+#include "scene/view/Measurement.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/Gesture.h"
 
@@ -80,18 +81,21 @@ public:
   const PlaneSettings& planes() const { return m_planes; }
   void setPlanes(const PlaneSettings& settings);
 
-  /// The distance measured in them is work, not a way of looking: that it is what it is now, and was
-  /// `before`, becomes an undo step. An equal one changes nothing.
-  void noteDistance(const std::optional<MeasuredDistance>& before);
+  /// What was measured and named in the volume, in slices and in the picture. Measured anew as one undo step,
+  /// as `edit` does; a volume that is opened, or that lies otherwise from now on, brings its own or none.
+  const std::vector<Measurement>& measurements() const { return m_measurements; }
+  void setMeasurements(const std::vector<Measurement>& measurements, const Gesture& gesture);
 
 signals:
   void sceneChanged(const limn::Scene& scene);
   void planesChanged(const limn::PlaneSettings& settings);
+  void measurementsChanged(const std::vector<limn::Measurement>& measurements);
 
 private:
   friend class SceneEdit;
   /// What the history holds of a map of labels, once for all steps that have it; null of none.
   std::shared_ptr<const PackedLabels> packed(const std::shared_ptr<const LabelMap>& map);
+  friend class MeasurementsEdit;
   template <class Part>
   void editPart(Part Scene::*part, const Part& value, const Gesture& gesture) {
     Scene next = m_scene;
@@ -99,9 +103,11 @@ private:
     edit(next, gesture);
   }
   void replace(const Scene& scene);
+  void replaceMeasurements(const std::vector<Measurement>& measurements);
 
   Scene m_scene;
   PlaneSettings m_planes;
+  std::vector<Measurement> m_measurements;
   Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;

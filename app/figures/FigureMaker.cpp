@@ -108,6 +108,7 @@ FigurePanel panelOf(const LoadedFigure::Panel& loaded) {
   if (loaded.plane)
     panel = planePanel(loaded.scene.scene, *loaded.plane, loaded.planes);
   panel.scene = loaded.scene.scene;
+  panel.measurements = loaded.scene.measurements;
   panel.name = QString::fromStdString(loaded.name);
   return panel;
 }
@@ -130,8 +131,9 @@ std::string figureDescription(const Figure& figure, const std::vector<std::strin
     Scene scene = panel.scene;
     if (!scene.keep.source.empty())
       scene.keep.source = named(scene.keep.source, *scene.volume);
-    document.panels.push_back({panel.name.toStdString(), panel.plane, panel.planes,
-                               documentOf(scene, named(volumePaths[i], *scene.volume))});
+    SceneDocument shown = documentOf(scene, named(volumePaths[i], *scene.volume));
+    shown.measurements = panel.measurements;
+    document.panels.push_back({panel.name.toStdString(), panel.plane, panel.planes, std::move(shown)});
   }
   return figureToJson(document);
 }

@@ -77,7 +77,8 @@ void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
 PictureArea::PictureArea(WindowContext& context)
     : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
       m_status(*context.window.statusBar()), m_camera(context), m_comparison(context), m_engines(context),
-      m_regions(context), m_cuts(context), m_orientation(context), m_planes(context), m_menu(context) {
+      m_regions(context), m_cuts(context), m_orientation(context), m_planes(context), m_measures(context),
+      m_menu(context) {
   addTools();
   addCopying();
   const CompareView* view = &context.view;
@@ -91,6 +92,7 @@ PictureArea::PictureArea(WindowContext& context)
   connect(&m_planes, &PlaneController::probed, this, [this](const std::optional<Probe>& probe) {
     m_status.showProbe(probe, m_context.session.scene());
   });
+  connect(&m_measures, &MeasureController::shown, &m_planes, &PlaneController::setMeasured);
   connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
   connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
   connect(&m_menu, &PictureMenu::pieceChosen, &m_cuts, &CutController::pick);
@@ -109,13 +111,15 @@ void PictureArea::addTools() {
   QMenu* menu = m_context.actions.addMenu(tr("Left dra&g"), {Menu::view, 2, 4});
   const auto add = [&](ViewTool tool, const char* name, const QString& text, const QString& key,
                        const QString& tip) {
-    const QString icon = QStringLiteral("tool-") + QLatin1String(name);
-    menu->addAction(m_context.actions.addChoice(*m_tools, icon, static_cast<int>(tool),
+    const QString own = QStringLiteral("tool-") + QLatin1String(name);
+    // Those that measure have their buttons where what they measured is listed.
+    const bool measures = kindOf(tool).has_value();
+    menu->addAction(m_context.actions.addChoice(*m_tools, own, static_cast<int>(tool),
                                                 {.text = QStringLiteral("%1\t%2").arg(text, key),
                                                  .toolTip = tr("Left drag: %1 (%2)").arg(tip, key),
-                                                 .icon = icon,
+                                                 .icon = measures ? QString::fromLatin1(name) : own,
                                                  .iconText = text,
-                                                 .tool = {3, ++row},
+                                                 .tool = measures ? ToolPlace{} : ToolPlace{3, ++row},
                                                  .needsVolume = true}));
   };
   add(ViewTool::rotate, "rotate", tr("Rotate"), tr("[ or Esc"), tr("rotate the picture"));
@@ -126,6 +130,10 @@ void PictureArea::addTools() {
   add(ViewTool::scissors, "scissors", tr("Scissors"), tr("X"), tr("draw around what shall be cut away"));
   add(ViewTool::piece, "piece", tr("Piece"), tr("K"),
       tr("a click picks what hangs together, a drag rotates"));
+  add(ViewTool::distance, "distance", tr("Distance"), tr("D"), tr("clicks set both ends, a drag rotates"));
+  add(ViewTool::angle, "angle", tr("Angle"), tr("G"),
+      tr("clicks set an end, the corner and the other end, a drag rotates"));
+  add(ViewTool::mark, "mark", tr("Mark"), tr("N"), tr("a click marks a place, a drag rotates"));
   checkOnly(*m_tools, static_cast<int>(ViewTool::rotate));
   connect(m_tools, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     m_context.view.setTool(static_cast<ViewTool>(chosen->data().toInt()));

@@ -5,6 +5,7 @@
 #include "app/picture/ComparisonController.h"
 #include "app/picture/CutController.h"
 #include "app/picture/EngineController.h"
+#include "app/picture/MeasureController.h"
 #include "app/picture/OrientationController.h"
 #include "app/picture/PictureMenu.h"
 #include "app/picture/PlaneController.h"
@@ -48,6 +49,7 @@ public:
   ComparisonController& comparison() { return m_comparison; }
   RegionController& regions() { return m_regions; }
   PlaneController& planes() { return m_planes; }
+  MeasureController& measures() { return m_measures; }
 
   /// What another volume, or none, is called in the status bar.
   void showVolume(const Volume* volume) { m_status.showVolume(volume); }
@@ -77,6 +79,7 @@ private:
   CutController m_cuts;
   OrientationController m_orientation;
   PlaneController m_planes;
+  MeasureController m_measures;
   PictureMenu m_menu; ///< of what those before it offer
 };
 

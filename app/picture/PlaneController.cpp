@@ -16,7 +16,6 @@ namespace {
 // values.
 PlaneSettings forOtherVolume(PlaneSettings settings, bool hasSameVoxels) {
   settings.crosshairMm.reset();
-  settings.distance.reset();
   if (!hasSameVoxels)
     settings.window.reset();
   return settings;
@@ -28,7 +27,6 @@ PlaneController::PlaneController(WindowContext& context)
     : QObject(&context.window), m_context(context), m_layouts(context.actions.addGroup()) {
   addLayouts();
   connect(&context.planes, &PlaneDeck::settingsEdited, &context.session, &Session::setPlanes);
-  connect(&context.planes, &PlaneDeck::distanceEdited, &context.session, &Session::noteDistance);
   connect(&context.session, &Session::planesChanged, this, &PlaneController::show);
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { showScene(scene); });
   connect(&context.view, &CompareView::probed, this, &PlaneController::showProbe);
@@ -66,6 +64,13 @@ void PlaneController::goTo(const glm::dvec3& worldMm) {
 void PlaneController::setEmphasised(std::optional<std::size_t> point, std::optional<std::size_t> label) {
   m_content.emphasisedPoint = point;
   m_content.emphasisedLabel = label;
+  m_context.planes.setContent(m_content);
+}
+
+void PlaneController::setMeasured(const std::vector<Measured>& measured, const std::shared_ptr<const Volume>&,
+                                  std::optional<std::size_t> inHand) {
+  m_content.measured = measured;
+  m_content.inHand = inHand;
   m_context.planes.setContent(m_content);
 }
 

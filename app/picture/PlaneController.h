@@ -32,6 +32,10 @@ public:
   /// the next scene ends it.
   void setEmphasised(std::optional<std::size_t> point, std::optional<std::size_t> label);
 
+  /// What is measured in the volume, and which of it is in hand.
+  void setMeasured(const std::vector<Measured>& measured, const std::shared_ptr<const Volume>& volume,
+                   std::optional<std::size_t> inHand);
+
   /// The slices in a session file.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);

@@ -5,6 +5,7 @@
 #include "app/window/WindowContext.h"
 #include "io/labels/MaskFolder.h"
 #include "regions/Cutting.h"
+#include "regions/LabelVoxels.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
@@ -174,6 +175,25 @@ void RegionController::showScene(const Scene& scene) {
   if (scene.keep.kind == Region::Kind::body)
     m_body = withoutCuts(scene.keep);
   m_bodyOnly->setChecked(scene.keep.kind == Region::Kind::body);
+  measureLabels(scene);
+}
+
+// Once for each map; cuts leave a segmentation what it was.
+void RegionController::measureLabels(const Scene& scene) {
+  const bool hasLabels = scene.volume && scene.keep.kind == Region::Kind::labels;
+  const std::shared_ptr<const LabelMap> labels = !hasLabels         ? nullptr
+                                                 : scene.keep.isCut ? scene.keep.uncut
+                                                                    : scene.keep.labels;
+  if (labels == m_labels)
+    return;
+  m_labels = labels;
+  m_measuring.cancel();
+  emit labelsMeasured({}, nullptr);
+  if (labels)
+    m_measuring.start([this, labels, volume = scene.volume](const Effort& effort) -> BackgroundWork::Deliver {
+      const std::vector<LabelFigures> figures = figuresOfLabels(*labels, *volume, effort);
+      return [this, figures, volume] { emit labelsMeasured(figures, volume); };
+    });
 }
 
 // Another series of the same grid shows the same body: what hides one hides the other.

@@ -3,6 +3,7 @@
 
 #include "app/core/sources/KeptRegion.h"
 #include "scene/Scene.h"
+#include "scene/regions/LabelFigures.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
 
@@ -52,6 +53,9 @@ public slots:
 signals:
   /// The label at this place, a piece that was picked, has been given a curve of its own.
   void curveGiven(std::size_t label);
+  /// What the voxels of each label say of the volume; none as long as it is not known, or without labels.
+  void labelsMeasured(const std::vector<limn::LabelFigures>& figures,
+                      const std::shared_ptr<const limn::Volume>& volume);
 
 private:
   using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
@@ -59,6 +63,7 @@ private:
   void start(const QString& what, const Gesture& gesture, Work work);
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
+  void measureLabels(const Scene& scene);
   void tellReplaced(const Region& before, const Region& now);
   void offerCutsOfBefore(const Scene& scene);
   void end();
@@ -72,6 +77,8 @@ private:
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
   BackgroundWork m_work;
+  std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
+  BackgroundWork m_measuring;
 };
 
 /// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",

@@ -48,8 +48,7 @@ SessionDocument unusual() {
                     .interpolation = PlaneInterpolation::nearest,
                     .slab = {Slab::Mode::maximum, 12.3},
                     .isTinted = true,
-                    .outlinesRegion = false,
-                    .distance = MeasuredDistance{PatientPlane::coronal, {0.1, 0.2, 0.3}, {4, 5, 1.0 / 6.0}}};
+                    .outlinesRegion = false};
   session.panel = SessionDocument::Panel::accuracy;
   session.preset = "Mine \"ä\"";
   session.scene.keep = {Region::Kind::labels, "seg.nrrd", {{2, 0.5}}};

@@ -59,6 +59,19 @@ protected:
   std::vector<QString> texts;
 };
 
+TEST_F(LabelSectionTest, restingOnALabelTellsItsSizeAndValues) {
+  EXPECT_FALSE(at(1, 0, Qt::ToolTipRole).toString().contains(QStringLiteral("ml")));
+  section.setFigures({{}, {1234.6, 9, 61.0, 12.0, -20.0, 180.0}, {0.256, 0, 0.0, 0.0, 0.0, 0.0}},
+                     scene.volume);
+  const auto tip = [&](int row) {
+    return at(row, 0, Qt::ToolTipRole).toString().replace(QChar(0xa0), QLatin1Char(' '));
+  };
+  EXPECT_TRUE(tip(1).contains(QStringLiteral("1235 ml · 61 ± 12 HU · −20 – 180 HU"))) << tip(1).toStdString();
+  EXPECT_TRUE(tip(2).endsWith(QStringLiteral("0.26 ml"))) << "without valid voxels its size alone";
+  section.setFigures({}, nullptr);
+  EXPECT_FALSE(tip(1).contains(QStringLiteral("ml")));
+}
+
 TEST_F(LabelSectionTest, listsNameColourAndWeight) {
   EXPECT_FALSE(section.isFolded());
   ASSERT_EQ(model().rowCount(), 3);

@@ -3,6 +3,7 @@
 
 #include "scene/Scene.h"
 #include "scene/view/FigureSettings.h"
+#include "scene/view/Measurement.h"
 #include "scene/view/PlaneSettings.h"
 
 #include <QFont>
@@ -22,6 +23,8 @@ struct FigurePanel {
   std::optional<PatientPlane> plane; ///< absent: the picture of the scene
   PlaneSettings planes;              ///< what a slice shows
   GreyWindow firstWindow;            ///< of a slice whose settings have none
+  /// Of the volume: the figure's file keeps them, its picture does not show them.
+  std::vector<Measurement> measurements = {};
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
   bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated

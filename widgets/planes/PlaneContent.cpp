@@ -136,10 +136,6 @@ QString windowText(const PlaneContent& content) {
       (slab.mode == Slab::Mode::mean ? QObject::tr("mean %1") : QObject::tr("max %1")).arg(thickness), grey);
 }
 
-QString distanceText(const MeasuredDistance& distance) {
-  return valueText(glm::length(distance.to - distance.from), QObject::tr("mm"), 1);
-}
-
 int valueDecimals(const Volume& volume) {
   const double span = volume.range().highest - volume.range().lowest;
   return span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;

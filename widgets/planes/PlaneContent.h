@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/Scene.h"
-#include "scene/view/PlaneSettings.h"
+#include "scene/view/Measurement.h"
 
 #include <QString>
 
@@ -19,6 +19,8 @@ struct PlaneContent {
   std::optional<std::size_t> emphasisedPoint = std::nullopt; ///< of the function: what it governs lights up
   /// Whose own curve it is of, by the place in the list of labels; none: of the function.
   std::optional<std::size_t> emphasisedLabel = std::nullopt;
+  std::vector<Measured> measured = {};              ///< in the volume
+  std::optional<std::size_t> inHand = std::nullopt; ///< of these, which is highlighted
   bool operator==(const PlaneContent&) const = default;
 };
 
@@ -59,9 +61,6 @@ QString crosshairText(const PlaneContent& content);
 
 /// "W 400 · L 40"; of a slab "max 20 mm · W 400 · L 40".
 QString windowText(const PlaneContent& content);
-
-/// "12.3 mm".
-QString distanceText(const MeasuredDistance& distance);
 
 /// The decimals that values of a volume are worth showing with.
 int valueDecimals(const Volume& volume);

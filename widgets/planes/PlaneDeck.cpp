@@ -28,7 +28,34 @@ constexpr int betweenGroups = 12;
 constexpr double anyNumber = 1e9;
 
 // Of PlaneTool.
-constexpr std::array toolIcons{"crosshair", "tool-window-level", "distance"};
+constexpr std::array toolIcons{"crosshair", "tool-window-level", "distance", "angle", "ellipse", "mark"};
+
+// Of a tool that measures: its name with its key, and what it does.
+QString measureToolName(PlaneTool tool) {
+  switch (tool) {
+  case PlaneTool::angle:
+    return PlaneBar::tr("Angle (G)");
+  case PlaneTool::ellipse:
+    return PlaneBar::tr("Ellipse (E)");
+  case PlaneTool::mark:
+    return PlaneBar::tr("Mark (N)");
+  default:
+    return PlaneBar::tr("Distance (D)");
+  }
+}
+
+QString measureToolHelp(PlaneTool tool) {
+  switch (tool) {
+  case PlaneTool::angle:
+    return PlaneBar::tr("Left drag: from one end to the corner; then a click sets the other end.");
+  case PlaneTool::ellipse:
+    return PlaneBar::tr("Left drag: mean, deviation and area of what lies in an ellipse.");
+  case PlaneTool::mark:
+    return PlaneBar::tr("Click: marks a place with a number; a double click in its list names it.");
+  default:
+    return PlaneBar::tr("Left drag: measures from one end to the other; Delete takes it away.");
+  }
+}
 
 QHBoxLayout* rowIn(QWidget& group) {
   auto* row = new QHBoxLayout(&group);
@@ -116,11 +143,10 @@ PlaneBar::PlaneBar(QWidget* parent) : QWidget(parent), m_row(new QBoxLayout(QBox
 QWidget* PlaneBar::makeToolGroup() {
   auto* group = new QWidget;
   QHBoxLayout* row = rowIn(*group);
-  const std::array names{tr("Crosshair (C)"), tr("Window/level (W)"), tr("Distance (D)")};
+  const std::array names{tr("Crosshair (C)"), tr("Window/level (W)")};
   const std::array helps{
       tr("Left drag: the place that all slices and the mark in the picture show."),
-      tr("Left drag: right widens the window, up raises its level. The right button always does."),
-      tr("Left drag: measures from one end to the other; Delete takes it away.")};
+      tr("Left drag: right widens the window, up raises its level. The right button always does.")};
   for (std::size_t i = 0; i < m_tools.size(); ++i) {
     auto* button = m_tools[i] = new QToolButton;
     button->setCheckable(true);
@@ -130,6 +156,7 @@ QWidget* PlaneBar::makeToolGroup() {
             [this, i] { emit toolRequested(static_cast<PlaneTool>(i)); });
     row->addWidget(button);
   }
+  row->addWidget(makeMeasureButton());
   m_windows = new QToolButton;
   m_windows->setText(tr("Window"));
   m_windows->setToolTip(tr("Grey windows to choose from."));
@@ -151,6 +178,25 @@ QWidget* PlaneBar::makeToolGroup() {
     edit([&](PlaneSettings& s) { s.window = GreyWindow{centre, windowOf(m_content).width}; });
   });
   return group;
+}
+
+QToolButton* PlaneBar::makeMeasureButton() {
+  m_measure = new QToolButton;
+  m_measure->setObjectName(QStringLiteral("measureTool"));
+  m_measure->setCheckable(true);
+  m_measure->setPopupMode(QToolButton::MenuButtonPopup);
+  auto* menu = new QMenu(m_measure);
+  menu->setToolTipsVisible(true);
+  for (const Measurement::Kind kind : measurementKinds) {
+    QAction* action = menu->addAction(measureToolName(toolOf(kind)));
+    action->setObjectName(QStringLiteral("plane-tool-") + QLatin1String(nameOf(kind)));
+    action->setToolTip(measureToolHelp(toolOf(kind)));
+    connect(action, &QAction::triggered, this, [this, kind] { emit toolRequested(toolOf(kind)); });
+  }
+  m_measure->setMenu(menu);
+  looksIdleAfterMenu(*m_measure);
+  connect(m_measure, &QToolButton::clicked, this, [this] { emit toolRequested(m_measureTool); });
+  return m_measure;
 }
 
 QWidget* PlaneBar::makeSlabGroup() {
@@ -207,14 +253,13 @@ QToolButton* PlaneBar::makeMoreButton() {
   menu->addSeparator();
   menu->addAction(tr("Crosshair to the middle"), this,
                   [this] { edit([](PlaneSettings& s) { s.crosshairMm.reset(); }); });
-  menu->addAction(tr("Remove the distance"), this, [this] {
-    const std::optional<MeasuredDistance> before = m_content.settings.distance;
-    edit([](PlaneSettings& s) { s.distance.reset(); });
-    emit distanceEdited(before);
+  QAction* removeAll = menu->addAction(tr("Remove all measurements"), this, [this] {
+    emit measurementsEdited({{}, std::nullopt, {nextGestureId(), tr("remove all measurements")}});
   });
-  connect(menu, &QMenu::aboutToShow, this, [this, smooth, outline] {
+  connect(menu, &QMenu::aboutToShow, this, [this, smooth, outline, removeAll] {
     smooth->setChecked(m_content.settings.interpolation == PlaneInterpolation::linear);
     outline->setChecked(m_content.settings.outlinesRegion);
+    removeAll->setEnabled(!m_content.measured.empty());
   });
   return more;
 }
@@ -262,6 +307,14 @@ void PlaneBar::setContent(const PlaneContent& content) {
 void PlaneBar::setTool(PlaneTool tool) {
   for (std::size_t i = 0; i < m_tools.size(); ++i)
     m_tools[i]->setChecked(i == static_cast<std::size_t>(tool));
+  m_measure->setChecked(kindOf(tool).has_value());
+  if (kindOf(tool))
+    m_measureTool = tool;
+  const QString name = measureToolName(m_measureTool);
+  m_measure->setAccessibleName(name);
+  m_measure->setToolTip(
+      QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name, measureToolHelp(m_measureTool)));
+  showIcons();
 }
 
 void PlaneBar::edit(const std::function<void(PlaneSettings&)>& change) {
@@ -273,6 +326,13 @@ void PlaneBar::edit(const std::function<void(PlaneSettings&)>& change) {
 void PlaneBar::showIcons() {
   for (std::size_t i = 0; i < m_tools.size(); ++i)
     m_tools[i]->setIcon(themedIcon(QLatin1String(toolIcons[i]), palette()));
+  const auto icon = [this](PlaneTool tool) {
+    return themedIcon(QLatin1String(toolIcons[static_cast<std::size_t>(tool)]), palette());
+  };
+  m_measure->setIcon(icon(m_measureTool));
+  const QList<QAction*> entries = m_measure->menu()->actions();
+  for (const Measurement::Kind kind : measurementKinds)
+    entries[static_cast<qsizetype>(kind)]->setIcon(icon(toolOf(kind)));
 }
 
 void PlaneBar::changeEvent(QEvent* event) {
@@ -323,12 +383,12 @@ PlaneDeck::PlaneDeck(QWidget& picture, QWidget* parent)
   for (const PatientPlane plane : patientPlanes) {
     auto* view = m_views[static_cast<std::size_t>(plane)] = new PlaneView(plane, this);
     connect(view, &PlaneView::settingsEdited, this, &PlaneDeck::settingsEdited);
-    connect(view, &PlaneView::distanceEdited, this, &PlaneDeck::distanceEdited);
+    connect(view, &PlaneView::measurementsEdited, this, &PlaneDeck::measurementsEdited);
     connect(view, &PlaneView::toolRequested, this, &PlaneDeck::setTool);
     connect(view, &PlaneView::menuRequested, this, &PlaneDeck::menuRequested);
   }
   connect(m_bar, &PlaneBar::settingsEdited, this, &PlaneDeck::settingsEdited);
-  connect(m_bar, &PlaneBar::distanceEdited, this, &PlaneDeck::distanceEdited);
+  connect(m_bar, &PlaneBar::measurementsEdited, this, &PlaneDeck::measurementsEdited);
   connect(m_bar, &PlaneBar::toolRequested, this, &PlaneDeck::setTool);
   setContent({});
   arrange();

@@ -18,7 +18,8 @@ namespace limn {
 class NumberField;
 class PlaneView;
 
-/// The row above the slices: tools, grey window, slab, tint. It shows settings and asks for others.
+/// The row above the slices: tools (those that measure share a button with a menu), grey window, slab, tint.
+/// It shows settings and asks for others.
 class PlaneBar : public QWidget {
   Q_OBJECT
 
@@ -34,7 +35,7 @@ public:
 
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
-  void distanceEdited(const std::optional<limn::MeasuredDistance>& before); ///< as PlaneView says it
+  void measurementsEdited(const limn::MeasurementsEdited& edited);
   void toolRequested(limn::PlaneTool tool);
 
 protected:
@@ -45,6 +46,7 @@ protected:
 private:
   QWidget* makeToolGroup();
   QWidget* makeSlabGroup();
+  QToolButton* makeMeasureButton();
   QToolButton* makeMoreButton();
   void fillWindowMenu();
   bool needsTwoRows(int width) const;
@@ -54,7 +56,9 @@ private:
   PlaneContent m_content;
   QBoxLayout* m_row;
   std::array<QWidget*, 2> m_groups{};
-  std::array<QToolButton*, 3> m_tools{}; ///< in the order of PlaneTool
+  std::array<QToolButton*, 2> m_tools{}; ///< in the order of PlaneTool, up to those that measure
+  QToolButton* m_measure = nullptr;      ///< the tool that measured last, the others in its menu
+  PlaneTool m_measureTool = PlaneTool::distance;
   QToolButton* m_windows = nullptr;
   NumberField* m_width = nullptr;
   NumberField* m_centre = nullptr;
@@ -75,6 +79,9 @@ public:
 
   void setContent(const PlaneContent& content);
 
+  /// What the left button does in every slice.
+  void setTool(PlaneTool tool);
+
   PlaneView* view(PatientPlane plane) const { return m_views[static_cast<std::size_t>(plane)]; }
 
   QSize sizeHint() const override;
@@ -82,15 +89,14 @@ public:
 
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
-  void distanceEdited(const std::optional<limn::MeasuredDistance>& before); ///< as PlaneView says it
-  void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);    ///< likewise
+  void measurementsEdited(const limn::MeasurementsEdited& edited);
+  void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt); ///< as PlaneView says it
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  void setTool(PlaneTool tool);
   PlaneLayout shownLayout() const;
   void arrange();
 

@@ -2,9 +2,7 @@
 #include "widgets/planes/PlaneDrag.h"
 
 #include "planes/GreyWindows.h"
-#include "widgets/planes/PlaneOverlay.h"
-
-#include <QLineF>
+#include "widgets/planes/PlaneMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,22 +26,13 @@ glm::dvec2 pixelAt(const PlaneFrame& frame, const QPointF& point) {
   return glm::dvec2(point.x(), point.y()) * frame.pixelRatio - 0.5;
 }
 
-constexpr double reachOfEnd = 9.0; // logical pixels
-
-PlaneDrag::Kind kindOf(PlaneTool tool) {
-  switch (tool) {
-  case PlaneTool::crosshair:
-    return PlaneDrag::Kind::crosshair;
-  case PlaneTool::windowLevel:
-    return PlaneDrag::Kind::windowLevel;
-  case PlaneTool::distance:
-    return PlaneDrag::Kind::distanceTo;
-  }
-  return PlaneDrag::Kind::crosshair;
+PlaneDrag::Kind dragOf(PlaneTool tool) {
+  return tool == PlaneTool::crosshair     ? PlaneDrag::Kind::crosshair
+         : tool == PlaneTool::windowLevel ? PlaneDrag::Kind::windowLevel
+                                          : PlaneDrag::Kind::measure;
 }
 
-std::optional<PlaneDrag::Kind> kindOf(const PlanePress& press, const PlaneContent& content,
-                                      const PlaneFrame& frame) {
+std::optional<PlaneDrag::Kind> dragOf(const PlanePress& press, bool isOnHandle) {
   using Kind = PlaneDrag::Kind;
   if (press.button == Qt::MiddleButton)
     return Kind::pan;
@@ -55,9 +44,12 @@ std::optional<PlaneDrag::Kind> kindOf(const PlanePress& press, const PlaneConten
     return Kind::pan;
   if (press.modifiers & Qt::AltModifier)
     return Kind::windowLevel;
-  if (const auto end = distanceEndAt(content, press.plane, frame, press.point))
-    return end;
-  return kindOf(press.tool);
+  return isOnHandle ? Kind::measure : dragOf(press.tool);
+}
+
+// A mark is led from where it begins, of the others the second place.
+std::size_t firstHandle(Measurement::Kind kind) {
+  return kind == Measurement::Kind::mark ? 0 : kind == Measurement::Kind::ellipse ? ellipseCorner : 1;
 }
 
 } // namespace
@@ -106,17 +98,36 @@ PlaneZoom pannedBy(const PlaneFrame& frame, const QPointF& moved) {
   return {middle - mm * (moved.x() * frame.grid.axes.right + moved.y() * frame.grid.axes.down), mm};
 }
 
+std::optional<Measurement::Kind> kindOf(PlaneTool tool) {
+  if (tool < PlaneTool::distance)
+    return std::nullopt;
+  return measurementKinds[static_cast<std::size_t>(tool) - static_cast<std::size_t>(PlaneTool::distance)];
+}
+
+PlaneTool toolOf(Measurement::Kind kind) {
+  return static_cast<PlaneTool>(static_cast<int>(PlaneTool::distance) + static_cast<int>(kind));
+}
+
 std::optional<PlaneDrag> dragFrom(const PlanePress& press, const PlaneContent& content,
                                   const PlaneFrame& frame) {
-  const std::optional<PlaneDrag::Kind> kind = kindOf(press, content, frame);
+  const std::optional<MeasureHandle> handle =
+      measureHandleAt(measureShapes(content, press.plane, frame), press.point);
+  const std::optional<PlaneDrag::Kind> kind = dragOf(press, handle.has_value());
   if (!kind)
     return std::nullopt;
   PlaneDrag drag{*kind, press.button, press.point, content.settings, content, frame};
-  const bool takesAnEnd = distanceEndAt(content, press.plane, frame, press.point).has_value();
-  if (*kind == PlaneDrag::Kind::distanceTo && !takesAnEnd) {
-    const glm::dvec3 place = worldAt(frame, press.point);
-    drag.content.settings.distance = MeasuredDistance{press.plane, place, place};
+  if (*kind != PlaneDrag::Kind::measure)
+    return drag;
+  drag.gesture.id = nextGestureId();
+  drag.measurements = measurementsOf(content.measured);
+  if (handle) {
+    drag.handle = *handle;
+    return drag;
   }
+  drag.isNew = true;
+  drag.measurements.push_back(
+      begunAt(*kindOf(press.tool), press.plane, worldAt(frame, press.point), content.measured));
+  drag.handle = {drag.measurements.size() - 1, firstHandle(drag.measurements.back().kind)};
   return drag;
 }
 
@@ -131,28 +142,22 @@ std::optional<PlaneSettings> settingsAfter(const PlaneDrag& drag, const QPointF&
     settings.window =
         rounded(windowDragged(windowOf(drag.content), drag.content.volume->range(), moved.x(), -moved.y()));
     return settings;
-  case PlaneDrag::Kind::distanceFrom:
-    settings.distance->from = place;
-    return settings;
-  case PlaneDrag::Kind::distanceTo:
-    settings.distance->to = place;
-    return settings;
+  case PlaneDrag::Kind::measure:
   case PlaneDrag::Kind::pan:
     break;
   }
   return std::nullopt;
 }
 
-std::optional<PlaneDrag::Kind> distanceEndAt(const PlaneContent& content, PatientPlane plane,
-                                             const PlaneFrame& frame, const QPointF& point) {
-  const std::optional<MeasuredDistance>& distance = content.settings.distance;
-  if (!distance || !isInSlice(content, plane, *distance))
-    return std::nullopt;
-  const double from = QLineF(pointOf(frame, distance->from), point).length();
-  const double to = QLineF(pointOf(frame, distance->to), point).length();
-  if (std::min(from, to) > reachOfEnd)
-    return std::nullopt;
-  return to <= from ? PlaneDrag::Kind::distanceTo : PlaneDrag::Kind::distanceFrom;
+MeasurementsEdited measuredAfter(const PlaneDrag& drag, const QPointF& point) {
+  std::vector<Measurement> measurements = drag.measurements;
+  Measurement& led = measurements[drag.handle.number];
+  led = withHandleAt(led, drag.handle.place, worldAt(drag.frame, point), drag.isNew);
+  return {std::move(measurements), drag.handle.number, drag.gesture};
+}
+
+MeasurementsEdited measuredBefore(const PlaneDrag& drag) {
+  return {measurementsOf(drag.content.measured), drag.content.inHand, drag.gesture};
 }
 
 } // namespace limn

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "planes/PlaneGrid.h"
+#include "widgets/MeasureText.h"
 #include "widgets/planes/PlaneContent.h"
+#include "widgets/view/overlay/MeasureMarks.h"
 
 #include <QPointF>
 #include <QSizeF>
@@ -42,18 +44,28 @@ double mmPerLogicalPixel(const PlaneFrame& frame);
 PlaneZoom zoomedAbout(const PlaneFrame& frame, const QPointF& point, double factor);
 PlaneZoom pannedBy(const PlaneFrame& frame, const QPointF& moved);
 
-/// What the left button does in slices.
-enum class PlaneTool { crosshair, windowLevel, distance };
+/// What the left button does in slices. The last four measure, in the order of Measurement::Kind.
+enum class PlaneTool { crosshair, windowLevel, distance, angle, ellipse, mark };
+
+/// What a tool measures, where it does, and the tool that measures so.
+std::optional<Measurement::Kind> kindOf(PlaneTool tool);
+PlaneTool toolOf(Measurement::Kind kind);
 
 /// A drag in a slice, as it began.
 struct PlaneDrag {
-  enum class Kind { crosshair, windowLevel, pan, distanceFrom, distanceTo };
+  enum class Kind { crosshair, windowLevel, pan, measure };
   Kind kind = Kind::crosshair;
   Qt::MouseButton button = Qt::LeftButton;
   QPointF press;        ///< logical pixels
   PlaneSettings before; ///< as they were at the press
-  PlaneContent content; ///< what the drag goes on from: a new distance has its first end
+  PlaneContent content; ///< what the drag goes on from
   PlaneFrame frame;
+  // Of `measure`:
+  std::vector<Measurement> measurements = {}; ///< with one that it makes
+  MeasureHandle handle = {};                  ///< that it leads; of an ellipse it makes `ellipseCorner`
+  bool isNew = false;                         ///< it makes one
+  bool isLoose = false;                       ///< the handle follows the pointer until the next press
+  Gesture gesture = {};
 };
 
 /// A press in the view of a plane.
@@ -66,16 +78,16 @@ struct PlanePress {
 };
 
 /// The drag that a press begins: the middle button, or the left one with Shift, pans; the right one, or the
-/// left one with Alt as in the 3D picture, drags the window; the left one takes an end of the measured
-/// distance that it is on, else does what the tool says. Nothing for other buttons.
+/// left one with Alt as in the 3D picture, drags the window; the left one takes the handle of a measurement
+/// that it is on, else does what the tool says. Nothing for other buttons.
 std::optional<PlaneDrag> dragFrom(const PlanePress& press, const PlaneContent& content,
                                   const PlaneFrame& frame);
 
-/// The settings after a drag to a point; nothing where it changes none (pan).
+/// The settings after a drag to a point; nothing where it changes none (pan, measure).
 std::optional<PlaneSettings> settingsAfter(const PlaneDrag& drag, const QPointF& point);
 
-/// The end of the distance shown in the slice that a point is on.
-std::optional<PlaneDrag::Kind> distanceEndAt(const PlaneContent& content, PatientPlane plane,
-                                             const PlaneFrame& frame, const QPointF& point);
+/// The measurements after a drag to a point that measures, and those before it.
+MeasurementsEdited measuredAfter(const PlaneDrag& drag, const QPointF& point);
+MeasurementsEdited measuredBefore(const PlaneDrag& drag);
 
 } // namespace limn

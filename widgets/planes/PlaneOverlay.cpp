@@ -3,6 +3,7 @@
 
 #include "planes/PlaneGrid.h"
 #include "widgets/planes/PlaneContent.h"
+#include "widgets/planes/PlaneMeasures.h"
 #include "widgets/view/overlay/OverlayParts.h"
 
 #include <QObject>
@@ -15,7 +16,6 @@ namespace {
 
 const QColor shadowColor(0, 0, 0, 160);
 const QColor lineColor(77, 163, 255);
-const QColor distanceColor(255, 255, 255);
 const QColor cropColor(255, 255, 255);
 
 // Free of lines around the crosshair, so that the tissue there is seen, logical pixels.
@@ -85,20 +85,18 @@ void addLetters(PlaneOverlay& overlay, const PlaneContent& content, const PlaneA
   overlay.letters = marks;
 }
 
-std::optional<PlaneOverlay::Distance> distanceOf(const PlaneContent& content, PatientPlane plane,
-                                                 const PlaneFrame& frame, const QFont& font,
-                                                 const QRectF& view) {
-  const std::optional<MeasuredDistance>& measured = content.settings.distance;
-  if (!measured || !isInSlice(content, plane, *measured))
-    return std::nullopt;
-  PlaneOverlay::Distance distance{pointOf(frame, measured->from), pointOf(frame, measured->to), {}};
-  const QPointF middle = (distance.from + distance.to) / 2.0;
-  distance.note = noteAt(font, distanceText(*measured), middle - QPointF(0.0, openPixels), Qt::AlignHCenter,
-                         view.width());
-  QRectF& plate = distance.note.plate;
-  plate.moveLeft(std::clamp(plate.left(), view.left(), std::max(view.left(), view.right() - plate.width())));
-  plate.moveTop(std::clamp(plate.top(), view.top(), std::max(view.top(), view.bottom() - plate.height())));
-  return distance;
+// What texts beside measurements keep clear of.
+std::vector<QRectF> platesOf(const PlaneOverlay& overlay) {
+  std::vector<QRectF> plates;
+  for (const Note& note : overlay.notes)
+    plates.push_back(note.plate);
+  if (overlay.scale)
+    plates.push_back(overlay.scale->plate);
+  if (overlay.letters)
+    for (const std::optional<QRectF>& place : overlay.letters->places)
+      if (place)
+        plates.push_back(*place);
+  return plates;
 }
 
 // A line that shows on any picture.
@@ -128,19 +126,6 @@ void paintCrop(QPainter& painter, const QPolygonF& outline) {
   painter.restore();
 }
 
-void paintDistance(QPainter& painter, const PlaneOverlay::Distance& distance) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintLine(painter, distance.from, distance.to, distanceColor);
-  for (const QPointF& end : {distance.from, distance.to}) {
-    painter.setPen(QPen(shadowColor, 1.0));
-    painter.setBrush(distanceColor);
-    painter.drawEllipse(end, 4.5, 4.5);
-  }
-  painter.restore();
-  paintNote(painter, distance.note);
-}
-
 } // namespace
 
 PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const PlaneFrame& frame,
@@ -159,18 +144,9 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   if (overlay.scale && overlay.scale->plate.intersects(overlay.notes.back().plate))
     overlay.scale.reset();
   addLetters(overlay, content, frame.grid.axes);
-  overlay.distance = distanceOf(content, plane, frame, font, overlay.view);
+  overlay.measures =
+      placedMeasures(measureShapes(content, plane, frame), font, overlay.view, platesOf(overlay));
   return overlay;
-}
-
-bool isInSlice(const PlaneContent& content, PatientPlane plane, const MeasuredDistance& distance) {
-  if (distance.plane != plane)
-    return false;
-  const glm::dvec3 across = axesOf(plane).forward;
-  const double half = sliceStepMm(content.volume->grid(), plane) / 2.0;
-  const glm::dvec3 crosshair = crosshairOf(content);
-  return std::abs(glm::dot(distance.from - crosshair, across)) <= half &&
-         std::abs(glm::dot(distance.to - crosshair, across)) <= half;
 }
 
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {
@@ -179,8 +155,7 @@ void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {
   if (!overlay.crop.empty())
     paintCrop(painter, overlay.crop);
   paintCrosshair(painter, overlay.crosshair, overlay.view);
-  if (overlay.distance)
-    paintDistance(painter, *overlay.distance);
+  paintMeasures(painter, overlay.measures);
   for (const Note& note : overlay.notes)
     paintNote(painter, note);
   if (overlay.scale)

@@ -3,6 +3,7 @@
 
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/planes/PlaneDrag.h"
+#include "widgets/view/overlay/MeasureMarks.h"
 #include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/OverlayParts.h"
 
@@ -15,11 +16,6 @@ namespace limn {
 
 /// What stands above a slice, ready to be painted; places in logical pixels.
 struct PlaneOverlay {
-  struct Distance {
-    QPointF from, to;
-    Note note;
-  };
-
   QRectF view;
   QFont font;
   QPointF crosshair;
@@ -27,15 +23,12 @@ struct PlaneOverlay {
   std::vector<Note> notes; ///< title and place first
   std::optional<ScaleMark> scale;
   std::optional<LetterMarks> letters; ///< none where sides are unknown
-  std::optional<Distance> distance;
+  std::vector<MeasureMark> measures;  ///< what was measured in it
 };
 
 /// Of a slice in a view of this size.
 PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const PlaneFrame& frame,
                           const QSizeF& size, const QFont& font);
-
-/// Whether a measured distance lies in the slice that is shown: both ends within half a slice of it.
-bool isInSlice(const PlaneContent& content, PatientPlane plane, const MeasuredDistance& distance);
 
 /// Paints it in the logical pixels of the view.
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay);

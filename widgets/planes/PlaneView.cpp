@@ -4,6 +4,7 @@
 #include "planes/GreyWindows.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/planes/PlaneContent.h"
+#include "widgets/planes/PlaneMeasures.h"
 #include "widgets/planes/PlaneOverlay.h"
 #include "widgets/view/panels/FocusRing.h"
 
@@ -16,7 +17,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <utility>
 
 namespace limn {
 namespace {
@@ -127,6 +127,9 @@ void PlaneView::setContent(const PlaneContent& content) {
     m_zoom.reset();
     m_drag.reset();
   }
+  // What an angle without its end belonged to may have been undone.
+  if (m_drag && m_drag->isLoose && content.measured.size() <= m_drag->handle.number)
+    m_drag.reset();
   m_content = content;
   describe();
   look();
@@ -139,6 +142,7 @@ void PlaneView::look() {
 }
 
 void PlaneView::setTool(PlaneTool tool) {
+  endLooseDrag();
   m_tool = tool;
   showCursor(mapFromGlobal(QCursor::pos()));
 }
@@ -186,17 +190,30 @@ void PlaneView::paintEvent(QPaintEvent*) {
 }
 
 void PlaneView::mousePressEvent(QMouseEvent* event) {
+  if (m_drag && m_drag->isLoose && event->button() == Qt::LeftButton) {
+    m_drag->isLoose = false; // the release ends it
+    emit measurementsEdited(measuredAfter(*m_drag, event->position()));
+    return;
+  }
   if (!m_content.volume || m_drag)
     return;
   m_drag =
       dragFrom({m_plane, m_tool, event->button(), event->modifiers(), event->position()}, m_content, frame());
-  if (m_drag && m_drag->kind == PlaneDrag::Kind::crosshair)
+  if (!m_drag)
+    return;
+  if (m_drag->kind == PlaneDrag::Kind::crosshair)
     emit settingsEdited(*settingsAfter(*m_drag, event->position()));
+  else if (m_drag->kind == PlaneDrag::Kind::measure && !m_drag->isNew) // taken in hand, and not moved yet
+    emit measurementsEdited({m_drag->measurements, m_drag->handle.number, m_drag->gesture});
 }
 
 void PlaneView::mouseMoveEvent(QMouseEvent* event) {
   if (!m_drag)
     return showCursor(event->position());
+  if (m_drag->kind == PlaneDrag::Kind::measure) {
+    emit measurementsEdited(measuredAfter(*m_drag, event->position()));
+    return;
+  }
   if (const auto settings = settingsAfter(*m_drag, event->position())) {
     emit settingsEdited(*settings);
     return;
@@ -206,25 +223,46 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (!m_drag || event->button() != m_drag->button)
+  if (!m_drag || m_drag->isLoose || event->button() != m_drag->button)
     return;
   const PlaneDrag drag = *m_drag;
-  m_drag.reset();
   if (drag.button == Qt::RightButton && QLineF(drag.press, event->position()).length() < shortestDrag) {
+    m_drag.reset();
     emit settingsEdited(drag.before);
     emit menuRequested(worldAt(drag.frame, drag.press), event->globalPosition().toPoint());
     return;
   }
-  const std::optional<PlaneSettings> settings = settingsAfter(drag, event->position());
-  const bool measures =
-      drag.kind == PlaneDrag::Kind::distanceFrom || drag.kind == PlaneDrag::Kind::distanceTo;
-  if (!measures || !settings)
-    return;
-  const MeasuredDistance& distance = *settings->distance;
-  if (glm::length(distance.to - distance.from) < shortestDrag * mmPerLogicalPixel(drag.frame))
-    emit settingsEdited(drag.before);
-  else
-    emit distanceEdited(drag.before.distance);
+  if (m_drag->kind != PlaneDrag::Kind::measure || releaseMeasure(event->position()))
+    m_drag.reset();
+}
+
+// Whether the drag ends with it: of an angle the second leg follows the first.
+bool PlaneView::releaseMeasure(const QPointF& point) {
+  if (!m_drag->isNew)
+    return true;
+  const Measurement::Kind kind = m_drag->measurements.back().kind;
+  const bool isClick = QLineF(m_drag->press, point).length() < shortestDrag;
+  if (kind == Measurement::Kind::mark) {
+    emit measurementsEdited(measuredAfter(*m_drag, point));
+    return true;
+  }
+  if (kind == Measurement::Kind::angle && m_drag->handle.place == 2)
+    return true;
+  if (isClick) {
+    emit measurementsEdited(measuredBefore(*m_drag));
+    return true;
+  }
+  if (kind != Measurement::Kind::angle)
+    return true;
+  m_drag->measurements = measuredAfter(*m_drag, point).measurements;
+  m_drag->handle.place = 2;
+  m_drag->isLoose = true;
+  return false;
+}
+
+void PlaneView::endLooseDrag() {
+  if (m_drag && m_drag->isLoose)
+    m_drag.reset();
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -236,6 +274,7 @@ void PlaneView::wheelEvent(QWheelEvent* event) {
   event->accept();
   if (!m_content.volume)
     return;
+  endLooseDrag();
   if (event->modifiers() & Qt::ControlModifier)
     return zoom(event->position(), std::pow(zoomStep, event->angleDelta().y() / static_cast<double>(notch)));
   // Touch pads turn by less than a notch at a time.
@@ -267,6 +306,8 @@ void PlaneView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 bool PlaneView::obey(int key, bool isFast) {
+  if (key != Qt::Key_Escape)
+    endLooseDrag();
   if (moveByKey(key, isFast ? fastSlices : 1))
     return true;
   switch (key) {
@@ -290,6 +331,15 @@ bool PlaneView::obey(int key, bool isFast) {
   case Qt::Key_D:
     emit toolRequested(PlaneTool::distance);
     return true;
+  case Qt::Key_G:
+    emit toolRequested(PlaneTool::angle);
+    return true;
+  case Qt::Key_E:
+    emit toolRequested(PlaneTool::ellipse);
+    return true;
+  case Qt::Key_N:
+    emit toolRequested(PlaneTool::mark);
+    return true;
   case Qt::Key_Escape:
     cancel();
     return true;
@@ -299,13 +349,11 @@ bool PlaneView::obey(int key, bool isFast) {
   case Qt::Key_3:
   case Qt::Key_4:
     return chooseWindow(key - Qt::Key_0);
-  case Qt::Key_Delete: {
-    PlaneSettings settings = m_content.settings;
-    const std::optional<MeasuredDistance> before = std::exchange(settings.distance, std::nullopt);
-    emit settingsEdited(settings);
-    emit distanceEdited(before);
+  case Qt::Key_Delete:
+    if (!m_content.inHand)
+      return false;
+    emit measurementsEdited(withoutMeasure(m_content.measured, *m_content.inHand, *m_content.volume));
     return true;
-  }
   default:
     return false;
   }
@@ -365,6 +413,8 @@ void PlaneView::cancel() {
   if (drag.kind == PlaneDrag::Kind::pan) {
     m_zoom = pannedBy(drag.frame, {});
     look();
+  } else if (drag.kind == PlaneDrag::Kind::measure) {
+    emit measurementsEdited(measuredBefore(drag));
   } else {
     emit settingsEdited(drag.before);
   }
@@ -376,7 +426,7 @@ void PlaneView::zoom(const QPointF& about, double factor) {
 }
 
 void PlaneView::showCursor(const QPointF& point) {
-  if (m_content.volume && distanceEndAt(m_content, m_plane, frame(), point))
+  if (m_content.volume && measureHandleAt(measureShapes(m_content, m_plane, frame()), point))
     setCursor(Qt::SizeAllCursor);
   else
     setCursor(m_tool == PlaneTool::windowLevel ? Qt::SizeAllCursor : Qt::CrossCursor);

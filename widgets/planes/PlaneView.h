@@ -13,10 +13,11 @@ namespace limn {
 /// One slice of the volume in a plane of the patient, with crosshair, sides, scale and window. It changes
 /// nothing: it asks for other settings, through its signal, and is given what became of them by setContent().
 ///
-/// The left button does what the tool says: crosshair, window/level or a distance; the right one always drags
-/// the window and asks with a click for a menu, the middle one pans, the wheel leads through the slices, with
-/// Ctrl it zooms. Keys: arrows, Page up and down, Home (middle), + − and F (all of the slice), 0 (full
-/// window) and 1 … 4 (those of tissues), C W D and Esc (tools), Delete (the distance).
+/// The left button does what the tool says: crosshair, window/level, or it measures; the right one always
+/// drags the window and asks with a click for a menu, the middle one pans, the wheel leads through the
+/// slices, with Ctrl it zooms. Keys: arrows, Page up and down, Home (middle), + − and F (all of the slice), 0
+/// (full window) and 1 … 4 (those of tissues), C W D G E N and Esc (tools), Delete (the measurement in hand).
+/// An angle is drawn from one end to its corner, then follows the pointer to its other end until a click.
 class PlaneView : public QWidget {
   Q_OBJECT
 
@@ -45,8 +46,7 @@ public:
 
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
-  /// A drag or a key has ended that left another distance in the settings than `before`.
-  void distanceEdited(const std::optional<limn::MeasuredDistance>& before);
+  void measurementsEdited(const limn::MeasurementsEdited& edited);
   void toolRequested(limn::PlaneTool tool);
   /// What can be done with a place of the slice, by a right click on it or the key for menus at the
   /// crosshair.
@@ -68,6 +68,8 @@ private:
   bool moveByKey(int key, int slices);
   bool chooseWindow(int number);
   void cancel();
+  void endLooseDrag();
+  bool releaseMeasure(const QPointF& point);
   void zoom(const QPointF& about, double factor);
   void showCursor(const QPointF& point);
   void look();

@@ -4,6 +4,7 @@
 #include "scene/LabelLooks.h"
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
+#include "widgets/ValueText.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -95,6 +96,20 @@ QString weightGestureText(const Label& label, double weight) {
                          : LabelTable::tr("fade %1 to %2 %").arg(name).arg(percentOf(weight));
 }
 
+// "12.3 ml · 45 ± 12 HU · −20 – 80 HU"; of a label without valid voxels its size alone.
+QString figuresText(const LabelFigures& figures, const Volume& volume) {
+  const QString size =
+      valueText(figures.millilitres, LabelTable::tr("ml"), figures.millilitres < 10.0 ? 2 : 0);
+  if (figures.voxels == 0)
+    return size;
+  const int decimals = decimalsOfSpan(volume.range().highest - volume.range().lowest);
+  const QString unit = QString::fromStdString(volume.info().unit);
+  const auto number = [&](double value) { return valueText(value, {}, decimals); };
+  return LabelTable::tr("%1 · %2 ± %3 · %4 – %5")
+      .arg(size, number(figures.mean), valueText(figures.deviation, unit, decimals), number(figures.lowest),
+           valueText(figures.highest, unit, decimals));
+}
+
 // The region with another weight of the label at `place`, and what undo calls that.
 Region withWeight(Region region, std::size_t place, double weight) {
   region.weights[place] = std::clamp(weight, 0.0, 1.0);
@@ -117,6 +132,12 @@ void LabelTable::setRegion(const Region& region, const TransferFunction& functio
   beginResetModel();
   m_region = region;
   endResetModel();
+}
+
+void LabelTable::setFigures(const std::vector<LabelFigures>& figures,
+                            const std::shared_ptr<const Volume>& volume) {
+  m_figures = figures;
+  m_volume = volume;
 }
 
 int LabelTable::rowCount(const QModelIndex& parent) const {
@@ -148,8 +169,11 @@ QVariant LabelTable::nameData(std::size_t place, int role) const {
     return markOf(m_region.weights[place]);
   case Qt::ToolTipRole:
     return tr("%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept.")
-        .arg(QString::fromStdString(label.name))
-        .arg(label.value);
+               .arg(QString::fromStdString(label.name))
+               .arg(label.value) +
+           (m_volume && place < m_figures.size()
+                ? QLatin1Char('\n') + figuresText(m_figures[place], *m_volume)
+                : QString());
   default:
     return {};
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/regions/LabelFigures.h"
 #include "scene/regions/Region.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/FoldingSection.h"
@@ -30,6 +31,9 @@ public:
   void setRegion(const Region& region, const TransferFunction& function);
   const Region& region() const { return m_region; }
 
+  /// What the voxels of each label say of `volume`, for their tool tips; null: nothing is known yet.
+  void setFigures(const std::vector<LabelFigures>& figures, const std::shared_ptr<const Volume>& volume);
+
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -51,6 +55,8 @@ private:
 
   Region m_region;
   TransferFunction m_function;
+  std::vector<LabelFigures> m_figures;
+  std::shared_ptr<const Volume> m_volume; ///< of which they are
 };
 
 /// The labels of a segmentation that is open beside the volume: each is shown, hidden or faded, with the
@@ -62,6 +68,9 @@ public:
   explicit LabelSection(QWidget* parent = nullptr);
 
   void setScene(const Scene& scene);
+  void setFigures(const std::vector<LabelFigures>& figures, const std::shared_ptr<const Volume>& volume) {
+    m_labels->setFigures(figures, volume);
+  }
 
   /// Selects the label at this place, if there is one, where it is seen.
   void select(std::size_t place);

@@ -6,6 +6,7 @@
 #include "widgets/properties/CutSection.h"
 #include "widgets/properties/FogSection.h"
 #include "widgets/properties/LabelSection.h"
+#include "widgets/properties/MeasureSection.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/GradientSection.h"
 #include "widgets/shading/LightSection.h"
@@ -96,10 +97,10 @@ ValueSlider* QualitySection::addNumber(ValueSlider* slider, double Quality::*mem
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : SectionPanel(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
       m_sections({m_model, new GradientSection, new LightSection}), m_use(m_sections.size()),
-      m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection), m_fog(new FogSection),
-      m_quality(new QualitySection) {
-  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_cuts, m_labels, m_fog,
-         m_quality});
+      m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection),
+      m_measures(new MeasureSection), m_fog(new FogSection), m_quality(new QualitySection) {
+  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_cuts, m_labels, m_measures,
+         m_fog, m_quality});
   // What is needed most stands open; the rest waits folded.
   m_sections[1]->setFolded(true);
   foldUnused();
@@ -180,6 +181,7 @@ void PropertiesPanel::foldUnused() {
   m_crop->setFolded(m_scene.crop == CropBox{});
   m_cuts->setFolded(m_scene.keep.cuts.empty());
   m_labels->setFolded(m_scene.keep.kind != Region::Kind::labels);
+  m_measures->setFolded(!m_measures->hasRows());
   m_fog->setFolded(m_scene.fog.mode == Fog::Mode::none);
 }
 

@@ -14,6 +14,7 @@ class CropSection;
 class CutSection;
 class FogSection;
 class LabelSection;
+class MeasureSection;
 class ModelSection;
 class ProjectionSection;
 class ShadingSection;
@@ -43,7 +44,8 @@ private:
   QCheckBox* m_jitter = nullptr;
 };
 
-/// What a scene says beside its curves, in folding sections: projection, light, crop, labels, fog, quality.
+/// What a scene says beside its curves, in folding sections: projection, light, crop, labels, fog, quality;
+/// and what was measured.
 /// Controls that change nothing in the pictures shown are disabled and say why in their tool tips; a section
 /// that the scene does not use says so in its header.
 class PropertiesPanel : public SectionPanel {
@@ -65,6 +67,7 @@ public:
   CropSection* cropSection() const { return m_crop; }
   CutSection* cutSection() const { return m_cuts; }
   LabelSection* labelSection() const { return m_labels; }
+  MeasureSection* measureSection() const { return m_measures; }
 
   QSize sizeHint() const override { return {320, 600}; }
 
@@ -97,6 +100,7 @@ private:
   CropSection* m_crop;
   CutSection* m_cuts;
   LabelSection* m_labels;
+  MeasureSection* m_measures;
   FogSection* m_fog;
   QualitySection* m_quality;
 };

@@ -89,6 +89,9 @@ public:
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
+  /// Draws what was measured over the pictures; nothing at first.
+  void setMeasures(const std::vector<SeenMeasure>& measures) { set(m_order.comparison.measures, measures); }
+
   /// Turns go about this place of the world from now on, which is marked while one lasts; nothing: about the
   /// camera's target, as at first.
   void setTurnsAbout(const std::optional<glm::dvec3>& worldMm) {

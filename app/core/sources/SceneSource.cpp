@@ -248,6 +248,23 @@ void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, 
     loaded.notes.push_back(kept.remark);
 }
 
+// Places of one volume mean nothing in another that is shown in its stead.
+bool isOfAnotherVolume(const SceneDocument& document, const SourceOptions& options) {
+  if (!options.volume)
+    return false;
+  const std::string name = fs::path(document.volume).filename().string();
+  const auto referred = options.references.find(name);
+  const fs::path meant = referred != options.references.end() ? referred->second.filename() : fs::path(name);
+  return options.volume->filename() != meant;
+}
+
+void takeMeasurements(LoadedScene& loaded, const SceneDocument& document, const SourceOptions& options) {
+  if (!isOfAnotherVolume(document, options))
+    loaded.measurements = document.measurements;
+  else if (!document.measurements.empty())
+    loaded.notes.push_back(Message::tr("The measurements were left out: they are of another volume."));
+}
+
 LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
@@ -262,6 +279,7 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   if (options.wantsVolumeAlone)
     return loaded;
   keepPart(loaded, document.keep, options, progress);
+  takeMeasurements(loaded, document, options);
   if (!document.hasCamera)
     loaded.scene.camera = defaultCamera(opened.volume->grid());
   if (!document.hasTransferFunction) {
@@ -275,11 +293,16 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
 
 LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progress& progress) {
   const SessionDocument session = readSessionFile(path);
+  const bool isOtherSeries = options.read.series && session.series && options.read.series != session.series;
   if (!options.read.series)
     options.read.series = session.series;
   if (!options.read.spacingMm)
     options.read.spacingMm = session.spacingMm;
   LoadedScene loaded = loadDocument(session.scene, options, progress);
+  if (isOtherSeries && !loaded.measurements.empty()) {
+    loaded.measurements.clear();
+    loaded.notes.push_back(Message::tr("The measurements were left out: they are of another series."));
+  }
   loaded.session = session;
   return loaded;
 }

@@ -138,12 +138,12 @@ void TurntableDialog::save() {
             isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
             {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
             QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)},
-           [turntable, order = m_context.drawnLikeTheView(),
-            volume = m_saving.volumeInPicture()](const std::string& path, const Effort& effort) {
+           [turntable, order = m_context.drawnLikeTheView(), volume = m_saving.volumeInPicture(),
+            measurements = m_context.session.measurements()](const std::string& path, const Effort& effort) {
              MakingOptions told = order;
              told.effort = effort;
              writeTurntable(path, turntable, told,
-                            [&](const Scene& scene) { return sceneToJson(scene, volume); });
+                            [&](const Scene& scene) { return sceneToJson(scene, volume, {}, measurements); });
              return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
            });
 }

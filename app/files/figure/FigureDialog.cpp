@@ -71,6 +71,7 @@ struct FigureIngredients {
   std::optional<ComparedLook> look; ///< that is compared on screen with the scene's own
   std::optional<Preset> remembered; ///< the look remembered as "before"
   PlaneSettings planes;
+  std::vector<Measurement> measurements;
   GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
   Histogram histogram; ///< of the volume
@@ -141,6 +142,8 @@ std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   addRemembered(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
+  for (PanelSource& source : sources)
+    source.panel.measurements = from.measurements;
   return sources;
 }
 
@@ -290,6 +293,7 @@ void FigureDialog::refreshSources() {
                                isComparing ? looks.compared : std::nullopt,
                                looks.remembered,
                                m_context.session.planes(),
+                               m_context.session.measurements(),
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
                                histogram};

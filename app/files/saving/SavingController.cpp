@@ -225,8 +225,12 @@ void SavingController::writeScene(const QString& path) {
   const std::filesystem::path target(path.toStdString());
   Scene scene = m_context.document.scene();
   scene.keep.source = labelsSeenFrom(target);
-  m_context.notes.attempt([&] { writeFileAtomically(target, sceneToJson(scene, volumeSeenFrom(target))); },
-                          path);
+  m_context.notes.attempt(
+      [&] {
+        writeFileAtomically(target,
+                            sceneToJson(scene, volumeSeenFrom(target), {}, m_context.session.measurements()));
+      },
+      path);
 }
 
 void SavingController::writePicture(const QString& path) {
@@ -245,7 +249,9 @@ void SavingController::writePicture(const QString& path) {
     writeImage(path.toStdString(),
                right ? comparedPicture(*left, *right, layout, m_context.view.wipePosition(), background)
                      : *left,
-               background, sceneToJson(scene, volumeInPicture(), accuracyOf(m_context.view.pictureState())));
+               background,
+               sceneToJson(scene, volumeInPicture(), accuracyOf(m_context.view.pictureState()),
+                           m_context.session.measurements()));
   };
   m_context.notes.attempt(write, path);
 }

@@ -49,9 +49,9 @@ double effortOf(const std::vector<FrameCost>& frames) {
   return timingOf(drawsOnProcessor() ? processorTimes(frames) : wallTimes(frames)).least;
 }
 
-class Measurement {
+class DecisionTimes {
 public:
-  Measurement(const Scene& scene, const glm::ivec2& size, const PrecisePixels& converged)
+  DecisionTimes(const Scene& scene, const glm::ivec2& size, const PrecisePixels& converged)
       : m_scene(scene), m_size(size), m_converged(converged) {
     m_scene.quality.preintegrated = Preintegration::never;
     m_scene.quality.jitter = false;
@@ -156,7 +156,7 @@ std::vector<DecisionCost> measureDecisions(const Scene& scene, const glm::ivec2&
       progress(fraction, doing);
   };
   tell(0.0, "Measuring the program's own decisions");
-  Measurement measurement(scene, size, converged);
+  DecisionTimes measurement(scene, size, converged);
   const std::vector<DecisionVariant> variants = decisionVariants(scene, measurement.effects());
   std::vector<DecisionCost> costs;
   for (const DecisionVariant& variant : variants) {

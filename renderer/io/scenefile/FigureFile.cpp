@@ -30,16 +30,17 @@ void readMarks(JsonFields fields, FigureSettings& settings) {
   fields.finish();
 }
 
-FigurePanelDocument readPanel(JsonFields fields) {
+// What older files say of distances goes to `old`.
+FigurePanelDocument readPanel(JsonFields fields, std::vector<Measurement>& old) {
   FigurePanelDocument panel;
   fields.text("name", panel.name);
   if (fields.has("plane"))
     fields.choice("plane", panel.plane.emplace(), patientPlanes);
-  if (fields.has("slices"))
-    panel.planes = readPlanes(fields.object("slices"));
   if (!fields.has("scene"))
     fields.fail("scene", Message::tr("is missing"));
   panel.scene = readScene(fields.object("scene"));
+  if (fields.has("slices"))
+    panel.planes = readPlanes(fields.object("slices"), old);
   fields.finish();
   return panel;
 }
@@ -49,8 +50,13 @@ std::vector<FigurePanelDocument> readPanels(JsonFields& fields) {
   if (!list.is_array() || list.empty() || list.size() > mostPanels)
     fields.fail("panels", Message::tr("must be a list of 1 to %1 panels").arg(std::to_string(mostPanels)));
   std::vector<FigurePanelDocument> panels;
+  std::vector<Measurement> old;
   for (std::size_t i = 0; i < list.size(); ++i)
-    panels.push_back(readPanel(JsonFields(list[i], fields.document(), "panels." + std::to_string(i))));
+    panels.push_back(readPanel(JsonFields(list[i], fields.document(), "panels." + std::to_string(i)), old));
+  // Each slice had the same one; now all panels of a scene have it.
+  for (FigurePanelDocument& panel : panels)
+    if (!old.empty() && panel.scene.measurements.empty())
+      panel.scene.measurements.push_back(old.front());
   return panels;
 }
 

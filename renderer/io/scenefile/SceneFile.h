@@ -4,19 +4,22 @@
 #include "io/scenefile/KeptPart.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/view/Measurement.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace limn {
 
 /// A scene file as read: the scene without its volume, and what the file left to the program.
 struct SceneDocument {
-  std::string volume;      ///< path as written in the file, relative to its folder
-  Scene scene;             ///< `volume` is empty and `keep` keeps all
-  KeptPart keep;           ///< what `scene.keep` becomes once the volume is read
+  std::string volume;                    ///< path as written in the file, relative to its folder
+  Scene scene;                           ///< `volume` is empty and `keep` keeps all
+  KeptPart keep;                         ///< what `scene.keep` becomes once the volume is read
+  std::vector<Measurement> measurements; ///< of its volume
   std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
   bool hasCamera = false;  ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
@@ -45,7 +48,8 @@ struct PictureAccuracy {
 
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
 std::string sceneToJson(const Scene& scene, const std::string& volume,
-                        const std::optional<PictureAccuracy>& accuracy = {});
+                        const std::optional<PictureAccuracy>& accuracy = {},
+                        const std::vector<Measurement>& measurements = {});
 
 /// Reads the text of a preset file. Throws Error (input).
 Preset parsePreset(std::string_view text, const std::string& name);

@@ -15,6 +15,9 @@ inline constexpr Words<Reflection, 2> reflectionWords{{"blinn", "phong"}};
 inline constexpr Words<Fog::Mode, 4> fogWords{{"none", "linear", "exp", "exp2"}};
 inline constexpr Words<Preintegration, 3> preintegrationWords{{"auto", "always", "never"}};
 
+// Of places, mm: a kilometre from the origin lies no patient.
+inline constexpr Limits placeLimits{-1e6, 1e6};
+
 /// The name of an item of a list in errors, counted from 0 as other readers of JSON count.
 std::string placeIn(const char* list, std::size_t index);
 
@@ -48,10 +51,20 @@ nlohmann::ordered_json keptPartJson(const KeptPart& part);
 /// The fields of a scene file; the volume is stored as given, and `keep` in place of the scene's own.
 nlohmann::ordered_json sceneJson(const SceneDocument& document);
 
-/// What a session file says of the slices beside its picture. Throws Error (input).
-PlaneSettings readPlanes(JsonFields fields);
+/// What a session file says of the slices beside its picture. The one distance that older files have there is
+/// added to `measurements`. Throws Error (input).
+PlaneSettings readPlanes(JsonFields fields, std::vector<Measurement>& measurements);
 
 /// The same as it is written.
 nlohmann::ordered_json planesJson(const PlaneSettings& settings);
+
+/// The field `measurements` of a scene; none where there is no such field. Throws Error (input).
+std::vector<Measurement> readMeasurements(JsonFields& scene);
+
+/// The same as it is written.
+nlohmann::ordered_json measurementsJson(const std::vector<Measurement>& measurements);
+
+/// The distance that older files have among what slices show. Throws Error (input).
+Measurement readOldDistance(JsonFields fields);
 
 } // namespace limn

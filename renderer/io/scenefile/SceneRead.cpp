@@ -207,8 +207,6 @@ bool readIsovalue(JsonFields& fields, double& isovalue) {
 }
 
 constexpr Limits slabLimits{0.0, thickestSlabMm};
-// Of places: a kilometre from the origin lies no patient.
-constexpr Limits placeLimits{-1e6, 1e6};
 constexpr Limits accuracyLimits{0.0, 255.0};
 
 GreyWindow readGreyWindow(JsonFields fields) {
@@ -234,15 +232,6 @@ void readAccuracy(JsonFields fields) {
   fields.number("within_levels", levels, accuracyLimits);
   fields.text("statement", statement);
   fields.finish();
-}
-
-MeasuredDistance readDistance(JsonFields fields) {
-  MeasuredDistance distance;
-  fields.choice("plane", distance.plane, patientPlanes);
-  fields.vector("from_mm", distance.from, placeLimits);
-  fields.vector("to_mm", distance.to, placeLimits);
-  fields.finish();
-  return distance;
 }
 
 } // namespace
@@ -305,6 +294,7 @@ SceneDocument readScene(JsonFields fields) {
     scene.quality = readQuality(fields.object("quality"));
   if (fields.has("image"))
     scene.image = readImageSettings(fields.object("image"));
+  document.measurements = readMeasurements(fields);
   if (fields.has("accuracy"))
     readAccuracy(fields.object("accuracy"));
   fields.finish();
@@ -378,7 +368,7 @@ Preset readPreset(JsonFields& fields) {
   return preset;
 }
 
-PlaneSettings readPlanes(JsonFields fields) {
+PlaneSettings readPlanes(JsonFields fields, std::vector<Measurement>& measurements) {
   PlaneSettings settings;
   fields.choice("layout", settings.layout, planeLayouts);
   fields.choice("large", settings.large, patientPlanes);
@@ -392,7 +382,7 @@ PlaneSettings readPlanes(JsonFields fields) {
   fields.boolean("tinted", settings.isTinted);
   fields.boolean("region_outlined", settings.outlinesRegion);
   if (fields.has("distance"))
-    settings.distance = readDistance(fields.object("distance"));
+    measurements.push_back(readOldDistance(fields.object("distance")));
   fields.finish();
   return settings;
 }

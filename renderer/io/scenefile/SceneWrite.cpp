@@ -120,6 +120,8 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
                     {{"width", scene.image.width},
                      {"height", scene.image.height},
                      {"background", toJson(scene.image.background)}}}});
+  if (!document.measurements.empty())
+    json["measurements"] = measurementsJson(document.measurements);
   return json;
 }
 
@@ -138,8 +140,11 @@ SceneDocument documentOf(const Scene& scene, const std::string& volume) {
 }
 
 std::string sceneToJson(const Scene& scene, const std::string& volume,
-                        const std::optional<PictureAccuracy>& accuracy) {
-  Json json = sceneJson(documentOf(scene, volume));
+                        const std::optional<PictureAccuracy>& accuracy,
+                        const std::vector<Measurement>& measurements) {
+  SceneDocument document = documentOf(scene, volume);
+  document.measurements = measurements;
+  Json json = sceneJson(document);
   if (accuracy)
     json["accuracy"] = {{"within_levels", accuracy->levels}, {"statement", accuracy->sentence}};
   return textOf(json);
@@ -183,10 +188,6 @@ Json planesJson(const PlaneSettings& settings) {
   json["slab"] = {{"mode", nameOf(settings.slab.mode)}, {"thickness_mm", settings.slab.thicknessMm}};
   json["tinted"] = settings.isTinted;
   json["region_outlined"] = settings.outlinesRegion;
-  if (const auto& distance = settings.distance)
-    json["distance"] = {{"plane", nameOf(distance->plane)},
-                        {"from_mm", toJson(distance->from)},
-                        {"to_mm", toJson(distance->to)}};
   return json;
 }
 

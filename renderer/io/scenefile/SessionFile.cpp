@@ -65,7 +65,7 @@ SessionDocument parseSession(std::string_view text, const std::string& name) {
   if (fields.has("compare"))
     readComparison(fields.object("compare"), session);
   if (fields.has("slices"))
-    session.planes = readPlanes(fields.object("slices"));
+    session.planes = readPlanes(fields.object("slices"), session.scene.measurements);
   if (fields.has("window"))
     readWindow(fields.object("window"), session);
   fields.text("label", session.label);

@@ -43,14 +43,6 @@ enum class PlaneInterpolation { nearest, linear };
 
 inline constexpr std::array planeInterpolations{PlaneInterpolation::nearest, PlaneInterpolation::linear};
 
-/// A length measured in a slice; both ends are world millimetres.
-struct MeasuredDistance {
-  PatientPlane plane = PatientPlane::axial; ///< in which it was measured
-  glm::dvec3 from{0.0};
-  glm::dvec3 to{0.0};
-  bool operator==(const MeasuredDistance&) const = default;
-};
-
 /// Everything that slices show beside what the scene says (volume, curve, kept region).
 struct PlaneSettings {
   PlaneLayout layout = PlaneLayout::pictureOnly;
@@ -61,7 +53,6 @@ struct PlaneSettings {
   Slab slab;
   bool isTinted = false;      ///< by the transfer function
   bool outlinesRegion = true; ///< where a kept region ends
-  std::optional<MeasuredDistance> distance;
   bool operator==(const PlaneSettings&) const = default;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/Session.h"
 
+#include "scene/volume/Phantom.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -77,32 +79,69 @@ TEST(Session, theHistoryHoldsNoMapOfLabelsButThatOfTheMoment) {
   EXPECT_EQ(session.scene().keep.labels->placeAt(0), 1u);
 }
 
-TEST(Session, aMeasuredDistanceIsAnUndoStepThatLeavesTheRestOfTheSlices) {
+Measurement distanceTo(double mm) {
+  return {Measurement::Kind::distance, PatientPlane::axial, {{0, 0, 0}, {mm, 0, 0}}};
+}
+
+TEST(Session, whatIsMeasuredIsOneUndoStepAGestureAndLeavesAllElse) {
   Session session;
-  const auto measure = [&](const std::optional<MeasuredDistance>& distance) {
-    PlaneSettings settings = session.planes();
-    const auto before = std::exchange(settings.distance, distance);
-    session.setPlanes(settings);
-    session.noteDistance(before);
-  };
-  const MeasuredDistance first{PatientPlane::axial, {0, 0, 0}, {3, 4, 0}};
-  measure(first);
-  measure(first);
-  EXPECT_EQ(session.undoStack().count(), 1) << "an equal one is no step";
-  measure(std::nullopt);
-  EXPECT_EQ(session.undoStack().undoText(), QStringLiteral("remove distance"));
+  std::vector<std::size_t> told;
+  QObject::connect(
+      &session, &Session::measurementsChanged,
+      [&](const std::vector<Measurement>& measurements) { told.push_back(measurements.size()); });
+  const Gesture drag{nextGestureId(), "Distance 5 mm"};
+  session.setMeasurements({distanceTo(3)}, {drag.id, "Distance 3 mm"});
+  session.setMeasurements({distanceTo(5)}, drag);
+  session.setMeasurements({distanceTo(5)}, drag);
+  EXPECT_EQ(session.undoStack().count(), 1);
+  EXPECT_EQ(session.undoStack().undoText(), QStringLiteral("Distance 5 mm"));
+  EXPECT_EQ(told, (std::vector<std::size_t>{1, 1})) << "an equal list changes nothing";
+  session.setMeasurements({distanceTo(5), distanceTo(7)}, {nextGestureId(), "Distance 7 mm"});
   session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
   PlaneSettings elsewhere = session.planes();
   elsewhere.crosshairMm = glm::dvec3(1, 2, 3);
   session.setPlanes(elsewhere);
   session.undoStack().undo();
+  EXPECT_EQ(session.measurements().size(), 2u) << "the curve's step is the curve's";
   session.undoStack().undo();
-  EXPECT_EQ(session.planes().distance, first);
-  EXPECT_EQ(session.planes().crosshairMm, elsewhere.crosshairMm);
+  EXPECT_EQ(session.measurements(), std::vector{distanceTo(5)});
+  EXPECT_EQ(session.planes(), elsewhere);
   session.undoStack().undo();
-  EXPECT_FALSE(session.planes().distance);
+  EXPECT_TRUE(session.measurements().empty());
   session.undoStack().redo();
-  EXPECT_EQ(session.planes().distance, first);
+  session.undoStack().redo();
+  EXPECT_EQ(session.measurements(), (std::vector{distanceTo(5), distanceTo(7)}));
+}
+
+TEST(Session, aMeasuringDragThatIsCancelledLeavesNoStep) {
+  Session session;
+  const Gesture drag{nextGestureId(), "Distance 3 mm"};
+  session.setMeasurements({distanceTo(3)}, drag);
+  session.setMeasurements({}, drag);
+  EXPECT_EQ(session.undoStack().count(), 0);
+  EXPECT_TRUE(session.measurements().empty());
+}
+
+TEST(Session, whatWasMeasuredGoesWithTheVolumeAndComesWithItsSession) {
+  Session session;
+  LoadedScene loaded;
+  loaded.scene.volume = phantomVolume({.spacingMm = 32.0});
+  loaded.measurements = {distanceTo(4)};
+  session.open(loaded);
+  EXPECT_EQ(session.measurements(), loaded.measurements);
+  EXPECT_EQ(session.undoStack().count(), 0);
+  // Where it lies otherwise its places mean nothing; undo brings both back.
+  Scene turned = session.scene();
+  Grid grid = turned.volume->grid();
+  grid.originMm.x += 10.0;
+  turned.volume = std::make_shared<const Volume>(turned.volume->placed(grid, turned.volume->info()));
+  session.edit(turned, {nextGestureId(), "orient"});
+  EXPECT_TRUE(session.measurements().empty());
+  session.undoStack().undo();
+  EXPECT_EQ(session.measurements(), loaded.measurements);
+  loaded.measurements.clear();
+  session.open(loaded);
+  EXPECT_TRUE(session.measurements().empty());
 }
 
 TEST(Session, undoKeepsTheCameraOfTheMoment) {

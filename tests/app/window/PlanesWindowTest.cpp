@@ -174,57 +174,6 @@ TEST_F(PlanesWindow, theRightButtonDragsTheWindowAndTheMiddleOnePans) {
   EXPECT_EQ(undo().count(), 0);
 }
 
-TEST_F(PlanesWindow, aDistanceIsMeasuredWithItsToolAndEscLeavesIt) {
-  choose("one_large");
-  PlaneView& axial = plane(PatientPlane::axial);
-  axial.setFocus();
-  QTest::keyClick(window->windowHandle(), Qt::Key_D);
-  QWindow* handle = window->windowHandle();
-  const QPoint from = axial.mapTo(window.get(), axial.rect().center());
-  QTest::mousePress(handle, Qt::LeftButton, {}, from);
-  QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(50, 0));
-  QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(50, 0));
-  ASSERT_TRUE(test::waitUntil([&] { return planes().distance.has_value(); }));
-  EXPECT_NEAR(glm::length(planes().distance->to - planes().distance->from),
-              50.0 * mmPerLogicalPixel(axial.frame()), 1e-9);
-  QTest::keyClick(handle, Qt::Key_Escape);
-  QTest::mouseClick(handle, Qt::LeftButton, {}, from + QPoint(10, 60));
-  EXPECT_TRUE(test::waitUntil([&] { return planes().crosshairMm.has_value(); }));
-}
-
-TEST_F(PlanesWindow, ctrlZTakesBackAMeasuredDistanceAndBringsBackARemovedOne) {
-  choose("one_large");
-  PlaneView& axial = plane(PatientPlane::axial);
-  axial.setFocus();
-  QWindow* handle = window->windowHandle();
-  QTest::keyClick(handle, Qt::Key_D);
-  const QPoint from = axial.mapTo(window.get(), axial.rect().center());
-  QTest::mousePress(handle, Qt::LeftButton, {}, from);
-  for (int step = 1; step <= 5; ++step)
-    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(10 * step, 0));
-  QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(50, 0));
-  ASSERT_TRUE(test::waitUntil([&] { return planes().distance.has_value(); }));
-  const auto measured = planes().distance;
-  EXPECT_EQ(undo().undoText(), QStringLiteral("measure distance"));
-  EXPECT_EQ(undo().count(), 1) << "one step, however it was dragged";
-  QTest::mouseClick(handle, Qt::LeftButton, {}, from + QPoint(0, 60));
-  EXPECT_EQ(undo().count(), 1) << "a click measures nothing";
-  EXPECT_EQ(planes().distance, measured);
-  QTest::keyClick(handle, Qt::Key_Delete);
-  EXPECT_FALSE(planes().distance);
-  QTest::keyClick(handle, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(planes().distance, measured);
-  QTest::keyClick(handle, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_FALSE(planes().distance);
-  undo().redo();
-  EXPECT_EQ(planes().distance, measured);
-  for (QAction* entry : window->findChild<PlaneDeck*>()->findChildren<QAction*>())
-    if (entry->text() == QStringLiteral("Remove the distance"))
-      entry->trigger();
-  EXPECT_FALSE(planes().distance);
-  EXPECT_EQ(undo().undoText(), QStringLiteral("remove distance"));
-}
-
 TEST_F(PlanesWindow, aDoubleClickMakesASliceLargeAndBack) {
   choose("picture_and_three");
   PlaneView& sagittal = plane(PatientPlane::sagittal);
@@ -258,13 +207,11 @@ TEST_F(PlanesWindow, anotherVolumeKeepsTheLayoutAndForgetsThePlaces) {
   PlaneSettings settings = planes();
   settings.crosshairMm = glm::dvec3(10.0, -20.0, 30.0);
   settings.window = GreyWindow{1.0, 2.0};
-  settings.distance = MeasuredDistance{PatientPlane::axial, {0, 0, 0}, {1, 1, 1}};
   session().setPlanes(settings);
   ASSERT_TRUE(open(QStringLiteral("phantom:5")));
   EXPECT_EQ(planes().layout, PlaneLayout::pictureAndThree);
   EXPECT_FALSE(planes().crosshairMm);
   EXPECT_FALSE(planes().window);
-  EXPECT_FALSE(planes().distance);
   EXPECT_EQ(windowOf(plane(PatientPlane::axial).content()), windowOf(TissueWindow::softTissue));
 }
 

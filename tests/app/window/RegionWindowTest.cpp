@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/picture/RegionController.h"
+#include "widgets/properties/LabelSection.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QTreeView>
 
 #include <fstream>
 
@@ -144,6 +146,10 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
   EXPECT_EQ(undo().undoText(), QStringLiteral("open labels"));
   EXPECT_FALSE(bodyOnly().isChecked());
+  const QAbstractItemModel* rows = window->findChild<LabelSection*>()->findChild<QTreeView*>()->model();
+  EXPECT_TRUE(test::waitUntil([&] {
+    return rows->data(rows->index(1, 0), Qt::ToolTipRole).toString().contains(QStringLiteral("ml ·"));
+  })) << "its size and values are found beside the event loop";
   Region faded = scene().keep;
   faded.weights[1] = 0.5;
   session().setKeep(faded, {nextGestureId(), QStringLiteral("fade")});

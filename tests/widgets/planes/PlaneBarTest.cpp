@@ -127,12 +127,37 @@ TEST(PlaneDeckWidget, givesItsToolsToAllSlices) {
   for (const PatientPlane plane : patientPlanes) {
     PlaneView& view = *host.widget.view(plane);
     test::drag(view, {60, 60}, {100, 60});
-    ASSERT_TRUE(host.settings().distance);
-    EXPECT_EQ(host.settings().distance->plane, plane);
+    ASSERT_FALSE(host.measurements().empty());
+    EXPECT_EQ(host.measurements().back().plane, plane);
   }
+  EXPECT_EQ(host.measurements().size(), 3u);
   QTest::keyClick(host.widget.view(PatientPlane::axial), Qt::Key_Escape);
   test::drag(*host.widget.view(PatientPlane::coronal), {60, 40}, {70, 40});
   EXPECT_TRUE(host.settings().crosshairMm) << "Esc returned to the crosshair everywhere";
+}
+
+TEST(PlaneDeckWidget, oneButtonHasAllToolsThatMeasureAndKeepsTheLast) {
+  auto* picture = new QWidget;
+  PlaneContent content = test::contentOf(test::countingVolume({20, 20, 20}, glm::dvec3(1.0)));
+  content.settings.layout = PlaneLayout::pictureAndThree;
+  test::PlaneHost<PlaneDeck> host(content, *picture);
+  host.widget.resize(700, 500);
+  host.widget.show();
+  auto* button = host.widget.findChild<QToolButton*>(QStringLiteral("measureTool"));
+  ASSERT_NE(button, nullptr);
+  EXPECT_FALSE(button->isChecked());
+  host.widget.findChild<QAction*>(QStringLiteral("plane-tool-ellipse"))->trigger();
+  EXPECT_TRUE(button->isChecked());
+  EXPECT_EQ(button->accessibleName(), QStringLiteral("Ellipse (E)"));
+  test::drag(*host.widget.view(PatientPlane::axial), {60, 60}, {100, 90});
+  ASSERT_EQ(host.measurements().size(), 1u);
+  EXPECT_EQ(host.measurements().front().kind, Measurement::Kind::ellipse);
+  QTest::keyClick(host.widget.view(PatientPlane::axial), Qt::Key_Escape);
+  EXPECT_FALSE(button->isChecked());
+  QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(8, button->height() / 2));
+  EXPECT_TRUE(button->isChecked());
+  test::drag(*host.widget.view(PatientPlane::coronal), {60, 60}, {100, 90});
+  EXPECT_EQ(host.measurements().back().kind, Measurement::Kind::ellipse) << "the tool that measured last";
 }
 
 TEST(PlaneDeckWidget, aClickInOneSliceMovesTheOthers) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "planes/EllipseVoxels.h"
 #include "planes/GreyWindows.h"
 #include "scene/volume/Phantom.h"
+#include "widgets/MeasureText.h"
 #include "widgets/planes/PlaneContent.h"
 
 #include <QApplication>
@@ -23,9 +25,16 @@ public:
       ++edits;
       widget.setContent(content);
     });
+    QObject::connect(&widget, &Widget::measurementsEdited, [this](const MeasurementsEdited& edited) {
+      content.measured = measuredIn(content.volume.get(), edited.measurements);
+      content.inHand = edited.inHand;
+      gestures.push_back(edited.gesture.id);
+      widget.setContent(content);
+    });
     widget.setContent(content);
   }
 
+  std::vector<Measurement> measurements() const { return measurementsOf(content.measured); }
   PlaneSettings& settings() { return content.settings; }
 
   /// Other settings from elsewhere.
@@ -37,6 +46,7 @@ public:
   PlaneContent content;
   Widget widget;
   int edits = 0;
+  std::vector<std::uint64_t> gestures; ///< of what was measured
 };
 
 /// A volume on the axes of the patient whose value tells the place: x + 100 y + 10 000 z of the voxel.

@@ -2,15 +2,20 @@
 #include "PlaneHost.h"
 
 #include "support/Waiting.h"
+#include "widgets/planes/PlaneMeasures.h"
+#include "widgets/planes/PlaneOverlay.h"
 #include "widgets/planes/PlaneView.h"
 
 #include <QAccessible>
+#include <QPainterPath>
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cstdio>
+#include <numbers>
+#include <set>
 
 namespace limn {
 namespace {
@@ -137,40 +142,173 @@ TEST_F(PlaneViewTest, measuresADistanceInMillimetresWhereverItIsZoomed) {
   turnWheel(view, {150, 130}, 240, Qt::ControlModifier);
   const double pixelMm = mmPerLogicalPixel(view.frame());
   drag(view, {100, 100}, {160, 180});
-  ASSERT_TRUE(host.settings().distance);
-  const MeasuredDistance distance = *host.settings().distance;
+  ASSERT_EQ(host.measurements().size(), 1u);
+  const Measurement distance = host.measurements().front();
+  EXPECT_EQ(distance.kind, Measurement::Kind::distance);
   EXPECT_EQ(distance.plane, PatientPlane::axial);
-  EXPECT_NEAR(glm::length(distance.to - distance.from), 100.0 * pixelMm, 1e-9) << "60² + 80² = 100²";
-  EXPECT_EQ(distance.from.z, 18.0) << "it lies in the slice";
+  EXPECT_NEAR(lengthMm(distance), 100.0 * pixelMm, 1e-9) << "60² + 80² = 100²";
+  EXPECT_EQ(distance.placesMm[0].z, 18.0) << "it lies in the slice";
   EXPECT_FALSE(host.settings().crosshairMm) << "the crosshair stays";
+  EXPECT_EQ(host.content.inHand, 0u);
 }
 
-TEST_F(PlaneViewTest, endsOfADistanceAreDraggedWithAnyTool) {
+TEST_F(PlaneViewTest, threeDistancesStayAndEachIsOneGesture) {
+  view.setTool(PlaneTool::distance);
+  for (const int y : {60, 120, 200})
+    drag(view, {80, y}, {180, y});
+  ASSERT_EQ(host.measurements().size(), 3u);
+  EXPECT_EQ(std::set<std::uint64_t>(host.gestures.begin(), host.gestures.end()).size(), 3u);
+  EXPECT_EQ(host.content.inHand, 2u);
+  const PlaneOverlay overlay = planeOverlay(host.content, PatientPlane::axial, view.frame(), view.size(), {});
+  EXPECT_EQ(overlay.measures.size(), 3u);
+}
+
+TEST_F(PlaneViewTest, endsAreDraggedWithAnyToolInTheirSliceAlone) {
   view.setTool(PlaneTool::distance);
   drag(view, {100, 100}, {160, 100});
   view.setTool(PlaneTool::crosshair);
-  const glm::dvec3 from = host.settings().distance->from;
+  const glm::dvec3 from = host.measurements().front().placesMm[0];
   drag(view, {163, 101}, {120, 150});
-  EXPECT_EQ(host.settings().distance->from, from);
-  EXPECT_LT(glm::length(host.settings().distance->to - worldAt(view.frame(), {120, 150})), 1e-9);
+  ASSERT_EQ(host.measurements().size(), 1u);
+  EXPECT_EQ(host.measurements().front().placesMm[0], from);
+  EXPECT_LT(glm::length(host.measurements().front().placesMm[1] - worldAt(view.frame(), {120, 150})), 1e-9);
   EXPECT_FALSE(host.settings().crosshairMm);
   turnWheel(view, {150, 130}, 120);
   drag(view, {120, 150}, {150, 150});
-  EXPECT_LT(glm::length(host.settings().distance->from - from), 1e-9)
+  EXPECT_LT(glm::length(host.measurements().front().placesMm[0] - from), 1e-9)
       << "in another slice it is not there to drag";
   EXPECT_TRUE(host.settings().crosshairMm);
 }
 
-TEST_F(PlaneViewTest, aClickMeasuresNothingAndDeleteTakesADistanceAway) {
+TEST_F(PlaneViewTest, aClickMeasuresNothingAndDeleteTakesTheOneInHandAway) {
   view.setTool(PlaneTool::distance);
   QTest::mouseClick(&view, Qt::LeftButton, {}, {100, 100});
-  EXPECT_FALSE(host.settings().distance);
-  drag(view, {100, 100}, {160, 100});
-  const auto measured = host.settings().distance;
-  QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 200});
-  EXPECT_EQ(host.settings().distance, measured) << "a click leaves the one that is there";
+  EXPECT_TRUE(host.measurements().empty());
   QTest::keyClick(&view, Qt::Key_Delete);
-  EXPECT_FALSE(host.settings().distance);
+  EXPECT_TRUE(host.gestures.empty() || host.measurements().empty());
+  drag(view, {100, 100}, {160, 100});
+  drag(view, {100, 200}, {160, 200});
+  const std::vector<Measurement> measured = host.measurements();
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 230});
+  EXPECT_EQ(host.measurements(), measured) << "a click leaves what is there";
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {160, 100});
+  EXPECT_EQ(host.measurements(), measured);
+  EXPECT_EQ(host.content.inHand, 0u) << "a click on an end takes its measurement in hand";
+  QTest::keyClick(&view, Qt::Key_Delete);
+  EXPECT_EQ(host.measurements(), std::vector{measured[1]});
+  EXPECT_FALSE(host.content.inHand);
+  QTest::keyClick(&view, Qt::Key_Delete);
+  EXPECT_EQ(host.measurements().size(), 1u) << "nothing is in hand";
+}
+
+TEST_F(PlaneViewTest, anAngleIsDrawnToItsCornerAndFollowsThePointerToItsEnd) {
+  view.setTool(PlaneTool::angle);
+  drag(view, {80, 80}, {80, 180});
+  ASSERT_EQ(host.measurements().size(), 1u);
+  EXPECT_NEAR(*angleDegrees(host.measurements().front()), 90.0, 1e-9) << "until the pointer says otherwise";
+  QTest::mouseMove(&view, {180, 180});
+  QTest::mouseMove(&view, {180, 80});
+  EXPECT_NEAR(*angleDegrees(host.measurements().front()), 45.0, 1e-9);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {180, 80});
+  QTest::mouseMove(&view, {30, 30});
+  ASSERT_EQ(host.measurements().size(), 1u);
+  EXPECT_NEAR(*angleDegrees(host.measurements().front()), 45.0, 1e-9) << "it is done";
+  EXPECT_EQ(std::set<std::uint64_t>(host.gestures.begin(), host.gestures.end()).size(), 1u);
+  // Its corner is dragged as an end is.
+  drag(view, {80, 180}, {80, 80 + 50});
+  EXPECT_EQ(host.measurements().size(), 1u);
+  EXPECT_LT(glm::length(host.measurements().front().placesMm[1] - worldAt(view.frame(), {80, 130})), 1e-9);
+}
+
+TEST_F(PlaneViewTest, escTakesAnAngleBackThatHasNoEnd) {
+  view.setTool(PlaneTool::angle);
+  drag(view, {80, 80}, {80, 180});
+  ASSERT_EQ(host.measurements().size(), 1u);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_TRUE(host.measurements().empty());
+  QTest::mouseMove(&view, {180, 80});
+  EXPECT_TRUE(host.measurements().empty());
+  // What became of it elsewhere, such as by undo, is no longer led.
+  drag(view, {80, 80}, {80, 180});
+  host.content.measured.clear();
+  host.widget.setContent(host.content);
+  QTest::mouseMove(&view, {150, 90});
+  EXPECT_TRUE(host.measurements().empty());
+  // Another slice ends it where it is.
+  drag(view, {80, 80}, {80, 180});
+  turnWheel(view, {150, 130}, 120);
+  const std::vector<Measurement> there = host.measurements();
+  QTest::mouseMove(&view, {200, 90});
+  EXPECT_EQ(host.measurements(), there);
+}
+
+TEST_F(PlaneViewTest, anEllipseTellsTheVoxelsThatItGoesAround) {
+  view.setTool(PlaneTool::ellipse);
+  const QPoint from = pointAt({10.0, 10.0, 18.0}), to = pointAt({30.0, 20.0, 18.0});
+  drag(view, from, to);
+  ASSERT_EQ(host.measurements().size(), 1u);
+  const EllipseFigures figures = host.content.measured.front().ellipse;
+  const double pixelMm = mmPerLogicalPixel(view.frame());
+  EXPECT_NEAR(figures.areaMm2, std::numbers::pi / 4.0 * 20.0 * 10.0, 30.0 * pixelMm)
+      << "π/4 a pixel each way";
+  EXPECT_NEAR(figures.mean, 20.0 + 100.0 * 15.0 + 10000.0 * 9.0, 101.0)
+      << "the value in its middle, a voxel off";
+  // Its right end leads one side, its middle all of it.
+  const Measurement before = host.measurements().front();
+  const QPoint right = pointOf(view.frame(), {before.placesMm[1].x, middleMm(before).y, 18.0}).toPoint();
+  drag(view, right, right + QPoint(40, 30));
+  const Measurement wider = host.measurements().front();
+  EXPECT_NEAR(wider.placesMm[1].x - before.placesMm[1].x, 40.0 * pixelMm, pixelMm);
+  EXPECT_EQ(wider.placesMm[1].y, before.placesMm[1].y) << "its height stays";
+  EXPECT_EQ(wider.placesMm[0], before.placesMm[0]);
+  const QPoint middle = pointOf(view.frame(), middleMm(wider)).toPoint();
+  drag(view, middle, middle + QPoint(0, 25));
+  const Measurement moved = host.measurements().front();
+  EXPECT_NEAR(glm::length((moved.placesMm[1] - moved.placesMm[0]) - (wider.placesMm[1] - wider.placesMm[0])),
+              0.0, 1e-9);
+  EXPECT_NEAR(moved.placesMm[0].y - wider.placesMm[0].y, 25.0 * pixelMm, pixelMm);
+}
+
+TEST_F(PlaneViewTest, marksAreNumberedAndSeenInEveryPlaneThroughThem) {
+  view.setTool(PlaneTool::mark);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {100, 100});
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {150, 150});
+  ASSERT_EQ(host.measurements().size(), 2u);
+  EXPECT_EQ(host.measurements()[0].name, "1");
+  EXPECT_EQ(host.measurements()[1].name, "2");
+  PlaneContent content = host.content;
+  content.settings.crosshairMm = host.measurements()[0].placesMm[0];
+  EXPECT_TRUE(isInSlice(content, PatientPlane::sagittal, host.measurements()[0]));
+  EXPECT_FALSE(isInSlice(content, PatientPlane::sagittal, host.measurements()[1]));
+  content.measured[0].measurement.isShown = false;
+  EXPECT_EQ(measureShapes(content, PatientPlane::axial, view.frame()).size(), 1u);
+}
+
+TEST_F(PlaneViewTest, keysChooseTheToolsThatMeasure) {
+  QSignalSpy tools(&view, &PlaneView::toolRequested);
+  for (const auto& [key, tool] :
+       {std::pair(Qt::Key_D, PlaneTool::distance), std::pair(Qt::Key_G, PlaneTool::angle),
+        std::pair(Qt::Key_E, PlaneTool::ellipse), std::pair(Qt::Key_N, PlaneTool::mark)}) {
+    QTest::keyClick(&view, key);
+    ASSERT_FALSE(tools.empty());
+    EXPECT_EQ(tools.takeLast().front().value<PlaneTool>(), tool);
+  }
+}
+
+// Texts stand beside what was measured, never on it, even of hundreds; names may be long.
+TEST_F(PlaneViewTest, aTextDoesNotLieOnWhatWasMeasured) {
+  view.setTool(PlaneTool::distance);
+  drag(view, {130, 110}, {170, 150});
+  host.content.measured.front().measurement.name = std::string(500, 'W');
+  const PlaneOverlay overlay =
+      planeOverlay(host.content, PatientPlane::axial, view.frame(), view.size(), view.font());
+  ASSERT_EQ(overlay.measures.size(), 1u);
+  const MeasureMark& mark = overlay.measures.front();
+  ASSERT_TRUE(mark.note);
+  EXPECT_FALSE(measuredArea(mark.shape).intersects(mark.note->plate));
+  EXPECT_TRUE(overlay.view.contains(mark.note->plate));
+  for (const Note& note : overlay.notes)
+    EXPECT_FALSE(note.plate.intersects(mark.note->plate)) << note.text.toStdString();
 }
 
 TEST_F(PlaneViewTest, keysWalkVoxelByVoxelAndSliceBySlice) {

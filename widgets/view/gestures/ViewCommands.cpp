@@ -43,6 +43,9 @@ const KeyCommand letterCommands[] = {{Qt::Key_A, LookFrom{StandardView::anterior
                                      {Qt::Key_Z, UseTool{ViewTool::zoom}},
                                      {Qt::Key_X, UseTool{ViewTool::scissors}},
                                      {Qt::Key_K, UseTool{ViewTool::piece}},
+                                     {Qt::Key_D, UseTool{ViewTool::distance}},
+                                     {Qt::Key_G, UseTool{ViewTool::angle}},
+                                     {Qt::Key_N, UseTool{ViewTool::mark}},
                                      {Qt::Key_BracketLeft, UseTool{ViewTool::rotate}},
                                      {Qt::Key_Space, Swap{}}};
 
@@ -57,6 +60,7 @@ const KeyCommand symbolCommands[] = {{Qt::Key_Left, Rotate{-1, 0}},
                                      {Qt::Key_Return, CloseLine{}},
                                      {Qt::Key_Enter, CloseLine{}},
                                      {Qt::Key_Backspace, ShortenLine{}},
+                                     {Qt::Key_Delete, Remove{}},
                                      {Qt::Key_Escape, Cancel{}}};
 
 ViewCommand commandIn(std::span<const KeyCommand> commands, int key) {

@@ -54,6 +54,9 @@ struct CloseLine { ///< that is being drawn
 struct ShortenLine { ///< by its last corner
   bool operator==(const ShortenLine&) const = default;
 };
+struct Remove { ///< the measurement in hand
+  bool operator==(const Remove&) const = default;
+};
 struct Cancel {
   bool operator==(const Cancel&) const = default;
 };
@@ -65,8 +68,8 @@ struct ListShortcuts {
 using ViewCommand =
     std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest, viewcommand::Reset,
                  viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
-                 viewcommand::Swap, viewcommand::CloseLine, viewcommand::ShortenLine, viewcommand::Cancel,
-                 viewcommand::ListShortcuts>;
+                 viewcommand::Swap, viewcommand::CloseLine, viewcommand::ShortenLine, viewcommand::Remove,
+                 viewcommand::Cancel, viewcommand::ListShortcuts>;
 
 /// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
 /// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;

@@ -31,6 +31,9 @@ DragKind dragOfTool(ViewTool tool) {
   case ViewTool::windowLevel:
     return DragKind::windowLevel;
   case ViewTool::piece:
+  case ViewTool::distance:
+  case ViewTool::angle:
+  case ViewTool::mark:
     return DragKind::rotate;
   case ViewTool::scissors:
     break;
@@ -43,6 +46,8 @@ constexpr double clickSlack = 3.0; // a click may tremble by this many logical p
 ViewClick clickOf(const Press& press, ViewTool tool) {
   if (tool == ViewTool::piece && press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier)
     return ViewClick::pick;
+  if (kindOf(tool) && press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier)
+    return ViewClick::measure;
   if (press.button == Qt::RightButton && press.modifiers == Qt::NoModifier)
     return ViewClick::menu;
   if (press.modifiers != Qt::ShiftModifier)
@@ -73,6 +78,20 @@ CropBox croppedTo(const ViewDrag& drag, const Scene& shown, const QPointF& point
 }
 
 } // namespace
+
+std::optional<Measurement::Kind> kindOf(ViewTool tool) {
+  return tool == ViewTool::distance ? std::optional(Measurement::Kind::distance)
+         : tool == ViewTool::angle  ? std::optional(Measurement::Kind::angle)
+         : tool == ViewTool::mark   ? std::optional(Measurement::Kind::mark)
+                                    : std::nullopt;
+}
+
+std::optional<ViewTool> viewToolOf(Measurement::Kind kind) {
+  return kind == Measurement::Kind::distance ? std::optional(ViewTool::distance)
+         : kind == Measurement::Kind::angle  ? std::optional(ViewTool::angle)
+         : kind == Measurement::Kind::mark   ? std::optional(ViewTool::mark)
+                                             : std::nullopt;
+}
 
 DragKind dragKind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool tool) {
   if (button == Qt::MiddleButton)

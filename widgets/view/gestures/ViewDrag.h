@@ -20,8 +20,13 @@
 namespace limn {
 
 /// What the left button does without modifiers. Scissors draw a line to cut along; with `piece`, a click
-/// picks the connected piece that is seen there, and a drag rotates.
-enum class ViewTool { rotate, pan, zoom, windowLevel, scissors, piece };
+/// picks the connected piece that is seen there, and a drag rotates. With those that measure a click sets a
+/// place that is seen, and a drag rotates.
+enum class ViewTool { rotate, pan, zoom, windowLevel, scissors, piece, distance, angle, mark };
+
+/// What a tool measures, where it does, and the tool that measures so; of ellipses there is none.
+std::optional<Measurement::Kind> kindOf(ViewTool tool);
+std::optional<ViewTool> viewToolOf(Measurement::Kind kind);
 
 /// What a drag in the 3D view does; the last two follow from where it begins.
 enum class DragKind { none, rotate, pan, zoom, roll, windowLevel, opacity, wipe, cropFace };
@@ -82,7 +87,7 @@ struct WipeTo {
 using ViewEdit = std::variant<std::monostate, Camera, TransferFunction, CropBox, WipeTo>;
 
 /// What a press asks for that is released where it began.
-enum class ViewClick { none, pin, turnAbout, menu, pick };
+enum class ViewClick { none, pin, turnAbout, menu, pick, measure };
 
 /// A pressed button until its release; places in logical pixels.
 struct ViewDrag {

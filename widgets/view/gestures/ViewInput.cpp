@@ -5,6 +5,7 @@
 #include "widgets/theme/Theme.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/LabelReading.h"
+#include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QMouseEvent>
@@ -81,6 +82,7 @@ bool ViewInput::isTurning() const {
 void ViewInput::forget() {
   m_drag.reset();
   m_line.reset();
+  m_measure.reset();
   m_read.reset();
 }
 
@@ -102,11 +104,12 @@ void ViewInput::setTool(ViewTool tool) {
 
 // What a press here would do.
 void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
-  m_view->setCursor(m_hovered.label >= 0 || m_hovered.hidden ? Qt::PointingHandCursor
-                    : handle                                 ? cursorFor(*handle)
-                    : m_hovered.wipe                         ? Qt::SplitHCursor
-                    : m_tool == ViewTool::scissors           ? Qt::CrossCursor
-                    : m_tool == ViewTool::piece              ? Qt::PointingHandCursor
+  m_view->setCursor(m_hovered.label >= 0 || m_hovered.hidden         ? Qt::PointingHandCursor
+                    : handle                                         ? cursorFor(*handle)
+                    : m_hovered.measure                              ? Qt::SizeAllCursor
+                    : m_hovered.wipe                                 ? Qt::SplitHCursor
+                    : m_tool == ViewTool::scissors || kindOf(m_tool) ? Qt::CrossCursor
+                    : m_tool == ViewTool::piece                      ? Qt::PointingHandCursor
                                                 : cursorOf(dragKind(Qt::LeftButton, Qt::NoModifier, m_tool)));
 }
 
@@ -123,7 +126,7 @@ void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
 
 void ViewInput::press(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
-  if (!source.comparison.scene.volume || m_drag)
+  if (!source.comparison.scene.volume || m_drag || m_measure)
     return;
   const Press press{event.button(), event.modifiers(), event.position()};
   std::optional<CropHandle> handle;
@@ -142,7 +145,7 @@ void ViewInput::press(const QMouseEvent& event) {
     }
     handle = cropHandleAt(source, press.point);
   }
-  if (!handle && drawLine(source, event))
+  if (!handle && (drawLine(source, event) || takeMeasure(source, event)))
     return;
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
   if (handle)
@@ -164,6 +167,17 @@ bool ViewInput::drawLine(const OverlaySource& source, const QMouseEvent& event) 
   return true;
 }
 
+// Whether the left button takes hold of a handle of a measurement; the scissors draw over them.
+bool ViewInput::takeMeasure(const OverlaySource& source, const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier)
+    return false;
+  m_measure = measureHandleAt(measureShapesOf(source, standingAt(source.geometry, event.position())),
+                              event.position());
+  if (m_measure)
+    emit measureTaken(*m_measure, nextGestureId());
+  return m_measure.has_value();
+}
+
 void ViewInput::closeLine() {
   const CutLine line = *std::exchange(m_line, std::nullopt);
   if (isArea(line))
@@ -173,6 +187,12 @@ void ViewInput::closeLine() {
 void ViewInput::move(const QMouseEvent& event) {
   if (m_line && !m_drag)
     return moveLine(*m_line, event.position(), event.modifiers() == Qt::ShiftModifier);
+  if (m_measure) {
+    const OverlaySource source = m_facts.shown();
+    if (const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, event.position()))
+      emit measureLed(*ray, sideAt(source, event.position()));
+    return;
+  }
   if (!m_drag)
     return hover(event);
   const Gesture gesture = m_drag->gesture;
@@ -183,6 +203,10 @@ void ViewInput::release(const QMouseEvent& event) {
   if (m_line && m_line->isHeld && event.button() == Qt::LeftButton) {
     if (releaseLine(*m_line, event.position()))
       closeLine();
+    return;
+  }
+  if (m_measure && event.button() == Qt::LeftButton) {
+    m_measure.reset();
     return;
   }
   if (!m_drag || event.button() != m_drag->button)
@@ -209,6 +233,10 @@ void ViewInput::obeyClick(ViewClick click, const QPointF& point) {
   case ViewClick::pick:
     if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
       emit pieceRequested(*ray, sideAt(source, point));
+    break;
+  case ViewClick::measure:
+    if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+      emit measureRequested(*ray, sideAt(source, point));
     break;
   case ViewClick::turnAbout:
     if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
@@ -241,7 +269,7 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
     return;
   if (m_line)
     return closeLine();
-  if (m_tool == ViewTool::scissors)
+  if (m_tool == ViewTool::scissors || kindOf(m_tool))
     return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
     uncut(source.comparison.scene, handle->face);
@@ -287,7 +315,9 @@ void ViewInput::hover(const QMouseEvent& event) {
   const std::optional<CropHandle> handle = isOnText ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;
-  now.wipe = !isOnText && !handle && isOnWipeBorder(source.geometry, point);
+  now.measure = !isOnText && !handle &&
+                measureHandleAt(measureShapesOf(source, standingAt(source.geometry, point)), point);
+  now.wipe = !isOnText && !handle && !now.measure && isOnWipeBorder(source.geometry, point);
   if (now != m_hovered) {
     m_hovered = now;
     showCursor(handle);
@@ -362,7 +392,12 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
       m_line.reset();
   } else if (std::holds_alternative<Cancel>(command) && m_line)
     m_line.reset();
-  else if (std::holds_alternative<Cancel>(command) && m_drag)
+  else if (std::holds_alternative<Remove>(command))
+    emit measureRemoved();
+  else if (std::holds_alternative<Cancel>(command) && m_measure) {
+    m_measure.reset();
+    emit measureLeft();
+  } else if (std::holds_alternative<Cancel>(command) && m_drag)
     cancelDrag(shown);
   else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)
     setTool(ViewTool::rotate);

@@ -7,6 +7,7 @@
 #include "widgets/view/gestures/ViewCommands.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/overlay/CutLine.h"
+#include "widgets/view/overlay/MeasureMarks.h"
 #include "widgets/view/overlay/ViewOrder.h"
 
 #include <QCursor>
@@ -97,6 +98,15 @@ signals:
   void pieceRequested(const limn::Ray& ray, int side);
   /// The range of the picked piece shall be narrower by so many notches, or wider.
   void pieceNarrowed(double notches);
+  /// A place of the measurement of the tool in hand shall be what is seen along this ray of the picture of a
+  /// side.
+  void measureRequested(const limn::Ray& ray, int side);
+  /// A handle of a measurement was taken; it is led by the gesture of this id. The same with a ray along
+  /// which it shall lie, or that it shall lie again where it was.
+  void measureTaken(const limn::MeasureHandle& handle, std::uint64_t gesture);
+  void measureLed(const limn::Ray& ray, int side);
+  void measureLeft();
+  void measureRemoved(); ///< the one in hand shall be deleted
   void cameraReset();
   /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
   void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
@@ -121,6 +131,7 @@ private:
   void readRayAt(const OverlaySource& source, const QPointF& point);
   bool drawLine(const OverlaySource& source, const QMouseEvent& event);
   void closeLine();
+  bool takeMeasure(const OverlaySource& source, const QMouseEvent& event);
   void showProbe(const std::optional<Probe>& probe, const OverlaySource& source, const QPointF& point);
 
   QWidget* m_view;
@@ -128,6 +139,7 @@ private:
   ViewTool m_tool = ViewTool::rotate;
   std::optional<ViewDrag> m_drag;
   std::optional<CutLine> m_line;
+  std::optional<MeasureHandle> m_measure; ///< that is being led
   bool m_linesRemoveInside = true;
   bool m_wheelIsForPiece = false;
   Hovered m_hovered;

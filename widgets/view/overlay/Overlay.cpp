@@ -190,6 +190,22 @@ std::vector<QPointF> marksOf(const OverlaySource& source, const std::optional<gl
   return marks;
 }
 
+// Beside all that is written, in each picture.
+std::vector<Overlay::Measures> measuresOf(const OverlaySource& source, const Overlay& overlay,
+                                          std::vector<QRectF> plates) {
+  for (const LetterMarks& marks : overlay.letters)
+    for (const std::optional<QRectF>& place : marks.places)
+      if (place)
+        plates.push_back(*place);
+  std::vector<Overlay::Measures> measures;
+  if (!source.comparison.measures.empty())
+    for (int position = 0; position < standingCount(source.geometry); ++position)
+      measures.push_back(
+          {pictureRect(source.geometry, position),
+           placedMeasures(measureShapesOf(source, position), source.font, source.written(position), plates)});
+  return measures;
+}
+
 // Lines of the box would strike through what is written there.
 QRegion besideTexts(const Overlay& overlay, const QRectF& picture) {
   QRegion region(picture.toAlignedRect());
@@ -226,6 +242,21 @@ void paintTitles(QPainter& painter, const Overlay& overlay) {
 
 } // namespace
 
+std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int position) {
+  const ViewProjection projection =
+      viewProjection(source.comparison.scene.camera, pictureRect(source.geometry, position));
+  std::vector<MeasureShape> shapes;
+  for (const SeenMeasure& measure : source.comparison.measures) {
+    MeasureShape shape{measure.number, measure.kind, {}, measure.text, measure.isInHand};
+    for (const glm::dvec3& place : measure.placesMm)
+      if (const std::optional<QPointF> at = pixelOf(projection, place))
+        shape.places.push_back(*at);
+    if (shape.places.size() == measure.placesMm.size() && !shape.places.empty())
+      shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
 Overlay overlayOf(const OverlaySource& source) {
   Overlay overlay;
   overlay.view = source.view();
@@ -250,6 +281,7 @@ Overlay overlayOf(const OverlaySource& source) {
     overlay.reading = Overlay::Reading{
         withLabelReading(readingText(source.read->value, source.volume()), source.read->label),
         source.read->at};
+  overlay.measures = measuresOf(source, overlay, plates);
   overlay.cutLine = source.cutLine;
   overlay.progress = progressOf(source.state);
   return overlay;
@@ -263,6 +295,12 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   paintCropBoxes(painter, overlay);
   if (overlay.cutLine)
     paintCutLine(painter, *overlay.cutLine);
+  for (const Overlay::Measures& measures : overlay.measures) {
+    painter.save();
+    painter.setClipRect(measures.picture);
+    paintMeasures(painter, measures.marks);
+    painter.restore();
+  }
   for (const QPointF& mark : overlay.marks)
     paintMark(painter, mark);
   for (const QPointF& half : overlay.halves)

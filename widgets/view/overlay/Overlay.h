@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/MeasureMarks.h"
 #include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/Titles.h"
 
@@ -25,6 +26,12 @@ struct Overlay {
     QPointF at;
   };
 
+  /// What was measured, over one picture.
+  struct Measures {
+    QRectF picture;
+    std::vector<MeasureMark> marks;
+  };
+
   QRectF view;
   QFont font;
   std::optional<QRectF> gap; ///< between pictures side by side
@@ -41,12 +48,16 @@ struct Overlay {
   std::vector<QPointF> marks;   ///< where a marked place is seen in each picture that shows it
   std::vector<QPointF> halves;  ///< the same of where half of a ray's light is gathered
   std::vector<QPointF> centres; ///< the same of the place about which the pictures are turned
+  std::vector<Measures> measures;
   std::optional<CutLine> cutLine;
   std::vector<double> progress; ///< each 0..1
 };
 
 /// A value of a volume with its unit and as many digits as the volume's range makes sensible.
 QString readingText(double value, const Volume& volume);
+
+/// What was measured, where it is seen in the picture at a position. What lies behind the eye is not.
+std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int position);
 
 /// Lays everything out; nothing is painted yet.
 Overlay overlayOf(const OverlaySource& source);

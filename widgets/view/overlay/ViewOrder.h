@@ -3,6 +3,7 @@
 
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/view/Measurement.h"
 #include "widgets/properties/CropFaces.h"
 #include "widgets/view/overlay/CutLine.h"
 #include "widgets/view/overlay/ViewGeometry.h"
@@ -28,6 +29,16 @@ struct ComparedLook {
 
 using SideModels = std::array<ShadingModel, 2>;
 
+/// Something measured, as pictures show it.
+struct SeenMeasure {
+  std::size_t number = 0; ///< in the list of measurements
+  Measurement::Kind kind = Measurement::Kind::distance;
+  std::vector<glm::dvec3> placesMm; ///< world; the last are absent while it is being measured
+  QString text;
+  bool isInHand = false;
+  bool operator==(const SeenMeasure&) const = default;
+};
+
 /// A scene in one picture or two. Sides are numbered as they are drawn, positions as they stand, from left to
 /// right; they differ only while the sides are swapped.
 struct Comparison {
@@ -42,6 +53,7 @@ struct Comparison {
   std::optional<glm::dvec3> markMm;       ///< a place that is marked in the pictures, world
   std::optional<glm::dvec3> halfMm;       ///< where half of a ray's light is gathered, world; marked, too
   std::optional<glm::dvec3> turnsAboutMm; ///< about which turns go, world; absent: the camera's target
+  std::vector<SeenMeasure> measures;      ///< drawn over the pictures
   std::string preview;                    ///< the preset that the scene is a preview of; empty: none
   bool operator==(const Comparison&) const = default;
 };
@@ -76,6 +88,7 @@ struct HiddenPlace {
 struct Hovered {
   int label = -1; ///< the position of a picture, -1 for none
   bool wipe = false;
+  bool measure = false; ///< a handle of a measurement
   std::optional<HiddenPlace> hidden;
   std::optional<CropFace> face;
   bool operator==(const Hovered&) const = default;

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/MeasureController.h"
+
+#include "app/picture/CameraController.h"
+#include "app/window/WindowContext.h"
+#include "planes/EllipseVoxels.h"
+#include "widgets/planes/PlaneDeck.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
+
+#include <QStatusBar>
+
+namespace limn {
+namespace {
+
+constexpr int measureTellsForMs = 6000;
+
+// Slices have what lies in them; in the picture stands what was made there, and every mark.
+bool isSeenInPicture(const Measurement& measurement) {
+  return measurement.isShown && (!measurement.plane || measurement.kind == Measurement::Kind::mark);
+}
+
+} // namespace
+
+MeasureController::MeasureController(WindowContext& context) : QObject(&context.window), m_context(context) {
+  const ViewInput* input = &context.view.input();
+  connect(&context.planes, &PlaneDeck::measurementsEdited, this, &MeasureController::edit);
+  connect(&context.session, &Session::measurementsChanged, this, &MeasureController::refresh);
+  connect(&context.view, &CompareView::toolChanged, this, &MeasureController::showTool);
+  connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
+  connect(input, &ViewInput::measureTaken, this, &MeasureController::take);
+  connect(input, &ViewInput::measureLed, this, &MeasureController::lead);
+  connect(input, &ViewInput::measureLeft, this, [this] {
+    if (m_led)
+      edit({m_led->before, m_inHand, {m_led->gesture, {}}});
+  });
+  connect(input, &ViewInput::measureRemoved, this, &MeasureController::remove);
+  context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) {
+    if (scene.volume == m_volume)
+      return;
+    m_volume = scene.volume;
+    m_measured.clear(); // what they said was said of another
+    m_inHand.reset();
+    m_open.reset();
+    m_led.reset();
+    refresh();
+  });
+}
+
+void MeasureController::edit(const MeasurementsEdited& edited) {
+  if (!m_volume)
+    return;
+  m_inHand = edited.inHand;
+  m_measured = measuredIn(m_volume.get(), edited.measurements, m_measured);
+  if (edited.measurements == m_context.session.measurements())
+    return show(); // another one is in hand
+  Gesture gesture = edited.gesture;
+  if (gesture.text.isEmpty() && m_inHand && *m_inHand < m_measured.size())
+    gesture.text = measureTitle(m_measured[*m_inHand], *m_volume);
+  m_context.session.setMeasurements(edited.measurements, gesture);
+}
+
+// What is said of those that stayed as they were is not found anew.
+void MeasureController::refresh() {
+  m_measured = measuredIn(m_volume.get(), m_context.session.measurements(), m_measured);
+  if (m_inHand && *m_inHand >= m_measured.size())
+    m_inHand.reset();
+  show();
+}
+
+void MeasureController::show() {
+  std::vector<SeenMeasure> seen;
+  for (std::size_t number = 0; m_volume && number < m_measured.size(); ++number)
+    if (const Measured& one = m_measured[number]; isSeenInPicture(one.measurement))
+      seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
+                      m_inHand == number});
+  if (m_open && !m_open->placesMm.empty())
+    seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true});
+  m_context.view.setMeasures(seen);
+  emit shown(m_measured, m_volume, m_inHand);
+}
+
+void MeasureController::goTo(std::size_t number) {
+  if (number >= m_measured.size())
+    return;
+  m_inHand = number;
+  PlaneContent content;
+  content.volume = m_volume;
+  content.settings = m_context.session.planes();
+  m_context.session.setPlanes(withCrosshair(content, middleMm(m_measured[number].measurement)));
+  show();
+}
+
+void MeasureController::useTool(Measurement::Kind kind) {
+  m_context.planes.setTool(toolOf(kind));
+  if (const std::optional<ViewTool> tool = viewToolOf(kind))
+    m_context.view.setTool(*tool);
+  else if (m_context.session.planes().layout == PlaneLayout::pictureOnly)
+    say(tr("An ellipse is drawn in a slice; View ▸ Slices shows them."));
+}
+
+void MeasureController::remove() {
+  if (m_volume && m_inHand)
+    edit(withoutMeasure(m_measured, *m_inHand, *m_volume));
+}
+
+// Another tool leaves what has not all of its places.
+void MeasureController::showTool() {
+  m_open.reset();
+  show();
+  if (const auto kind = kindOf(m_context.view.tool()))
+    say(*kind == Measurement::Kind::mark ? tr("Click the place to mark.")
+        : *kind == Measurement::Kind::angle
+            ? tr("Click one end, the corner and the other end; a drag rotates the picture.")
+            : tr("Click both ends; a drag rotates the picture."));
+}
+
+std::optional<glm::dvec3> MeasureController::placeSeen(const Ray& ray, int side) {
+  if (m_context.view.sceneOfSide(side).projection == Projection::average) {
+    say(tr("In an average every depth counts alike, so that there is no place to measure at."));
+    return std::nullopt;
+  }
+  const TurnCentre seen = turnCentreAlong(m_context.view, ray, side);
+  if (!seen.placeMm)
+    say(seen.reason);
+  return seen.placeMm;
+}
+
+void MeasureController::pick(const Ray& ray, int side) {
+  const std::optional<Measurement::Kind> kind = kindOf(m_context.view.tool());
+  if (!kind || !m_volume)
+    return;
+  const std::optional<glm::dvec3> place = placeSeen(ray, side);
+  if (!place)
+    return;
+  if (!m_open)
+    m_open = Measurement{*kind, std::nullopt, {}};
+  m_open->placesMm.push_back(*place);
+  if (m_open->placesMm.size() < placesOf(*kind))
+    return show();
+  std::vector<Measurement> measurements = m_context.session.measurements();
+  if (*kind == Measurement::Kind::mark)
+    m_open->name = freeName(measurements);
+  measurements.push_back(*m_open);
+  m_open.reset();
+  const std::size_t last = measurements.size() - 1;
+  edit({std::move(measurements), last, {nextGestureId(), {}}});
+}
+
+void MeasureController::take(const MeasureHandle& handle, std::uint64_t gesture) {
+  m_led.reset();
+  if (handle.number >= m_measured.size())
+    return; // of the one that is being measured
+  m_led = Led{handle, gesture, m_context.session.measurements()};
+  m_inHand = handle.number;
+  show();
+}
+
+void MeasureController::lead(const Ray& ray, int side) {
+  if (!m_led || m_led->handle.number >= m_context.session.measurements().size())
+    return;
+  const std::optional<glm::dvec3> place = placeSeen(ray, side);
+  if (!place)
+    return;
+  std::vector<Measurement> measurements = m_context.session.measurements();
+  Measurement& led = measurements[m_led->handle.number];
+  led.placesMm[m_led->handle.place] = *place;
+  edit({std::move(measurements), m_led->handle.number, {m_led->gesture, {}}});
+}
+
+void MeasureController::say(const QString& sentence) const {
+  m_context.window.statusBar()->showMessage(sentence, measureTellsForMs);
+}
+
+} // namespace limn

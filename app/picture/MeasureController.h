@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/MeasureText.h"
+#include "widgets/view/overlay/MeasureMarks.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace limn {
+
+struct Ray;
+struct WindowContext;
+enum class PlaneTool;
+
+/// What is measured in slices and in the picture: finds what it says of the volume, makes each change one
+/// undo step that is called by what was measured, and shows it in slices, picture and list. In the picture
+/// places are picked where half of the light of a ray is gathered.
+class MeasureController : public QObject {
+  Q_OBJECT
+
+public:
+  explicit MeasureController(WindowContext& context);
+
+public slots:
+  /// The measurements shall be these.
+  void edit(const limn::MeasurementsEdited& edited);
+  /// Takes one in hand and leads the crosshair to it.
+  void goTo(std::size_t number);
+  /// The left button measures so from now on, in slices and, but for ellipses, in the picture.
+  void useTool(limn::Measurement::Kind kind);
+
+signals:
+  /// What there is, of which volume (null: none is open), and what of it is in hand.
+  void shown(const std::vector<limn::Measured>& measured, const std::shared_ptr<const limn::Volume>& volume,
+             std::optional<std::size_t> inHand);
+
+private:
+  void refresh();
+  void show();
+  void showTool();
+  void remove();
+  void pick(const Ray& ray, int side);
+  void take(const MeasureHandle& handle, std::uint64_t gesture);
+  void lead(const Ray& ray, int side);
+  std::optional<glm::dvec3> placeSeen(const Ray& ray, int side);
+  void say(const QString& sentence) const;
+
+  // A handle that is being led in the picture.
+  struct Led {
+    MeasureHandle handle;
+    std::uint64_t gesture = 0;
+    std::vector<Measurement> before;
+  };
+
+  WindowContext& m_context;
+  std::shared_ptr<const Volume> m_volume; ///< of which they are
+  std::vector<Measured> m_measured;
+  std::optional<std::size_t> m_inHand;
+  std::optional<Measurement> m_open; ///< that lacks places, which are being picked in the picture
+  std::optional<Led> m_led;
+};
+
+} // namespace limn

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/view/Measurement.h"
+#include "scene/volume/Volume.h"
+#include "widgets/Gesture.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace limn {
+
+/// What the list of measurements shall be from now on, and which of them is in hand. A gesture without a text
+/// is named by whoever knows what was measured.
+struct MeasurementsEdited {
+  std::vector<Measurement> measurements;
+  std::optional<std::size_t> inHand;
+  Gesture gesture;
+};
+
+/// "Distance", "Angle", "Ellipse", "Mark".
+QString measureKindText(Measurement::Kind kind);
+
+/// What was measured: "23.2 mm", "45.0°", "38 ± 12 HU · 123 mm²"; of a mark nothing. Where no distance
+/// between voxels is known, lengths are voxels. An ellipse of no voxel and an angle without legs say so.
+QString measureValueText(const Measured& measured, const Volume& volume);
+
+/// What stands beside it in pictures: its name and what was measured.
+QString measureNoteText(const Measured& measured, const Volume& volume);
+
+/// What undo and lists call it: "Distance 23.2 mm", "Mark 1". A long name is cut.
+QString measureTitle(const Measured& measured, const Volume& volume);
+
+/// What takes one of them away; it names itself.
+MeasurementsEdited withoutMeasure(const std::vector<Measured>& measured, std::size_t number,
+                                  const Volume& volume);
+
+/// All that is known of it, for a tool tip: of an ellipse also range and number of voxels.
+QString measureDetails(const Measured& measured, const Volume& volume);
+
+} // namespace limn
