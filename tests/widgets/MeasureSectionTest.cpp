@@ -75,7 +75,7 @@ TEST_F(MeasureSectionTest, aDoubleClickRenamesAndAnEmptyNameIsTheKind) {
   QTest::keyClicks(editor, QStringLiteral("Tumour"));
   QTest::keyClick(editor, Qt::Key_Return);
   EXPECT_EQ(measured[0].measurement.name, "Tumour");
-  EXPECT_EQ(texts.last(), QStringLiteral("rename: Distance Tumour · 5 mm"));
+  EXPECT_EQ(texts.last(), QStringLiteral("rename: Distance 5 mm · Tumour"));
   list().topLevelItem(0)->setText(0, QStringLiteral("  "));
   EXPECT_EQ(measured[0].measurement.name, "");
   EXPECT_EQ(at(0, 0), QStringLiteral("Distance"));
@@ -84,9 +84,9 @@ TEST_F(MeasureSectionTest, aDoubleClickRenamesAndAnEmptyNameIsTheKind) {
 TEST_F(MeasureSectionTest, marksHideAndTheDeleteKeyDeletes) {
   list().topLevelItem(1)->setCheckState(0, Qt::Unchecked);
   EXPECT_FALSE(measured[1].measurement.isShown);
-  EXPECT_EQ(texts.last(), QStringLiteral("hide: Angle Cobb · 90.0°"));
+  EXPECT_EQ(texts.last(), QStringLiteral("hide: Angle 90.0° · Cobb"));
   list().topLevelItem(1)->setCheckState(0, Qt::Checked);
-  EXPECT_EQ(texts.last(), QStringLiteral("show: Angle Cobb · 90.0°"));
+  EXPECT_EQ(texts.last(), QStringLiteral("show: Angle 90.0° · Cobb"));
   list().setCurrentItem(list().topLevelItem(3));
   QTest::keyClick(&list(), Qt::Key_Delete);
   EXPECT_EQ(measured.size(), 3u);
