@@ -18,6 +18,16 @@
 #include <QKeyEvent>
 
 namespace limn {
+namespace {
+
+void connectMeasures(MeasureController& controller, MeasureSection& section) {
+  QObject::connect(&section, &MeasureSection::measurementsEdited, &controller, &MeasureController::edit);
+  QObject::connect(&section, &MeasureSection::chosen, &controller, &MeasureController::goTo);
+  QObject::connect(&section, &MeasureSection::toolRequested, &controller, &MeasureController::useTool);
+  QObject::connect(&controller, &MeasureController::shown, &section, &MeasureSection::setMeasured);
+}
+
+} // namespace
 
 MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& memory, QWidget* parent)
     : QMainWindow(parent), m_context(*this, std::move(folders), memory), m_picture(m_context),
@@ -83,14 +93,7 @@ void MainWindow::connectPictureAndPanels() {
           [this] { m_context.view.setTool(ViewTool::scissors); });
   connect(properties->cutSection(), &CutSection::pieceRequested, &m_context.view,
           [this] { m_context.view.setTool(ViewTool::piece); });
-  connect(properties->measureSection(), &MeasureSection::measurementsEdited, &m_picture.measures(),
-          &MeasureController::edit);
-  connect(properties->measureSection(), &MeasureSection::chosen, &m_picture.measures(),
-          &MeasureController::goTo);
-  connect(properties->measureSection(), &MeasureSection::toolRequested, &m_picture.measures(),
-          &MeasureController::useTool);
-  connect(&m_picture.measures(), &MeasureController::shown, properties->measureSection(),
-          &MeasureSection::setMeasured);
+  connectMeasures(m_picture.measures(), *properties->measureSection());
   connect(planes, &PlaneController::valueMarked, curve, &TransferFunctionEditor::setMark);
   connect(planes, &PlaneController::valuePinned, curve, &TransferFunctionEditor::setPinnedValue);
   connect(&m_panels.ray(), &RayController::placeChosen, planes, &PlaneController::goTo);

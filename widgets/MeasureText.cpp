@@ -83,7 +83,7 @@ QString measureValueText(const Measured& measured, const Volume& volume) {
 QString measureNoteText(const Measured& measured, const Volume& volume) {
   const QString name = cutName(givenName(measured));
   const QString value = measureValueText(measured, volume);
-  return name.isEmpty() ? value : value.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, value);
+  return name.isEmpty() ? value : value.isEmpty() ? name : QStringLiteral("%1 · %2").arg(value, name);
 }
 
 QString measureTitle(const Measured& measured, const Volume& volume) {

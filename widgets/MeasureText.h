@@ -27,7 +27,7 @@ QString measureKindText(Measurement::Kind kind);
 /// between voxels is known, lengths are voxels. An ellipse of no voxel and an angle without legs say so.
 QString measureValueText(const Measured& measured, const Volume& volume);
 
-/// What stands beside it in pictures: its name and what was measured.
+/// What stands beside it in pictures: what was measured, which is never cut, and its name.
 QString measureNoteText(const Measured& measured, const Volume& volume);
 
 /// What undo and lists call it: "Distance 23.2 mm", "Mark 1". A long name is cut.

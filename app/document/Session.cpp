@@ -131,8 +131,12 @@ void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_undo.clear();
   m_preset = preset;
   m_volumePath = loaded.volumePath;
+  // Before the scene is told, or those of another volume would be looked up in it.
+  const bool isOther = loaded.measurements != m_measurements;
+  m_measurements = loaded.measurements;
   replace(loaded.scene);
-  replaceMeasurements(loaded.measurements);
+  if (isOther)
+    emit measurementsChanged(m_measurements);
 }
 
 void Session::edit(const Scene& next, const Gesture& gesture) {

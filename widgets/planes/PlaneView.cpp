@@ -127,8 +127,9 @@ void PlaneView::setContent(const PlaneContent& content) {
     m_zoom.reset();
     m_drag.reset();
   }
-  // What an angle without its end belonged to may have been undone.
-  if (m_drag && m_drag->isLoose && content.measured.size() <= m_drag->handle.number)
+  // An angle without its end may have been undone, or left for another measurement.
+  if (m_drag && m_drag->isLoose &&
+      (content.measured.size() <= m_drag->handle.number || content.inHand != m_drag->handle.number))
     m_drag.reset();
   m_content = content;
   describe();
@@ -241,18 +242,12 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   if (!m_drag->isNew)
     return true;
   const Measurement::Kind kind = m_drag->measurements.back().kind;
-  const bool isClick = QLineF(m_drag->press, point).length() < shortestDrag;
-  if (kind == Measurement::Kind::mark) {
-    emit measurementsEdited(measuredAfter(*m_drag, point));
-    return true;
-  }
   if (kind == Measurement::Kind::angle && m_drag->handle.place == 2)
     return true;
-  if (isClick) {
-    emit measurementsEdited(measuredBefore(*m_drag));
-    return true;
-  }
-  if (kind != Measurement::Kind::angle)
+  const bool isClick = QLineF(m_drag->press, point).length() < shortestDrag;
+  const bool isLeft = isClick && kind != Measurement::Kind::mark;
+  emit measurementsEdited(isLeft ? measuredBefore(*m_drag) : measuredAfter(*m_drag, point));
+  if (isLeft || kind != Measurement::Kind::angle)
     return true;
   m_drag->measurements = measuredAfter(*m_drag, point).measurements;
   m_drag->handle.place = 2;
@@ -266,7 +261,7 @@ void PlaneView::endLooseDrag() {
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (m_content.volume && event->button() == Qt::LeftButton)
+  if (m_content.volume && event->button() == Qt::LeftButton && !kindOf(m_tool))
     emit settingsEdited(withLargeToggled(m_content.settings, m_plane));
 }
 

@@ -26,6 +26,7 @@ constexpr double aroundMark = 8.0;
 constexpr double gapAround = 3.0;
 constexpr double roomForText = 220.0;
 constexpr double arcRadius = 16.0;
+constexpr std::size_t mostKeptClear = 40;
 constexpr std::array leaderLengths{18.0, 34.0, 58.0, 90.0, 130.0};
 
 // An end at which a text can stand, and the way that leads away from what was measured.
@@ -74,13 +75,18 @@ QRectF movedInto(QRectF plate, const QRectF& view) {
   return plate;
 }
 
-// How bad a place is: 0 where it covers nothing.
-double coveredBy(const QRectF& plate, const QPainterPath& area, const std::vector<QRectF>& plates) {
+// How bad a place is: 0 where it covers nothing. What others measured may rather be covered than their texts.
+double coveredBy(const QRectF& plate, const QPainterPath& area, const std::vector<QRectF>& plates,
+                 const std::vector<QRectF>& others) {
   const QRectF kept = plate.adjusted(-gapAround, -gapAround, gapAround, gapAround);
   double area2 = area.intersects(kept) ? 1e6 : 0.0;
   for (const QRectF& other : plates) {
     const QRectF both = kept.intersected(other);
     area2 += both.isEmpty() ? 0.0 : both.width() * both.height();
+  }
+  for (const QRectF& other : others) {
+    const QRectF both = kept.intersected(other);
+    area2 += both.isEmpty() ? 0.0 : 0.25 * both.width() * both.height();
   }
   return area2;
 }
@@ -91,7 +97,7 @@ struct TextPlace {
 };
 
 TextPlace placeFor(const MeasureShape& shape, const QSizeF& size, const QRectF& view,
-                   const std::vector<QRectF>& plates) {
+                   const std::vector<QRectF>& plates, const std::vector<QRectF>& others) {
   const QPainterPath area = measuredArea(shape);
   TextPlace best;
   double least = std::numeric_limits<double>::max();
@@ -100,7 +106,7 @@ TextPlace placeFor(const MeasureShape& shape, const QSizeF& size, const QRectF& 
     for (const Anchor& anchor : anchors)
       for (const double turn : {0.0, 30.0, -30.0, 60.0, -60.0, 90.0, -90.0}) {
         const QRectF plate = movedInto(plateFrom(anchor, anchor.degrees + turn, length, size), view);
-        const double cost = coveredBy(plate, area, plates);
+        const double cost = coveredBy(plate, area, plates, others);
         if (cost < least) {
           least = cost;
           best = {plate, anchor.at};
@@ -109,6 +115,15 @@ TextPlace placeFor(const MeasureShape& shape, const QSizeF& size, const QRectF& 
           return best;
       }
   return best;
+}
+
+// Around what is measured; of a crowd nothing, where no text finds a place beside all anyway.
+std::vector<QRectF> boxesOf(const std::vector<MeasureShape>& shapes) {
+  std::vector<QRectF> boxes;
+  if (shapes.size() <= mostKeptClear)
+    for (const MeasureShape& shape : shapes)
+      boxes.push_back(measuredArea(shape).boundingRect());
+  return boxes;
 }
 
 QPointF nearestOf(const QRectF& plate, const QPointF& point) {
@@ -189,11 +204,15 @@ QPainterPath measuredArea(const MeasureShape& shape) {
 std::vector<MeasureMark> placedMeasures(const std::vector<MeasureShape>& shapes, const QFont& font,
                                         const QRectF& view, std::vector<QRectF> plates) {
   std::vector<MeasureMark> marks;
+  const std::vector<QRectF> boxes = boxesOf(shapes);
   for (const MeasureShape& shape : shapes) {
     MeasureMark mark{shape, std::nullopt, {}};
     if (!shape.text.isEmpty()) {
       Note note = noteAt(font, shape.text, {0.0, 0.0}, Qt::AlignLeft, std::min(roomForText, view.width()));
-      const TextPlace placed = placeFor(shape, note.plate.size(), view, plates);
+      std::vector<QRectF> others = boxes;
+      if (!others.empty())
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(marks.size()));
+      const TextPlace placed = placeFor(shape, note.plate.size(), view, plates, others);
       note.plate = placed.plate;
       plates.push_back(note.plate);
       mark.anchor = placed.anchor;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -74,6 +75,39 @@ SessionDocument sessionOfPhantom() {
   session.scene.scene.transferFunction.points = {{0, {1, 1, 1}, 0}, {1, {1, 1, 1}, 1}};
   session.layout = CompareLayout::difference;
   return session;
+}
+
+TEST(SceneSource, whatWasMeasuredStaysWithItsVolumeAndItsSeries) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json";
+  SessionDocument session = sessionOfPhantom();
+  session.scene.measurements = {{Measurement::Kind::mark, std::nullopt, {{1, 2, 3}}, "1"}};
+  session.series = 2;
+  std::ofstream(path) << sessionToJson(session);
+  const auto leftOut = [](const LoadedScene& loaded) {
+    return std::ranges::any_of(loaded.notes, [](const Message& note) {
+      return note.english().starts_with("The measurements were left out");
+    });
+  };
+  const LoadedScene own = loadScene(path.string(), {}, {});
+  EXPECT_EQ(own.measurements, session.scene.measurements);
+  EXPECT_FALSE(leftOut(own));
+  SourceOptions options;
+  options.volume = "phantom:10";
+  const LoadedScene other = loadScene(path.string(), options, {});
+  EXPECT_TRUE(other.measurements.empty());
+  EXPECT_TRUE(leftOut(other)) << "and that is said";
+  options = {};
+  options.read.series = 3;
+  const LoadedScene otherSeries = loadScene(path.string(), options, {});
+  EXPECT_TRUE(otherSeries.measurements.empty());
+  EXPECT_TRUE(leftOut(otherSeries));
+  options.read.series = 2;
+  EXPECT_EQ(loadScene(path.string(), options, {}).measurements, session.scene.measurements);
+  // The same volume found under the name that stands for it.
+  options = {};
+  options.volume = "phantom:8";
+  EXPECT_EQ(loadScene(path.string(), options, {}).measurements, session.scene.measurements);
 }
 
 TEST(SceneSource, aSessionIsASourceLikeAScene) {
