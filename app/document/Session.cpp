@@ -102,6 +102,21 @@ private:
   Distance m_after;
 };
 
+/// Replaces the named views, and nothing else.
+class ViewsEdit : public QUndoCommand {
+public:
+  ViewsEdit(Session& session, std::vector<NamedView> after, const QString& text)
+      : QUndoCommand(text), m_session(session), m_before(session.m_views), m_after(std::move(after)) {}
+
+  void undo() override { m_session.replaceViews(m_before); }
+  void redo() override { m_session.replaceViews(m_after); }
+
+private:
+  Session& m_session;
+  std::vector<NamedView> m_before;
+  std::vector<NamedView> m_after;
+};
+
 Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const LoadedScene& loaded, const Preset& preset) {
@@ -109,6 +124,7 @@ void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_preset = preset;
   m_volumePath = loaded.volumePath;
   replace(loaded.scene);
+  replaceViews(loaded.views);
 }
 
 void Session::edit(const Scene& next, const Gesture& gesture) {
@@ -143,6 +159,16 @@ void Session::setPlanes(const PlaneSettings& settings) {
 void Session::noteDistance(const std::optional<MeasuredDistance>& before) {
   if (before != m_planes.distance)
     m_undo.push(new DistanceEdit(*this, before, m_planes.distance));
+}
+
+void Session::setViews(const std::vector<NamedView>& views, const QString& what) {
+  if (views != m_views)
+    m_undo.push(new ViewsEdit(*this, views, what));
+}
+
+void Session::replaceViews(const std::vector<NamedView>& views) {
+  m_views = views;
+  emit viewsChanged(m_views);
 }
 
 void Session::replace(const Scene& scene) {

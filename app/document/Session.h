@@ -4,6 +4,7 @@
 #include "app/core/sources/SceneSource.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/view/NamedView.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/Gesture.h"
 
@@ -80,12 +81,19 @@ public:
   /// `before`, becomes an undo step. An equal one changes nothing.
   void noteDistance(const std::optional<MeasuredDistance>& before);
 
+  /// Cameras that are kept under names, of this volume. They are work: that they are others from now on is an
+  /// undo step called `what`. Equal ones change nothing.
+  const std::vector<NamedView>& views() const { return m_views; }
+  void setViews(const std::vector<NamedView>& views, const QString& what);
+
 signals:
+  void viewsChanged(const std::vector<limn::NamedView>& views);
   void sceneChanged(const limn::Scene& scene);
   void planesChanged(const limn::PlaneSettings& settings);
 
 private:
   friend class SceneEdit;
+  friend class ViewsEdit;
   template <class Part>
   void editPart(Part Scene::*part, const Part& value, const Gesture& gesture) {
     Scene next = m_scene;
@@ -93,9 +101,11 @@ private:
     edit(next, gesture);
   }
   void replace(const Scene& scene);
+  void replaceViews(const std::vector<NamedView>& views);
 
   Scene m_scene;
   PlaneSettings m_planes;
+  std::vector<NamedView> m_views;
   Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;

@@ -3,12 +3,14 @@
 
 #include "app/picture/CameraController.h"
 #include "app/picture/ComparisonController.h"
+#include "app/picture/CrosshairController.h"
 #include "app/picture/CutController.h"
 #include "app/picture/EngineController.h"
 #include "app/picture/OrientationController.h"
 #include "app/picture/PictureMenu.h"
 #include "app/picture/PlaneController.h"
 #include "app/picture/RegionController.h"
+#include "app/picture/ViewsController.h"
 
 #include <optional>
 
@@ -48,6 +50,7 @@ public:
   ComparisonController& comparison() { return m_comparison; }
   RegionController& regions() { return m_regions; }
   PlaneController& planes() { return m_planes; }
+  CrosshairController& crosshair() { return m_crosshair; }
 
   /// What another volume, or none, is called in the status bar.
   void showVolume(const Volume* volume) { m_status.showVolume(volume); }
@@ -72,6 +75,8 @@ private:
   RegionController m_regions;
   CutController m_cuts;
   OrientationController m_orientation;
+  ViewsController m_views;
+  CrosshairController m_crosshair;
   PlaneController m_planes;
   PictureMenu m_menu; ///< of what those before it offer
 };

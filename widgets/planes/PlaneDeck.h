@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 
+class QAction;
 class QBoxLayout;
 class QComboBox;
 class QToolButton;
@@ -27,6 +28,9 @@ public:
 
   void setContent(const PlaneContent& content);
   void setTool(PlaneTool tool);
+
+  /// A button for something that is done elsewhere.
+  void addButton(QAction& action);
 
   /// How high it is at a width: the groups of controls stand beside each other or, where that has no room,
   /// below.
@@ -74,6 +78,9 @@ public:
   explicit PlaneDeck(QWidget& picture, QWidget* parent = nullptr);
 
   void setContent(const PlaneContent& content);
+
+  /// A button in the row above the slices, for something that is done elsewhere.
+  void addButton(QAction& action) { m_bar->addButton(action); }
 
   PlaneView* view(PatientPlane plane) const { return m_views[static_cast<std::size_t>(plane)]; }
 

@@ -68,12 +68,13 @@ struct SourceOptions {
 
 /// A scene ready to draw, and where its volume came from.
 struct LoadedScene {
-  Scene scene;                ///< with volume, camera and transfer function
-  std::string volumePath;     ///< absolute path, or the built-in name ("phantom:1")
-  bool hasOwnCamera = false;  ///< the source says from where to look
-  std::string preset;         ///< the preset the program chose, empty where the source says how to show it
-  std::vector<Message> notes; ///< one sentence each: what else was noteworthy
-  ReadOptions read;           ///< with which the volume was read
+  Scene scene;                  ///< with volume, camera and transfer function
+  std::string volumePath;       ///< absolute path, or the built-in name ("phantom:1")
+  std::vector<NamedView> views; ///< that the source keeps beside the scene's camera
+  bool hasOwnCamera = false;    ///< the source says from where to look
+  std::string preset;           ///< the preset the program chose, empty where the source says how to show it
+  std::vector<Message> notes;   ///< one sentence each: what else was noteworthy
+  ReadOptions read;             ///< with which the volume was read
   /// Where the volume is of DICOM and was read for this scene.
   std::shared_ptr<const DicomFolder> dicom;
   std::optional<SessionDocument> session; ///< where the source is one

@@ -73,6 +73,7 @@ struct FigureIngredients {
   PlaneSettings planes;
   GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
+  std::vector<NamedView> views;
   Histogram histogram; ///< of the volume
 };
 
@@ -115,6 +116,14 @@ void addScenes(std::vector<PanelSource>& sources, const FigureIngredients& from)
   }
 }
 
+void addViews(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  for (const NamedView& view : from.views) {
+    Scene scene = from.scene;
+    scene.camera = view.camera;
+    sources.push_back(withLook(QObject::tr("View: %1"), scene, QString::fromStdString(view.name)));
+  }
+}
+
 void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from) {
   for (const PatientPlane plane : patientPlanes) {
     FigurePanel panel;
@@ -133,12 +142,13 @@ void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from
 }
 
 // All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,
-// its slices, every preset from where the camera is.
+// from the views that were kept, its slices, every preset from where the camera is.
 std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   std::vector<PanelSource> sources;
   addLooks(sources, from);
   addScenes(sources, from);
   addRemembered(sources, from);
+  addViews(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
   return sources;
@@ -213,6 +223,7 @@ void FigureDialog::connectParts() {
           [this](const FigureSettings& settings) { m_context.settings.setFigure(settings); });
   connect(&m_soon, &QTimer::timeout, this, &FigureDialog::refreshSources);
   connect(&m_context.session, &Session::planesChanged, this, [this] { m_soon.start(); });
+  connect(&m_context.session, &Session::viewsChanged, this, [this] { m_soon.start(); });
 }
 
 QWidget* FigureDialog::makeSide() {
@@ -292,6 +303,7 @@ void FigureDialog::refreshSources() {
                                m_context.session.planes(),
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
+                               m_context.session.views(),
                                histogram};
   const std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();

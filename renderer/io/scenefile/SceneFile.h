@@ -4,11 +4,13 @@
 #include "io/scenefile/KeptPart.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/view/NamedView.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace limn {
 
@@ -18,7 +20,8 @@ struct SceneDocument {
   Scene scene;             ///< `volume` is empty and `keep` keeps all
   KeptPart keep;           ///< what `scene.keep` becomes once the volume is read
   std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
-  bool hasCamera = false;  ///< false: place the default camera once the volume is read
+  std::vector<NamedView> views;     ///< cameras kept under names, beside the scene's own
+  bool hasCamera = false;           ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
 };
@@ -46,6 +49,9 @@ struct PictureAccuracy {
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
 std::string sceneToJson(const Scene& scene, const std::string& volume,
                         const std::optional<PictureAccuracy>& accuracy = {});
+
+/// The same of a document, with its named views.
+std::string sceneToJson(const SceneDocument& document);
 
 /// Reads the text of a preset file. Throws Error (input).
 Preset parsePreset(std::string_view text, const std::string& name);

@@ -305,6 +305,8 @@ SceneDocument readScene(JsonFields fields) {
     scene.quality = readQuality(fields.object("quality"));
   if (fields.has("image"))
     scene.image = readImageSettings(fields.object("image"));
+  if (fields.has("views"))
+    document.views = readViews(fields);
   if (fields.has("accuracy"))
     readAccuracy(fields.object("accuracy"));
   fields.finish();

@@ -120,6 +120,8 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
                     {{"width", scene.image.width},
                      {"height", scene.image.height},
                      {"background", toJson(scene.image.background)}}}});
+  if (!document.views.empty())
+    json["views"] = viewsJson(document.views);
   return json;
 }
 
@@ -143,6 +145,10 @@ std::string sceneToJson(const Scene& scene, const std::string& volume,
   if (accuracy)
     json["accuracy"] = {{"within_levels", accuracy->levels}, {"statement", accuracy->sentence}};
   return textOf(json);
+}
+
+std::string sceneToJson(const SceneDocument& document) {
+  return textOf(sceneJson(document));
 }
 
 std::string presetToJson(const Preset& preset) {
