@@ -172,7 +172,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Escape)
     return QMainWindow::keyPressEvent(event);
-  if (view().tool() == ViewTool::rotate)
+  if (view().tool() == ViewTool::rotate && !m_picture.crosshair().close())
     m_frame.focusMode().leave();
   view().setTool(ViewTool::rotate);
 }

@@ -61,6 +61,7 @@ SessionDocument OpenDocument::described() const {
   session.scene.measurements = m_session.measurements();
   if (scene().volume)
     session.scene.orientation = scene().volume->info().orientationByHand;
+  session.scene.views = m_session.views();
   session.scene.hasCamera = true;
   session.scene.hasTransferFunction = true;
   session.series = m_request.options.read.series;

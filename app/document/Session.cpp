@@ -125,6 +125,21 @@ private:
   std::uint64_t m_gesture;
 };
 
+/// Replaces the named views, and nothing else.
+class ViewsEdit : public QUndoCommand {
+public:
+  ViewsEdit(Session& session, std::vector<NamedView> after, const QString& text)
+      : QUndoCommand(text), m_session(session), m_before(session.m_views), m_after(std::move(after)) {}
+
+  void undo() override { m_session.replaceViews(m_before); }
+  void redo() override { m_session.replaceViews(m_after); }
+
+private:
+  Session& m_session;
+  std::vector<NamedView> m_before;
+  std::vector<NamedView> m_after;
+};
+
 Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const LoadedScene& loaded, const Preset& preset) {
@@ -137,6 +152,7 @@ void Session::open(const LoadedScene& loaded, const Preset& preset) {
   replace(loaded.scene);
   if (isOther)
     emit measurementsChanged(m_measurements);
+  replaceViews(loaded.views);
 }
 
 void Session::edit(const Scene& next, const Gesture& gesture) {
@@ -191,6 +207,16 @@ std::shared_ptr<const PackedLabels> Session::packed(const std::shared_ptr<const 
       std::make_shared<const PackedLabels>(map, m_scene.volume ? m_scene.volume->room() : nullptr);
   m_packed.push_back(labels);
   return labels;
+}
+
+void Session::setViews(const std::vector<NamedView>& views, const QString& what) {
+  if (views != m_views)
+    m_undo.push(new ViewsEdit(*this, views, what));
+}
+
+void Session::replaceViews(const std::vector<NamedView>& views) {
+  m_views = views;
+  emit viewsChanged(m_views);
 }
 
 void Session::replace(const Scene& scene) {

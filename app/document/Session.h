@@ -6,6 +6,7 @@
 #include "scene/presets/Preset.h"
 #include "scene/regions/PackedLabels.h"
 #include "scene/view/Measurement.h"
+#include "scene/view/NamedView.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/Gesture.h"
 
@@ -86,7 +87,13 @@ public:
   const std::vector<Measurement>& measurements() const { return m_measurements; }
   void setMeasurements(const std::vector<Measurement>& measurements, const Gesture& gesture);
 
+  /// Cameras that are kept under names, of this volume. They are work: that they are others from now on is an
+  /// undo step called `what`. Equal ones change nothing.
+  const std::vector<NamedView>& views() const { return m_views; }
+  void setViews(const std::vector<NamedView>& views, const QString& what);
+
 signals:
+  void viewsChanged(const std::vector<limn::NamedView>& views);
   void sceneChanged(const limn::Scene& scene);
   void planesChanged(const limn::PlaneSettings& settings);
   void measurementsChanged(const std::vector<limn::Measurement>& measurements);
@@ -96,6 +103,7 @@ private:
   /// What the history holds of a map of labels, once for all steps that have it; null of none.
   std::shared_ptr<const PackedLabels> packed(const std::shared_ptr<const LabelMap>& map);
   friend class MeasurementsEdit;
+  friend class ViewsEdit;
   template <class Part>
   void editPart(Part Scene::*part, const Part& value, const Gesture& gesture) {
     Scene next = m_scene;
@@ -104,10 +112,12 @@ private:
   }
   void replace(const Scene& scene);
   void replaceMeasurements(const std::vector<Measurement>& measurements);
+  void replaceViews(const std::vector<NamedView>& views);
 
   Scene m_scene;
   PlaneSettings m_planes;
   std::vector<Measurement> m_measurements;
+  std::vector<NamedView> m_views;
   Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;

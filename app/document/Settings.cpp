@@ -24,6 +24,7 @@ const std::string stateKey = "window/state";
 const std::string themeKey = "theme";
 const std::string languageKey = "language";
 const std::string refineKey = "refineAtRest";
+const std::string cubeKey = "orientationCube";
 const std::string histogramScaleKey = "histogramScale";
 const std::string histogramPartKey = "histogramPart";
 const std::string patientKey = "showPatient";
@@ -269,6 +270,14 @@ bool Settings::refinesAtRest() const {
 
 void Settings::setRefinesAtRest(bool refines) {
   set(refineKey, written(refines));
+}
+
+bool Settings::cubeIsShown() const {
+  return text(cubeKey) != written(false);
+}
+
+void Settings::setCubeIsShown(bool isShown) {
+  set(cubeKey, written(isShown));
 }
 
 HistogramView Settings::histogramView() const {

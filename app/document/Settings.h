@@ -91,6 +91,10 @@ public:
   bool refinesAtRest() const;
   void setRefinesAtRest(bool refines);
 
+  /// Whether a cube in the picture shows how it lies; true at first.
+  bool cubeIsShown() const;
+  void setCubeIsShown(bool isShown);
+
   /// What stands behind the curve; the logarithm of all voxels at first.
   HistogramView histogramView() const;
   void setHistogramView(const HistogramView& view);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/Gesture.h"
 #include "widgets/view/gestures/CameraHistory.h"
 
 #include <QObject>
@@ -41,6 +42,9 @@ public:
 
   /// From now on turns go about this place, world mm, or about the camera's target; says so.
   void turnAbout(const std::optional<glm::dvec3>& worldMm);
+
+  /// Looks from there, as one step that can be gone back.
+  void lookAs(const Camera& camera) { move(camera, nextGestureId()); }
 
 private:
   void addActions();

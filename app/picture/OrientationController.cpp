@@ -134,26 +134,27 @@ void OrientationDialog::flip(std::size_t axis) {
 }
 
 OrientationController::OrientationController(WindowContext& context)
-    : QObject(&context.window), m_context(context), m_views(context.actions.addGroup()) {
+    : QObject(&context.window), m_context(context),
+      m_menu(context.actions.addMenu(tr("&Look from"), {Menu::view, 2, 5})),
+      m_views(context.actions.addGroup()) {
   ActionList& actions = context.actions;
-  QMenu* menu = actions.addMenu(tr("&Look from"), {Menu::view, 2, 5});
-  addViews(*menu);
-  menu->addSeparator();
+  addViews(*m_menu);
+  m_menu->addSeparator();
   QAction* reset =
       actions.add(QStringLiteral("resetCamera"), {.text = tr("Reset camera"), .needsVolume = true});
   m_setOrientation =
       actions.add(QStringLiteral("setOrientation"),
                   {.text = tr("Set &orientation…"),
                    .toolTip = tr("Says which side is left where the volume's file does not.")});
-  menu->addActions({reset, &actions.find("cameraBack"), &actions.find("cameraForward")});
-  menu->addSeparator();
-  menu->addAction(m_setOrientation);
+  m_menu->addActions({reset, &actions.find("cameraBack"), &actions.find("cameraForward")});
+  m_menu->addSeparator();
+  m_menu->addActions({m_setOrientation, addCube()});
   m_setOrientation->setEnabled(false);
   QToolButton* button = actions.makeMenuButton({}, QToolButton::InstantPopup);
   button->setText(tr("Look from"));
   actions.giveIcon(*button, QStringLiteral("compass"));
   connect(reset, &QAction::enabledChanged, button, &QWidget::setEnabled); // without a volume
-  actions.addMenuButton(*button, menu, {6, 2});
+  actions.addMenuButton(*button, m_menu, {6, 2});
   connect(reset, &QAction::triggered, &context.view, &CompareView::resetCamera);
   connect(m_setOrientation, &QAction::triggered, this, &OrientationController::ask);
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { showScene(scene); });
@@ -177,6 +178,21 @@ void OrientationController::addViews(QMenu& menu) {
   connect(m_views, &QActionGroup::triggered, &m_context.view, [this](const QAction* chosen) {
     m_context.view.lookFrom(static_cast<StandardView>(chosen->data().toInt()));
   });
+}
+
+QAction* OrientationController::addCube() {
+  QAction* cube = m_context.actions.add(
+      QStringLiteral("orientationCube"),
+      {.text = tr("Show orientation &cube"),
+       .toolTip = tr("A cube in the picture shows how it lies; a click on a face looks from there."),
+       .isCheckable = true});
+  cube->setChecked(m_context.settings.cubeIsShown());
+  m_context.view.setCubeVisible(cube->isChecked());
+  connect(cube, &QAction::triggered, this, [this](bool isShown) {
+    m_context.view.setCubeVisible(isShown);
+    m_context.settings.setCubeIsShown(isShown);
+  });
+  return cube;
 }
 
 void OrientationController::showScene(const Scene& scene) {

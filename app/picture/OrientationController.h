@@ -51,13 +51,18 @@ public:
 
   void ask();
 
+  /// Of the standard views; others may add to its end.
+  QMenu& menu() { return *m_menu; }
+
 private:
   void addViews(QMenu& menu);
+  QAction* addCube();
   void showScene(const Scene& scene);
   void orient(const std::string& letters);
   void takeBack();
 
   WindowContext& m_context;
+  QMenu* m_menu;
   QActionGroup* m_views;     ///< data: StandardView as int
   QAction* m_setOrientation; ///< enabled where a file says nothing
   std::shared_ptr<const Volume> m_volume;

@@ -77,8 +77,8 @@ void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
 PictureArea::PictureArea(WindowContext& context)
     : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
       m_status(*context.window.statusBar()), m_camera(context), m_comparison(context), m_engines(context),
-      m_regions(context), m_cuts(context), m_orientation(context), m_planes(context), m_measures(context),
-      m_menu(context) {
+      m_regions(context), m_cuts(context), m_orientation(context), m_views(context, m_orientation.menu()),
+      m_crosshair(context), m_planes(context), m_measures(context), m_menu(context) {
   addTools();
   addCopying();
   const CompareView* view = &context.view;
@@ -93,6 +93,7 @@ PictureArea::PictureArea(WindowContext& context)
     m_status.showProbe(probe, m_context.session.scene());
   });
   connect(&m_measures, &MeasureController::shown, &m_planes, &PlaneController::setMeasured);
+  connect(&m_views, &ViewsController::viewChosen, &m_camera, &CameraController::lookAs);
   connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
   connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
   connect(&m_menu, &PictureMenu::pieceChosen, &m_cuts, &CutController::pick);

@@ -3,6 +3,7 @@
 
 #include "app/picture/CameraController.h"
 #include "app/picture/ComparisonController.h"
+#include "app/picture/CrosshairController.h"
 #include "app/picture/CutController.h"
 #include "app/picture/EngineController.h"
 #include "app/picture/MeasureController.h"
@@ -10,6 +11,7 @@
 #include "app/picture/PictureMenu.h"
 #include "app/picture/PlaneController.h"
 #include "app/picture/RegionController.h"
+#include "app/picture/ViewsController.h"
 
 #include <optional>
 
@@ -50,6 +52,7 @@ public:
   RegionController& regions() { return m_regions; }
   PlaneController& planes() { return m_planes; }
   MeasureController& measures() { return m_measures; }
+  CrosshairController& crosshair() { return m_crosshair; }
 
   /// What another volume, or none, is called in the status bar.
   void showVolume(const Volume* volume) { m_status.showVolume(volume); }
@@ -78,6 +81,8 @@ private:
   RegionController m_regions;
   CutController m_cuts;
   OrientationController m_orientation;
+  ViewsController m_views;
+  CrosshairController m_crosshair;
   PlaneController m_planes;
   MeasureController m_measures;
   PictureMenu m_menu; ///< of what those before it offer

@@ -104,6 +104,7 @@ void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
                : probe    ? tr("Moves the crosshair to what is seen here. Shift+click does the same.")
                           : noPlaceText(),
                probe && hasSlices);
+  menu.addAction(&m_context.actions.find("cutOpen"));
   connect(go, &QAction::triggered, this, [this, probe] { emit placeChosen(probe->positionMm); });
 }
 
@@ -133,6 +134,8 @@ void PictureMenu::addViews(QMenu& menu) {
   const ActionList& actions = m_context.actions;
   QMenu* from = menu.addMenu(tr("Look from"));
   from->addActions(actions.find("view-anterior").actionGroup()->actions());
+  from->addSeparator();
+  from->addActions(actions.find("keepView").actionGroup()->actions());
   menu.addActions({&actions.find("resetCamera"), &actions.find("cameraBack")});
 }
 

@@ -23,7 +23,8 @@ class PictureMenu : public QObject {
   Q_OBJECT
 
 public:
-  /// Actions of cameras and views (CameraController, OrientationController) must have been registered.
+  /// Actions of cameras, views and crosshair (CameraController, OrientationController, ViewsController,
+  /// CrosshairController) must have been registered.
   explicit PictureMenu(WindowContext& context);
 
 signals:

@@ -49,6 +49,8 @@ void PlaneController::addLayouts() {
   add(PlaneLayout::oneLarge, tr("&One slice large"),
       tr("One slice large, the picture and the other slices beside it; a double click on a slice chooses "
          "it."));
+  menu->addSeparator();
+  menu->addAction(&m_context.actions.find("cutOpen"));
   connect(m_layouts, &QActionGroup::triggered, this,
           [this](const QAction* chosen) { setLayout(static_cast<PlaneLayout>(chosen->data().toInt())); });
 }
@@ -106,8 +108,6 @@ void PlaneController::show() {
   m_content.settings = m_context.session.planes();
   m_context.planes.setContent(m_content);
   checkOnly(*m_layouts, static_cast<int>(m_content.settings.layout));
-  const bool isShown = m_content.volume && m_content.settings.layout != PlaneLayout::pictureOnly;
-  m_context.view.setMark(isShown ? std::optional(crosshairOf(m_content)) : std::nullopt);
   showProbe(m_probe);
 }
 

@@ -16,13 +16,14 @@ namespace limn {
 
 struct WindowContext;
 
-/// One place and its value, shown wherever it matters: the crosshair in the slices, its mark in the picture,
-/// its value on the curve. While the picture is probed, the probe's value stands on the curve; where one is
-/// pinned there, the crosshair goes to its place.
+/// One place and its value, shown wherever it matters: the crosshair in the slices (CrosshairController marks
+/// it in the picture), its value on the curve. While the picture is probed, the probe's value stands on the
+/// curve; where one is pinned there, the crosshair goes to its place.
 class PlaneController : public QObject {
   Q_OBJECT
 
 public:
+  /// The action that cuts open to the crosshair (CrosshairController) must have been registered.
   explicit PlaneController(WindowContext& context);
 
   /// Pins the value of a place on the curve, and where there are slices puts the crosshair there.

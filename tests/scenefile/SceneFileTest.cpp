@@ -59,6 +59,42 @@ TEST(SceneFile, whatAPictureSaysOfItsErrorChangesNoScene) {
   EXPECT_EQ(parseScene(text, "test.json").scene, scene);
 }
 
+SceneDocument withViews(std::vector<NamedView> views) {
+  SceneDocument document = documentOf(unusualScene(), "v");
+  document.views = std::move(views);
+  return document;
+}
+
+TEST(SceneFile, namedViewsAreReadBackToTheLastBit) {
+  std::vector<NamedView> views{{"from the ear", unusualScene().camera}, {"Ohr \"ä\"\n", Camera{}}};
+  EXPECT_EQ(parseScene(sceneToJson(withViews(views)), "t").views, views);
+  for (int n = 0; n < 100; ++n) // long names, equal ones among them
+    views.push_back({std::string(500, 'x'), unusualScene().camera});
+  EXPECT_EQ(parseScene(sceneToJson(withViews(views)), "t"), withViews(views));
+  EXPECT_EQ(sceneToJson(withViews({})).find("views"), std::string::npos);
+  EXPECT_EQ(sceneToJson(unusualScene(), "v"), sceneToJson(withViews({})));
+}
+
+TEST(SceneFile, namedViewsThatSayNothingOrTooMuchAreRefusedByTheirPlace) {
+  const auto refusal = [](const std::string& views) {
+    return refusalOf(R"({"limn_scene": 1, "volume": "v", "views": )" + views + "}");
+  };
+  EXPECT_EQ(refusal(R"([{"name": "a", "camera": {}}])"), "accepted");
+  EXPECT_EQ(refusal("[]"), "accepted");
+  EXPECT_NE(refusal(R"({"name": "a"})").find("\"views\" must be a list"), std::string::npos);
+  EXPECT_NE(refusal(R"(["a"])").find("views[0]"), std::string::npos);
+  EXPECT_NE(refusal(R"([{"camera": {}}])").find("\"views[0].name\" is missing"), std::string::npos);
+  EXPECT_NE(refusal(R"([{"name": "", "camera": {}}])").find("views[0].name"), std::string::npos);
+  EXPECT_NE(refusal(R"([{"name": 3, "camera": {}}])").find("views[0].name"), std::string::npos);
+  EXPECT_NE(refusal(R"([{"name": "a"}])").find("\"views[0].camera\" is missing"), std::string::npos);
+  EXPECT_NE(refusal(R"([{"name": "a", "camera": 3}])").find("views[0].camera"), std::string::npos);
+  EXPECT_NE(refusal(R"([{"name": "a", "camera": {}}, {"name": "b", "camera": {"fov_y_deg": 171}}])")
+                .find("views[1].camera.fov_y_deg"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"([{"name": "a", "camera": {}, "colour": 1}])").find("views[0].colour"),
+            std::string::npos);
+}
+
 TEST(SceneFile, aLightDirectionMayHaveAnyLengthButNone) {
   Scene scene = unusualScene();
   for (const double length : {1e-300, 1e300}) {

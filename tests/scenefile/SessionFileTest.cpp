@@ -30,6 +30,7 @@ SessionDocument unusual() {
   scene.isovalue = -77.7;
   scene.quality.toleranceLevels = 0.5;
   scene.quality.fineness = 3;
+  session.scene.views = {{"from the ear", scene.camera}, {"a\tb", Camera{}}};
   session.series = 2;
   session.spacingMm = glm::dvec3(0.5, 0.25, 1.1);
   session.layout = CompareLayout::wipe;

@@ -317,6 +317,14 @@ void PlaneBar::setTool(PlaneTool tool) {
   showIcons();
 }
 
+// Before the last, which has what is left.
+void PlaneBar::addButton(QAction& action) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(&action);
+  auto* row = static_cast<QHBoxLayout*>(m_groups[1]->layout());
+  row->insertWidget(row->count() - 1, button);
+}
+
 void PlaneBar::edit(const std::function<void(PlaneSettings&)>& change) {
   PlaneSettings settings = m_content.settings;
   change(settings);

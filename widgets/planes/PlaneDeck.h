@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 
+class QAction;
 class QBoxLayout;
 class QComboBox;
 class QToolButton;
@@ -28,6 +29,9 @@ public:
 
   void setContent(const PlaneContent& content);
   void setTool(PlaneTool tool);
+
+  /// A button for something that is done elsewhere.
+  void addButton(QAction& action);
 
   /// How high it is at a width: the groups of controls stand beside each other or, where that has no room,
   /// below.
@@ -81,6 +85,8 @@ public:
 
   /// What the left button does in every slice.
   void setTool(PlaneTool tool);
+  /// A button in the row above the slices, for something that is done elsewhere.
+  void addButton(QAction& action) { m_bar->addButton(action); }
 
   PlaneView* view(PatientPlane plane) const { return m_views[static_cast<std::size_t>(plane)]; }
 

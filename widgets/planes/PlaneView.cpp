@@ -336,6 +336,8 @@ bool PlaneView::obey(int key, bool isFast) {
     emit toolRequested(PlaneTool::mark);
     return true;
   case Qt::Key_Escape:
+    if (!m_drag && m_tool == PlaneTool::crosshair)
+      return false; // somebody else may have a use for it
     cancel();
     return true;
   case Qt::Key_0:

@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -83,8 +84,16 @@ public:
   void setCropBoxVisible(bool visible);
   bool cropBoxIsVisible() const { return m_order.hasCropBox; }
 
-  /// Marks a place of the world in the pictures, or none; there is none at first.
-  void setMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.markMm, worldMm); }
+  /// Whether a cube shows how the picture lies, of which each face leads to the view from there; none does by
+  /// default.
+  void setCubeVisible(bool visible) { set(m_order.hasCube, visible); }
+
+  /// Marks a place of the world in the pictures, or none; there is none at first. Where it is hidden in the
+  /// picture of a side the mark says so.
+  void setMark(const std::optional<glm::dvec3>& worldMm, const std::array<bool, 2>& isHidden = {}) {
+    m_order.comparison.markIsHidden = isHidden;
+    set(m_order.comparison.markMm, worldMm);
+  }
 
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }

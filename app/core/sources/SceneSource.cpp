@@ -268,6 +268,7 @@ void takeMeasurements(LoadedScene& loaded, const SceneDocument& document, const 
 LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
+  loaded.views = std::move(document.views);
   loaded.scene = std::move(document.scene);
   const std::string source = volumeOf(document, options);
   const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);

@@ -73,6 +73,7 @@ struct LoadedScene {
   bool hasOwnCamera = false; ///< the source says from where to look
   std::string preset;        ///< the preset the program chose, empty where the source says how to show it
   std::vector<Measurement> measurements; ///< of the volume
+  std::vector<NamedView> views;          ///< that the source keeps beside the scene's camera
   std::vector<Message> notes;            ///< one sentence each: what else was noteworthy
   ReadOptions read;                      ///< with which the volume was read
   /// Where the volume is of DICOM and was read for this scene.

@@ -36,10 +36,12 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
       m_saving(*saving), m_width(new NumberField(16.0, mostSide, 0, this)),
       m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
       m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_kind(new QComboBox(this)),
-      m_picture(new QComboBox(this)), m_form(new QFormLayout) {
+      m_picture(new QComboBox(this)), m_start(new QComboBox(this)), m_form(new QFormLayout) {
   setWindowTitle(tr("Save a turntable"));
   m_kind->setObjectName(QStringLiteral("turntableKind"));
   m_picture->setObjectName(QStringLiteral("turntablePicture"));
+  m_start->setObjectName(QStringLiteral("turntableStart"));
+  m_start->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_frames->setObjectName(QStringLiteral("turntableFrames"));
   m_width->setObjectName(QStringLiteral("turntableWidth"));
   m_height->setObjectName(QStringLiteral("turntableHeight"));
@@ -51,6 +53,7 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
   m_width->setNumber(std::floor(picture.width()));
   m_height->setNumber(std::floor(picture.height()));
   layOut(!videoProgram().empty());
+  connect(&context.session, &Session::viewsChanged, this, &TurntableDialog::setStarts);
   for (NumberField* field : {m_frames, m_perSecond})
     connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
   showLength();
@@ -73,6 +76,7 @@ void TurntableDialog::layOut(bool hasVideo) {
   size->addWidget(new QLabel(tr("pixels"), this));
   m_form->addRow(tr("Save &as"), m_kind);
   m_form->addRow(tr("&Picture"), m_picture);
+  m_form->addRow(tr("&Begins at"), m_start);
   m_form->addRow(tr("Size"), size);
   m_form->addRow(tr("&Frames for one turn"), m_frames);
   m_form->addRow(tr("Frames per s&econd"), m_perSecond);
@@ -108,6 +112,17 @@ void TurntableDialog::setPictures(const QStringList& names, int usual) {
   m_form->setRowVisible(m_picture, names.size() > 1);
 }
 
+// One that was chosen stays so, if it is still there.
+void TurntableDialog::setStarts(const std::vector<NamedView>& views) {
+  const QString before = m_start->currentText();
+  m_start->clear();
+  m_start->addItem(tr("What the picture shows"));
+  for (const NamedView& view : views)
+    m_start->addItem(QString::fromStdString(view.name));
+  m_start->setCurrentIndex(std::max(0, m_start->findText(before)));
+  m_form->setRowVisible(m_start, !views.empty());
+}
+
 int TurntableDialog::frames() const {
   return static_cast<int>(m_frames->number());
 }
@@ -122,6 +137,7 @@ void TurntableDialog::begin(bool) {
                                 : QStringList{tr("Left: %1").arg(sideTitle(scenes[0])),
                                               tr("Right: %1").arg(sideTitle(scenes[1]))},
               m_context.view.ownSide());
+  setStarts(m_context.session.views());
 }
 
 void TurntableDialog::save() {
@@ -129,6 +145,8 @@ void TurntableDialog::save() {
   const bool isVideo = m_kind->currentIndex() == 1;
   Turntable turntable;
   turntable.scene = m_context.view.sceneOfSide(m_picture->currentIndex());
+  if (const auto& views = m_context.session.views(); m_start->currentIndex() > 0)
+    turntable.scene.camera = views.at(static_cast<std::size_t>(m_start->currentIndex()) - 1).camera;
   turntable.scene.keep.source = m_saving.labelsInPicture();
   turntable.size = {static_cast<int>(m_width->number()), static_cast<int>(m_height->number())};
   turntable.frames = frames();

@@ -32,6 +32,8 @@ private:
   /// What the window shows, from left to right: of several, one is asked for, at first `usual`; the same
   /// ones keep what was chosen.
   void setPictures(const QStringList& names, int usual);
+  /// From where the turn may begin beside the view of now.
+  void setStarts(const std::vector<NamedView>& views);
   int frames() const;
   double framesPerSecond() const;
   void save();
@@ -44,6 +46,7 @@ private:
   NumberField* m_perSecond;
   QComboBox* m_kind;
   QComboBox* m_picture;
+  QComboBox* m_start;
   QFormLayout* m_form;
 };
 

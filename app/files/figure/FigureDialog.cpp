@@ -74,6 +74,7 @@ struct FigureIngredients {
   std::vector<Measurement> measurements;
   GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
+  std::vector<NamedView> views;
   Histogram histogram; ///< of the volume
 };
 
@@ -116,6 +117,14 @@ void addScenes(std::vector<PanelSource>& sources, const FigureIngredients& from)
   }
 }
 
+void addViews(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  for (const NamedView& view : from.views) {
+    Scene scene = from.scene;
+    scene.camera = view.camera;
+    sources.push_back(withLook(QObject::tr("View: %1"), scene, QString::fromStdString(view.name)));
+  }
+}
+
 void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from) {
   for (const PatientPlane plane : patientPlanes) {
     FigurePanel panel;
@@ -134,12 +143,13 @@ void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from
 }
 
 // All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,
-// its slices, every preset from where the camera is.
+// from the views that were kept, its slices, every preset from where the camera is.
 std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   std::vector<PanelSource> sources;
   addLooks(sources, from);
   addScenes(sources, from);
   addRemembered(sources, from);
+  addViews(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
   for (PanelSource& source : sources)
@@ -216,6 +226,7 @@ void FigureDialog::connectParts() {
           [this](const FigureSettings& settings) { m_context.settings.setFigure(settings); });
   connect(&m_soon, &QTimer::timeout, this, &FigureDialog::refreshSources);
   connect(&m_context.session, &Session::planesChanged, this, [this] { m_soon.start(); });
+  connect(&m_context.session, &Session::viewsChanged, this, [this] { m_soon.start(); });
 }
 
 QWidget* FigureDialog::makeSide() {
@@ -296,6 +307,7 @@ void FigureDialog::refreshSources() {
                                m_context.session.measurements(),
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
+                               m_context.session.views(),
                                histogram};
   const std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();

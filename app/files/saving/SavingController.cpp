@@ -225,12 +225,10 @@ void SavingController::writeScene(const QString& path) {
   const std::filesystem::path target(path.toStdString());
   Scene scene = m_context.document.scene();
   scene.keep.source = labelsSeenFrom(target);
-  m_context.notes.attempt(
-      [&] {
-        writeFileAtomically(target,
-                            sceneToJson(scene, volumeSeenFrom(target), {}, m_context.session.measurements()));
-      },
-      path);
+  SceneDocument document = documentOf(scene, volumeSeenFrom(target));
+  document.measurements = m_context.session.measurements();
+  document.views = m_context.session.views();
+  m_context.notes.attempt([&] { writeFileAtomically(target, sceneToJson(document)); }, path);
 }
 
 void SavingController::writePicture(const QString& path) {

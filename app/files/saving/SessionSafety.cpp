@@ -48,6 +48,7 @@ SessionSafety::SessionSafety(WindowContext& context, std::function<SessionDocume
   connect(&context.docks, &Docks::panelChanged, this, &SessionSafety::noteChange);
   connect(&context.session, &Session::planesChanged, this, &SessionSafety::noteChange);
   connect(&context.session, &Session::measurementsChanged, this, &SessionSafety::noteChange);
+  connect(&context.session, &Session::viewsChanged, this, &SessionSafety::noteChange);
 }
 
 void SessionSafety::begin() {

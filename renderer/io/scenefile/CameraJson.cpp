@@ -35,4 +35,29 @@ nlohmann::ordered_json cameraJson(const Camera& camera) {
           {"height_mm", camera.heightMm}};
 }
 
+std::vector<NamedView> readViews(JsonFields& scene) {
+  const nlohmann::json& list = scene.child("views");
+  if (!list.is_array())
+    scene.fail("views", Message::tr("must be a list of {\"name\", \"camera\"}"));
+  std::vector<NamedView> views;
+  for (const nlohmann::json& item : list) {
+    JsonFields fields(item, scene.document(), placeIn(scene.pathOf("views").c_str(), views.size()));
+    NamedView& view = views.emplace_back();
+    if (!fields.text("name", view.name) || view.name.empty())
+      fields.fail("name", Message::tr("is missing"));
+    if (!fields.has("camera"))
+      fields.fail("camera", Message::tr("is missing"));
+    view.camera = readCamera(fields.object("camera"));
+    fields.finish();
+  }
+  return views;
+}
+
+nlohmann::ordered_json viewsJson(const std::vector<NamedView>& views) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const NamedView& view : views)
+    json.push_back({{"name", view.name}, {"camera", cameraJson(view.camera)}});
+  return json;
+}
+
 } // namespace limn

@@ -5,6 +5,7 @@
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
 #include "scene/view/Measurement.h"
+#include "scene/view/NamedView.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,7 +22,8 @@ struct SceneDocument {
   KeptPart keep;                         ///< what `scene.keep` becomes once the volume is read
   std::vector<Measurement> measurements; ///< of its volume
   std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
-  bool hasCamera = false;  ///< false: place the default camera once the volume is read
+  std::vector<NamedView> views;     ///< cameras kept under names, beside the scene's own
+  bool hasCamera = false;           ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
 };
@@ -50,6 +52,9 @@ struct PictureAccuracy {
 std::string sceneToJson(const Scene& scene, const std::string& volume,
                         const std::optional<PictureAccuracy>& accuracy = {},
                         const std::vector<Measurement>& measurements = {});
+
+/// The same of a document, with its named views.
+std::string sceneToJson(const SceneDocument& document);
 
 /// Reads the text of a preset file. Throws Error (input).
 Preset parsePreset(std::string_view text, const std::string& name);

@@ -27,6 +27,12 @@ Camera readCamera(JsonFields fields);
 /// The fields of a camera, as readCamera reads them.
 nlohmann::ordered_json cameraJson(const Camera& camera);
 
+/// The field `views` of a scene, which is there: cameras by name.
+std::vector<NamedView> readViews(JsonFields& scene);
+
+/// The field `views`, as readViews reads it.
+nlohmann::ordered_json viewsJson(const std::vector<NamedView>& views);
+
 /// Reads every field of a scene file and refuses others.
 SceneDocument readScene(JsonFields fields);
 

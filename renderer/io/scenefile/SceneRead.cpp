@@ -295,6 +295,8 @@ SceneDocument readScene(JsonFields fields) {
   if (fields.has("image"))
     scene.image = readImageSettings(fields.object("image"));
   document.measurements = readMeasurements(fields);
+  if (fields.has("views"))
+    document.views = readViews(fields);
   if (fields.has("accuracy"))
     readAccuracy(fields.object("accuracy"));
   fields.finish();

@@ -122,6 +122,8 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
                      {"background", toJson(scene.image.background)}}}});
   if (!document.measurements.empty())
     json["measurements"] = measurementsJson(document.measurements);
+  if (!document.views.empty())
+    json["views"] = viewsJson(document.views);
   return json;
 }
 
@@ -148,6 +150,10 @@ std::string sceneToJson(const Scene& scene, const std::string& volume,
   if (accuracy)
     json["accuracy"] = {{"within_levels", accuracy->levels}, {"statement", accuracy->sentence}};
   return textOf(json);
+}
+
+std::string sceneToJson(const SceneDocument& document) {
+  return textOf(sceneJson(document));
 }
 
 std::string presetToJson(const Preset& preset) {

@@ -50,6 +50,35 @@ TEST(Session, slicesAreAWayOfLookingWithoutUndo) {
   EXPECT_EQ(session.undoStack().count(), 0);
 }
 
+TEST(Session, namedViewsAreAnUndoStepThatLeavesTheScene) {
+  Session session;
+  int told = 0;
+  QObject::connect(&session, &Session::viewsChanged, [&] { ++told; });
+  const std::vector<NamedView> one{{"front", Camera{}}};
+  session.setViews(one, "keep view \"front\"");
+  session.setViews(one, "again");
+  EXPECT_EQ(told, 1) << "equal ones change nothing";
+  EXPECT_EQ(session.undoStack().count(), 1);
+  EXPECT_EQ(session.undoStack().undoText(), "keep view \"front\"");
+  EXPECT_TRUE(session.isEdited());
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  session.setViews({}, "delete view \"front\"");
+  session.undoStack().undo();
+  EXPECT_EQ(session.views(), one);
+  EXPECT_EQ(session.scene().transferFunction, rampTo(10));
+  session.undoStack().undo();
+  EXPECT_EQ(session.views(), one) << "the curve is another step";
+  session.undoStack().undo();
+  EXPECT_TRUE(session.views().empty());
+  session.undoStack().redo();
+  LoadedScene other;
+  other.views = {{"side", Camera{}}};
+  session.open(other);
+  EXPECT_EQ(session.views(), other.views);
+  session.open({});
+  EXPECT_TRUE(session.views().empty());
+}
+
 TEST(Session, theHistoryHoldsNoMapOfLabelsButThatOfTheMoment) {
   Session session;
   std::vector<std::weak_ptr<const LabelMap>> maps;

@@ -100,6 +100,12 @@ std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& came
   const auto from = [&](StandardView view) { return fitted(standardView(camera, grid, view)); };
   if (const auto* look = std::get_if<LookFrom>(&command))
     return from(look->view);
+  if (const auto* look = std::get_if<LookAlong>(&command)) {
+    Camera placed = standardView(camera, grid, StandardView::anterior);
+    placed.position = placed.target + glm::length(placed.position - placed.target) * look->from;
+    placed.up = look->up;
+    return fitted(placed);
+  }
   if (std::holds_alternative<LookFromNearest>(command))
     return from(nearestStandardView(camera));
   if (std::holds_alternative<Reset>(command))

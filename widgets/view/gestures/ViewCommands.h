@@ -22,6 +22,11 @@ struct LookFrom {
   StandardView view;
   bool operator==(const LookFrom&) const = default;
 };
+struct LookAlong { ///< from outside along a direction of the world, with another one upwards; unit length
+  glm::dvec3 from;
+  glm::dvec3 up;
+  bool operator==(const LookAlong&) const = default;
+};
 struct LookFromNearest { ///< the standard view nearest to the present one
   bool operator==(const LookFromNearest&) const = default;
 };
@@ -65,11 +70,11 @@ struct ListShortcuts {
 };
 } // namespace viewcommand
 
-using ViewCommand =
-    std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest, viewcommand::Reset,
-                 viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
-                 viewcommand::Swap, viewcommand::CloseLine, viewcommand::ShortenLine, viewcommand::Remove,
-                 viewcommand::Cancel, viewcommand::ListShortcuts>;
+using ViewCommand = std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookAlong,
+                                 viewcommand::LookFromNearest, viewcommand::Reset, viewcommand::Rotate,
+                                 viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
+                                 viewcommand::Swap, viewcommand::CloseLine, viewcommand::ShortenLine,
+                                 viewcommand::Remove, viewcommand::Cancel, viewcommand::ListShortcuts>;
 
 /// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
 /// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;

@@ -5,6 +5,7 @@
 #include "widgets/theme/Theme.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/LabelReading.h"
+#include "widgets/view/overlay/OrientationCube.h"
 #include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/overlay/Titles.h"
 
@@ -104,7 +105,8 @@ void ViewInput::setTool(ViewTool tool) {
 
 // What a press here would do.
 void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
-  m_view->setCursor(m_hovered.label >= 0 || m_hovered.hidden         ? Qt::PointingHandCursor
+  const bool leads = m_hovered.label >= 0 || m_hovered.hidden || m_hovered.cubeFace;
+  m_view->setCursor(leads                                            ? Qt::PointingHandCursor
                     : handle                                         ? cursorFor(*handle)
                     : m_hovered.measure                              ? Qt::SizeAllCursor
                     : m_hovered.wipe                                 ? Qt::SplitHCursor
@@ -131,6 +133,10 @@ void ViewInput::press(const QMouseEvent& event) {
   const Press press{event.button(), event.modifiers(), event.position()};
   std::optional<CropHandle> handle;
   if (press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier) {
+    if (const std::optional<std::size_t> face = m_line ? std::nullopt : cubeFaceAt(source, press.point)) {
+      lookFromFace(source, *face);
+      return hover(event); // another face may lie under the pointer
+    }
     if (const int position = labelAt(source, press.point); position >= 0) {
       emit modelsRequested(position);
       return;
@@ -150,6 +156,14 @@ void ViewInput::press(const QMouseEvent& event) {
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
   if (handle)
     m_hovered.face = handle->face;
+}
+
+void ViewInput::lookFromFace(const OverlaySource& source, std::size_t face) {
+  const CubeFace from = cubeFaces(source.volume())[cubeFaceLedTo(source, face)];
+  if (from.view)
+    obey(viewcommand::LookFrom{*from.view});
+  else
+    obey(viewcommand::LookAlong{from.outward, from.up});
 }
 
 // What a button that goes down is to the scissors; false where they leave it to others.
@@ -265,7 +279,8 @@ void ViewInput::cancelDrag(const Scene& shown) {
 void ViewInput::doubleClick(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
   if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
-      labelAt(source, event.position()) >= 0 || hiddenNoteAt(source, event.position()))
+      labelAt(source, event.position()) >= 0 || hiddenNoteAt(source, event.position()) ||
+      cubeFaceAt(source, event.position()))
     return;
   if (m_line)
     return closeLine();
@@ -308,10 +323,11 @@ void ViewInput::hover(const QMouseEvent& event) {
     return;
   const QPointF point = event.position();
   Hovered now;
+  now.cubeFace = cubeFaceAt(source, point);
   now.label = labelAt(source, point);
   if (now.label < 0)
     now.hidden = hiddenNoteAt(source, point);
-  const bool isOnText = now.label >= 0 || now.hidden;
+  const bool isOnText = now.label >= 0 || now.hidden || now.cubeFace;
   const std::optional<CropHandle> handle = isOnText ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;

@@ -127,6 +127,7 @@ private:
   void hover(const QMouseEvent& event);
   void uncut(const Scene& shown, CropFace face);
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
+  void lookFromFace(const OverlaySource& source, std::size_t face);
   void obeyClick(ViewClick click, const QPointF& point);
   void readRayAt(const OverlaySource& source, const QPointF& point);
   bool drawLine(const OverlaySource& source, const QMouseEvent& event);

@@ -84,7 +84,7 @@ DifferenceBar differenceBarOf(const OverlaySource& source, const QPointF& corner
   return bar;
 }
 
-// Scale and notes at the lower edge; tells the plates. The notes never give way, the scale does.
+// Scale, cube and notes at the lower edge; tells the plates. The notes never give way, the scale does.
 std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   const double width = source.geometry.size.width();
   const double height = source.lowest();
@@ -98,6 +98,9 @@ std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
     overlay.scale = scale;
     plates.push_back(scale->plate);
   }
+  overlay.cube = orientationCubeOf(source);
+  if (overlay.cube)
+    plates.push_back(overlay.cube->plate);
   if (source.geometry.layout == CompareLayout::difference) {
     overlay.differenceBar =
         differenceBarOf(source, warning.plate.topRight() - QPointF(0.0, overlayMargin / 3));
@@ -206,6 +209,14 @@ std::vector<Overlay::Measures> measuresOf(const OverlaySource& source, const Ove
   return measures;
 }
 
+void addMarks(Overlay& overlay, const OverlaySource& source) {
+  for (const QPointF& at : marksOf(source, source.comparison.markMm)) {
+    const int side = sideShownAt(source.comparison, positionAt(source.geometry, at));
+    const bool isHidden = source.comparison.markIsHidden[static_cast<std::size_t>(side)];
+    (isHidden ? overlay.hiddenMarks : overlay.marks).push_back(at);
+  }
+}
+
 // Lines of the box would strike through what is written there.
 QRegion besideTexts(const Overlay& overlay, const QRectF& picture) {
   QRegion region(picture.toAlignedRect());
@@ -215,6 +226,8 @@ QRegion besideTexts(const Overlay& overlay, const QRectF& picture) {
     region -= note.plate.toAlignedRect();
   if (overlay.scale)
     region -= overlay.scale->plate.toAlignedRect();
+  if (overlay.cube)
+    region -= overlay.cube->plate.toAlignedRect();
   return region;
 }
 
@@ -273,7 +286,7 @@ Overlay overlayOf(const OverlaySource& source) {
   addOrientation(overlay, source, plates);
   if (!source.comparison.preview.empty())
     overlay.notes.push_back(previewNoteOf(source, overlay, plates));
-  overlay.marks = marksOf(source, source.comparison.markMm);
+  addMarks(overlay, source);
   overlay.halves = marksOf(source, source.comparison.halfMm);
   if (source.isTurning)
     overlay.centres = marksOf(source, source.comparison.turnsAboutMm);
@@ -303,6 +316,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   }
   for (const QPointF& mark : overlay.marks)
     paintMark(painter, mark);
+  for (const QPointF& mark : overlay.hiddenMarks)
+    paintHiddenMark(painter, mark);
   for (const QPointF& half : overlay.halves)
     paintHalfMark(painter, half);
   for (const QPointF& centre : overlay.centres)
@@ -316,6 +331,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
     paintDifferenceBar(painter, *overlay.differenceBar);
   if (overlay.scale)
     paintScaleBar(painter, *overlay.scale);
+  if (overlay.cube)
+    paintOrientationCube(painter, *overlay.cube);
   for (const LetterMarks& letters : overlay.letters)
     paintLetters(painter, letters);
   if (overlay.reading)

@@ -3,6 +3,7 @@
 
 #include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/MeasureMarks.h"
+#include "widgets/view/overlay/OrientationCube.h"
 #include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/Titles.h"
 
@@ -43,11 +44,13 @@ struct Overlay {
   double explanationOpacity = 1.0; ///< of the note under the title of a difference
   std::vector<Note> notes;
   std::optional<ScaleMark> scale;
+  std::optional<OrientationCube> cube;
   std::vector<LetterMarks> letters;
   std::optional<Reading> reading;
-  std::vector<QPointF> marks;   ///< where a marked place is seen in each picture that shows it
-  std::vector<QPointF> halves;  ///< the same of where half of a ray's light is gathered
-  std::vector<QPointF> centres; ///< the same of the place about which the pictures are turned
+  std::vector<QPointF> marks;       ///< where a marked place is seen in each picture that shows it
+  std::vector<QPointF> hiddenMarks; ///< the same in pictures in which something lies before it
+  std::vector<QPointF> halves;      ///< the same of where half of a ray's light is gathered
+  std::vector<QPointF> centres;     ///< the same of the place about which the pictures are turned
   std::vector<Measures> measures;
   std::optional<CutLine> cutLine;
   std::vector<double> progress; ///< each 0..1

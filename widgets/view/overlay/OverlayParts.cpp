@@ -251,6 +251,19 @@ void paintMark(QPainter& painter, const QPointF& point) {
   painter.restore();
 }
 
+void paintHiddenMark(QPainter& painter, const QPointF& point) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 90), 3.5));
+  painter.drawEllipse(point, 1.5 * unit, 1.5 * unit);
+  QPen dashes(markColor, 1.5, Qt::CustomDashLine, Qt::FlatCap);
+  dashes.setDashPattern({1.6, 1.6}); // in widths of the line: eight dashes around
+  painter.setPen(dashes);
+  painter.drawEllipse(point, 1.5 * unit, 1.5 * unit);
+  painter.restore();
+}
+
 void paintHalfMark(QPainter& painter, const QPointF& point) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -77,6 +77,8 @@ void paintProgress(QPainter& painter, double fraction, const QRectF& view);
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
 /// Marks a place that slices show, too.
 void paintMark(QPainter& painter, const QPointF& point);
+/// The same where what is seen lies before the place: a ring of dashes.
+void paintHiddenMark(QPainter& painter, const QPointF& point);
 /// Marks where half of a ray's light is gathered: a diamond with "½" beside it.
 void paintHalfMark(QPainter& painter, const QPointF& point);
 /// Marks the place about which a picture is turned: a dot in a ring that is open as an arrow is.

@@ -4,6 +4,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/ModelSection.h"
+#include "widgets/view/overlay/OrientationCube.h"
 #include "widgets/view/panels/PictureStatus.h"
 
 #include <QObject>
@@ -169,7 +170,7 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
   return -1;
 }
 
-// Only over titles and notes: a tool tip anywhere else would cover the picture.
+// Only over titles, notes and the cube: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   if (source.hovered.hidden)
     return source.hovered.hidden->by == HiddenBy::crop
@@ -179,6 +180,8 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
                : QObject::tr(
                      "A part of the volume is hidden. A click shows everything again; View ▸ Body only "
                      "hides the table and what else lies beside the body.");
+  if (const std::optional<std::size_t> face = cubeFaceAt(source, point))
+    return cubeFaces(source.volume())[cubeFaceLedTo(source, *face)].meaning;
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

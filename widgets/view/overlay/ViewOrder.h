@@ -51,6 +51,7 @@ struct Comparison {
   double wipe = 0.5; ///< where the border of the wipe lies, as a fraction of the width, 0..1
   bool isSwapped = false;
   std::optional<glm::dvec3> markMm;       ///< a place that is marked in the pictures, world
+  std::array<bool, 2> markIsHidden{};     ///< by what is seen before it, in the picture of each side
   std::optional<glm::dvec3> halfMm;       ///< where half of a ray's light is gathered, world; marked, too
   std::optional<glm::dvec3> turnsAboutMm; ///< about which turns go, world; absent: the camera's target
   std::vector<SeenMeasure> measures;      ///< drawn over the pictures
@@ -91,6 +92,7 @@ struct Hovered {
   bool measure = false; ///< a handle of a measurement
   std::optional<HiddenPlace> hidden;
   std::optional<CropFace> face;
+  std::optional<std::size_t> cubeFace{}; ///< of the cube that shows how the picture lies (cubeFaces)
   bool operator==(const Hovered&) const = default;
 };
 
@@ -123,6 +125,7 @@ struct ViewOrder {
   double labelOpacity = 1.0; ///< of the numbers beside the titles
   Hovered hovered;
   bool hasCropBox = false; ///< with a handle on each face
+  bool hasCube = false;    ///< that shows how the picture lies
   std::optional<CropFace> heldFace;
   bool isTurning = false; ///< by a drag
   std::optional<ReadValue> read;

@@ -67,6 +67,26 @@ TEST_F(TurntableWindow, ofTwoPicturesTheOneThatIsChosenIsSaved) {
   EXPECT_EQ(saved.scene.shading.model, ShadingModel::enhanced);
 }
 
+TEST_F(TurntableWindow, aTurnBeginsAtAViewThatWasKept) {
+  auto& start = *dialog().findChild<QComboBox*>(QStringLiteral("turntableStart"));
+  EXPECT_FALSE(start.isVisible()) << "there is none";
+  // A camera that is not framed turns as it is.
+  Camera side = zoomed(standardView(scene().camera, scene().volume->grid(), StandardView::left), 2.0);
+  session().setViews({{"the ear", side}, {std::string(500, 'x'), side}}, QStringLiteral("keep"));
+  ASSERT_TRUE(start.isVisible());
+  EXPECT_EQ(start.currentIndex(), 0);
+  EXPECT_LE(dialog().sizeHint().width(), 600);
+  start.setFocus();
+  QTest::keyClick(&start, Qt::Key_Down);
+  EXPECT_EQ(start.currentText(), QStringLiteral("the ear"));
+  type("turntableFrames", QStringLiteral("2"));
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  const LoadedScene saved = loadScene((folder.path() / "turn.frames" / "frame-0001.png").string(), {}, {});
+  EXPECT_EQ(saved.scene.camera, side);
+  EXPECT_TRUE(saved.views.empty()) << "pictures go to others: they carry no names";
+}
+
 TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   window->findChild<QAction*>(QStringLiteral("layout-single"))->trigger();

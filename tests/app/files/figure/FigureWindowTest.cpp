@@ -117,6 +117,28 @@ TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {
   EXPECT_FALSE(said().contains(QStringLiteral("Saved"))) << said().toStdString();
 }
 
+TEST_F(FigureWindow, aViewThatWasKeptCanStandInAPanel) {
+  const Camera side = standardView(scene().camera, scene().volume->grid(), StandardView::left);
+  session().setViews({{"the ear", side}, {std::string(500, 'x'), side}}, QStringLiteral("keep"));
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  auto& source = part<QComboBox>("panelSource-b");
+  const int chosen = source.findText(QStringLiteral("View: the ear"));
+  ASSERT_GE(chosen, 0);
+  source.setFocus();
+  QTest::keyClick(&source, Qt::Key_Home);
+  for (int step = 0; step < chosen; ++step)
+    QTest::keyClick(&source, Qt::Key_Down);
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  ASSERT_EQ(dialog().askedFigure().panels.size(), 2u);
+  EXPECT_EQ(dialog().askedFigure().panels[1].scene.camera, side);
+  EXPECT_EQ(dialog().askedFigure().panels[1].name, QStringLiteral("the ear"));
+  EXPECT_NE(dialog().askedFigure().panels[0].scene.camera, side);
+  QTest::keyClick(&source, Qt::Key_Down); // with a name of 500 letters
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  EXPECT_LE(dialog().width(), 1200);
+}
+
 TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
   setLayout(CompareLayout::single);
   window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();

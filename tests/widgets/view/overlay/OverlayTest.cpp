@@ -60,6 +60,25 @@ TEST_F(OverlayAbove, aMarkedPlaceIsMarkedInEachPictureThatHasItInView) {
   EXPECT_TRUE(overlayOf(source()).marks.empty());
 }
 
+TEST_F(OverlayAbove, aMarkedPlaceIsMarkedAsHiddenInThePictureOfEachSideThatHidesIt) {
+  comparison.markMm = comparison.scene.camera.target;
+  comparison.layout = CompareLayout::sideBySide;
+  comparison.markIsHidden = {false, true};
+  const Overlay overlay = overlayOf(source());
+  ASSERT_EQ(overlay.marks.size(), 1u);
+  ASSERT_EQ(overlay.hiddenMarks.size(), 1u);
+  EXPECT_LT(overlay.marks[0].x(), 350.0);
+  EXPECT_GT(overlay.hiddenMarks[0].x(), 350.0);
+  comparison.isSwapped = true;
+  EXPECT_GT(overlayOf(source()).marks.at(0).x(), 350.0) << "it goes with its side";
+  comparison.isSwapped = false;
+  comparison.layout = CompareLayout::wipe;
+  for (const double wipe : {0.3, 0.7}) { // the place lies in the middle
+    comparison.wipe = wipe;
+    EXPECT_EQ(overlayOf(source()).hiddenMarks.size(), wipe < 0.5 ? 1u : 0u);
+  }
+}
+
 TEST_F(OverlayAbove, aLabelIsFoundUnderThePointerWhereThereIsAModelToChoose) {
   const QPointF point = labelsOf(source())[0].plate.center();
   EXPECT_EQ(labelAt(source(), point), 0);
