@@ -383,10 +383,6 @@
         <translation>Entf</translation>
     </message>
     <message>
-        <source>remove the distance</source>
-        <translation>Abstand löschen</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
     </message>
@@ -1198,10 +1194,6 @@
         <translation>Darstellung merken, mit der jetzigen vergleichen</translation>
     </message>
     <message>
-        <source>tools: crosshair, window and level, distance</source>
-        <translation>Werkzeuge: Fadenkreuz, Fensterung, Abstand</translation>
-    </message>
-    <message>
         <source>the crosshair again</source>
         <translation>wieder Fadenkreuz</translation>
     </message>
@@ -1632,18 +1624,6 @@
         <translation>Vorschau aus 1/%1 der Voxel entlang jeder Achse</translation>
     </message>
     <message>
-        <source>measure distance</source>
-        <translation>Abstand messen</translation>
-    </message>
-    <message>
-        <source>remove distance</source>
-        <translation>Abstand entfernen</translation>
-    </message>
-    <message>
-        <source>change distance</source>
-        <translation>Abstand ändern</translation>
-    </message>
-    <message>
         <source>%1 · on the disk</source>
         <translation>%1 · auf der Festplatte</translation>
     </message>
@@ -1762,6 +1742,154 @@
     <message>
         <source>Cut by hand</source>
         <translation>Von Hand beschnitten</translation>
+    </message>
+    <message>
+        <source>View: %1</source>
+        <translation>Ansicht: %1</translation>
+    </message>
+    <message>
+        <source>tools: clicks measure a distance, an angle, mark a place</source>
+        <translation>Werkzeuge: Klicks messen einen Abstand, einen Winkel, markieren einen Ort</translation>
+    </message>
+    <message>
+        <source>delete the measurement in hand</source>
+        <translation>die gewählte Messung löschen</translation>
+    </message>
+    <message>
+        <source>Click the cube</source>
+        <translation>Klick auf den Würfel</translation>
+    </message>
+    <message>
+        <source>look from that side; once there: from the opposite one</source>
+        <translation>Blick von dieser Seite; von dort aus: von gegenüber</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>cut open to the slices&apos; crosshair; again, or Esc: as it was</source>
+        <translation>bis zum Fadenkreuz der Schnitte aufschneiden; nochmals oder Esc: wie zuvor</translation>
+    </message>
+    <message>
+        <source>what can be done there: take its label in hand, copy the value</source>
+        <translation>was dort getan werden kann: sein Label auswählen, den Wert kopieren</translation>
+    </message>
+    <message>
+        <source>tools: crosshair, window and level</source>
+        <translation>Werkzeuge: Fadenkreuz, Fenster</translation>
+    </message>
+    <message>
+        <source>tools: distance, angle, ellipse, mark</source>
+        <translation>Werkzeuge: Abstand, Winkel, Ellipse, Marke</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>mm²</source>
+        <translation>mm²</translation>
+    </message>
+    <message>
+        <source>voxels²</source>
+        <translation>Voxel²</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>no voxels</source>
+        <translation>keine Voxel</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>no angle: two places are one</source>
+        <translation>kein Winkel: zwei Orte fallen zusammen</translation>
+    </message>
+    <message>
+        <source>delete: %1</source>
+        <translation>löschen: %1</translation>
+    </message>
+    <message>
+        <source>mean ± standard deviation of %1 voxels</source>
+        <translation>Mittelwert ± Standardabweichung von %1 Voxeln</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 · opacity %2</source>
+        <translation>%1 · Deckkraft %2</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Blick von vorn</translation>
+    </message>
+    <message>
+        <source>Look from the back</source>
+        <translation>Blick von hinten</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Blick von links</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Blick von rechts</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Blick von oben</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Blick von unten</translation>
+    </message>
+    <message>
+        <source>Look from the last column</source>
+        <translation>Blick von der letzten Spalte</translation>
+    </message>
+    <message>
+        <source>Look from the first column</source>
+        <translation>Blick von der ersten Spalte</translation>
+    </message>
+    <message>
+        <source>Look from the last row</source>
+        <translation>Blick von der letzten Zeile</translation>
+    </message>
+    <message>
+        <source>Look from the first row</source>
+        <translation>Blick von der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>Look from the last slice</source>
+        <translation>Blick von der letzten Schicht</translation>
+    </message>
+    <message>
+        <source>Look from the first slice</source>
+        <translation>Blick von der ersten Schicht</translation>
     </message>
 </context>
 <context>
@@ -2237,6 +2365,37 @@
     </message>
 </context>
 <context>
+    <name>limn::CrosshairController</name>
+    <message>
+        <source>Cut o&amp;pen to the crosshair</source>
+        <translation>Bis zum Fadenkreuz auf&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Nothing lies before the crosshair on this side, so nothing was cut.</source>
+        <translation>Auf dieser Seite liegt nichts vor dem Fadenkreuz; es wurde nichts weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>cut open to the crosshair</source>
+        <translation>bis zum Fadenkreuz aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut open to the crosshair, %1. The cut goes with the crosshair; Esc closes it.</source>
+        <translation>Bis zum Fadenkreuz aufgeschnitten, %1. Der Schnitt geht mit dem Fadenkreuz; Esc schließt ihn.</translation>
+    </message>
+    <message>
+        <source>close the cut</source>
+        <translation>Schnitt schließen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Cuts away what lies before the slices&apos; crosshair in the picture, on the side that faces you most (O). Again, or Esc: as it was.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Schneidet im Bild weg, was vor dem Fadenkreuz der Schnitte liegt, auf der Seite, die Ihnen am meisten zugewandt ist (O). Nochmals oder Esc: wie zuvor.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>There must be slices beside the picture, which have the crosshair: View ▸ Slices.</source>
+        <translation>Dazu müssen Schnitte neben dem Bild stehen, die das Fadenkreuz haben: Ansicht ▸ Schnitte.</translation>
+    </message>
+</context>
+<context>
     <name>limn::CurveController</name>
     <message>
         <source>The volume&apos;s gradients cannot be counted: %1.</source>
@@ -2249,6 +2408,10 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Piece %1</source>
+        <translation>Stück %1</translation>
     </message>
 </context>
 <context>
@@ -2384,6 +2547,14 @@
         <source>The wheel widens or narrows the range of values; another click picks another piece, Esc none.</source>
         <translation>Das Rad erweitert oder verengt den Wertebereich; ein weiterer Klick wählt ein anderes Teil, Esc keines.</translation>
     </message>
+    <message>
+        <source>Its own curve</source>
+        <translation>Eigene Kurve</translation>
+    </message>
+    <message>
+        <source>Gives this piece a curve of its own, which the curve panel then shows.</source>
+        <translation>Gibt diesem Stück eine eigene Kurve, die dann der Kurvenbereich zeigt.</translation>
+    </message>
 </context>
 <context>
     <name>limn::CutController</name>
@@ -2426,6 +2597,10 @@
     <message>
         <source>the piece that hangs together</source>
         <translation>das zusammenhängende Teil</translation>
+    </message>
+    <message>
+        <source>give a piece its own curve</source>
+        <translation>Stück mit eigener Kurve</translation>
     </message>
 </context>
 <context>
@@ -2491,16 +2666,8 @@
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>What was cut away, in order; marked cuts hold.</source>
-        <translation>Was weggeschnitten wurde, der Reihe nach; angekreuzte Schnitte gelten.</translation>
-    </message>
-    <message>
         <source>Cuts along a line that you draw on the picture (X).</source>
         <translation>Schneidet entlang einer Linie, die Sie auf das Bild zeichnen (X).</translation>
-    </message>
-    <message>
-        <source>Hides the connected piece that you click, or all but it (K).</source>
-        <translation>Blendet das zusammenhängende Teil aus, das Sie anklicken, oder alles andere (K).</translation>
     </message>
     <message>
         <source>Makes the chosen cut earlier.</source>
@@ -2533,6 +2700,18 @@
     <message>
         <source>delete cut %1</source>
         <translation>Schnitt %1 löschen</translation>
+    </message>
+    <message>
+        <source>Piece %1, own curve</source>
+        <translation>Stück %1, eigene Kurve</translation>
+    </message>
+    <message>
+        <source>What was cut away or told apart, in order; marked cuts hold. A piece with its own curve comes into the curve panel by a click.</source>
+        <translation>Was weggeschnitten oder unterschieden wurde, der Reihe nach; markierte Schnitte gelten. Ein Stück mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
+    </message>
+    <message>
+        <source>Hides the connected piece that you click, or all but it, or gives it a curve of its own (K).</source>
+        <translation>Blendet das zusammenhängende Stück aus, das angeklickt wird, oder alles andere, oder gibt ihm eine eigene Kurve (K).</translation>
     </message>
 </context>
 <context>
@@ -2680,14 +2859,6 @@
         <translation>Das Bild wird gezeichnet</translation>
     </message>
     <message>
-        <source>Saves two files for an archive: the picture (picture.dcm) and the look that it was made with (look.dcm), which other programs and Limn can open.</source>
-        <translation>Speichert zwei Dateien für ein Archiv: das Bild (picture.dcm) und die Darstellung, mit der es gezeichnet wurde (look.dcm); andere Programme und Limn können sie öffnen.</translation>
-    </message>
-    <message>
-        <source>The two files carry what the series says of its patient, because an archive files them by it. Nothing else that Limn writes does.</source>
-        <translation>Die beiden Dateien enthalten, was die Serie über ihren Patienten sagt, weil ein Archiv sie danach ablegt. Nichts anderes, was Limn schreibt, enthält das.</translation>
-    </message>
-    <message>
         <source>Drawing the picture…</source>
         <translation>Das Bild wird gezeichnet…</translation>
     </message>
@@ -2698,10 +2869,6 @@
     <message>
         <source>What &amp;others see differently (Limn reads all of it back, but for kept labels):</source>
         <translation>Was &amp;andere anders sehen (Limn liest alles davon zurück, nur behaltene Labels nicht):</translation>
-    </message>
-    <message>
-        <source>The two files name nobody. They keep the UIDs of the study and of its images, by which the look finds them.</source>
-        <translation>Die beiden Dateien nennen niemanden. Sie behalten die UIDs der Studie und ihrer Bilder, über die die Darstellung sie findet.</translation>
     </message>
     <message>
         <source>Cancelled; nothing was written.</source>
@@ -2730,6 +2897,18 @@
     <message>
         <source>Saved %1.</source>
         <translation>%1 wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saves files for an archive: the picture (picture.dcm), the look that it was made with (look.dcm), which other programs and Limn can open, and where something is kept by label or cut away which voxels these are (segments.dcm).</source>
+        <translation>Speichert Dateien für ein Archiv: das Bild (picture.dcm), die Darstellung, mit der es entstand (look.dcm) und die andere Programme und Limn öffnen können, und, wo etwas nach Labels behalten oder weggeschnitten ist, welche Voxel das sind (segments.dcm).</translation>
+    </message>
+    <message>
+        <source>The files name nobody. They keep the UIDs of the study and of its images, by which the look finds them.</source>
+        <translation>Die Dateien nennen niemanden. Sie behalten die UIDs der Studie und ihrer Bilder, durch die die Darstellung sie findet.</translation>
+    </message>
+    <message>
+        <source>The files carry what the series says of its patient, because an archive files them by it. Nothing else that Limn writes does.</source>
+        <translation>Die Dateien enthalten, was die Serie über den Patienten sagt, weil ein Archiv sie danach ablegt. Sonst tut das nichts, was Limn schreibt.</translation>
     </message>
 </context>
 <context>
@@ -3171,6 +3350,10 @@
     <message>
         <source>&amp;Text</source>
         <translation>&amp;Text</translation>
+    </message>
+    <message>
+        <source>Labels and colours</source>
+        <translation>Labels und Farben</translation>
     </message>
 </context>
 <context>
@@ -3703,6 +3886,14 @@
         <source>Marked labels are shown; a number says how much of its opacity one keeps. One with its own curve comes into the curve panel by a click.</source>
         <translation>Angekreuzte Labels werden gezeigt; eine Zahl sagt, wie viel seiner Deckkraft eines behält. Eines mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
     </message>
+    <message>
+        <source>Shows only labels whose name holds these words</source>
+        <translation>Zeigt nur Labels, deren Name diese Wörter enthält</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
 </context>
 <context>
     <name>limn::LabelTable</name>
@@ -3757,6 +3948,14 @@
     <message>
         <source>give %1 the curve of all tissue</source>
         <translation>%1 die Kurve für alles Gewebe geben</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>%1 · %2 ± %3 · %4 – %5</source>
+        <translation>%1 · %2 ± %3 · %4 – %5</translation>
     </message>
 </context>
 <context>
@@ -4008,6 +4207,84 @@
     <message>
         <source>&lt;p&gt;Colours the picture by how far it lies from the exact one, in levels of 255. The next change of the picture takes it away.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Färbt das Bild danach, wie weit es vom exakten entfernt ist, in Stufen von 255. Die nächste Änderung des Bildes nimmt die Färbung weg.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MeasureController</name>
+    <message>
+        <source>An ellipse is drawn in a slice; View ▸ Slices shows them.</source>
+        <translation>Eine Ellipse wird in einem Schnitt gezeichnet; Ansicht ▸ Schnitte zeigt sie.</translation>
+    </message>
+    <message>
+        <source>Click the place to mark.</source>
+        <translation>Den Ort anklicken, der markiert werden soll.</translation>
+    </message>
+    <message>
+        <source>Click one end, the corner and the other end; a drag rotates the picture.</source>
+        <translation>Ein Ende, den Scheitel und das andere Ende anklicken; Ziehen dreht das Bild.</translation>
+    </message>
+    <message>
+        <source>Click both ends; a drag rotates the picture.</source>
+        <translation>Beide Enden anklicken; Ziehen dreht das Bild.</translation>
+    </message>
+    <message>
+        <source>In an average every depth counts alike, so that there is no place to measure at.</source>
+        <translation>In einem Mittelwert zählt jede Tiefe gleich viel, also gibt es keinen Ort, an dem gemessen werden könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MeasureSection</name>
+    <message>
+        <source>Measures from one end to the other: drag in a slice, or click both ends in the picture (D).</source>
+        <translation>Misst von einem Ende zum anderen: in einem Schnitt ziehen oder im Bild beide Enden anklicken (D).</translation>
+    </message>
+    <message>
+        <source>Measures at a corner: drag from an end to it in a slice and click the other end, or click all three in the picture (G).</source>
+        <translation>Misst an einem Scheitel: in einem Schnitt von einem Ende zu ihm ziehen und das andere Ende anklicken, oder alle drei im Bild anklicken (G).</translation>
+    </message>
+    <message>
+        <source>Mean, deviation and area of what lies in an ellipse: drag in a slice (E).</source>
+        <translation>Mittelwert, Streuung und Fläche dessen, was in einer Ellipse liegt: in einem Schnitt ziehen (E).</translation>
+    </message>
+    <message>
+        <source>Marks a place: click in a slice or in the picture (N).</source>
+        <translation>Markiert einen Ort: in einem Schnitt oder im Bild klicken (N).</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>What was measured; marked ones are shown. A click goes there, a double click renames.</source>
+        <translation>Was gemessen wurde; markierte werden gezeigt. Ein Klick führt hin, ein Doppelklick benennt um.</translation>
+    </message>
+    <message>
+        <source>Takes the chosen measurement away.</source>
+        <translation>Löscht die gewählte Messung.</translation>
+    </message>
+    <message>
+        <source>Measure: %1</source>
+        <translation>Messen: %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>show: %1</source>
+        <translation>zeigen: %1</translation>
+    </message>
+    <message>
+        <source>hide: %1</source>
+        <translation>ausblenden: %1</translation>
+    </message>
+    <message>
+        <source>rename: %1</source>
+        <translation>umbenennen: %1</translation>
     </message>
 </context>
 <context>
@@ -7487,6 +7764,58 @@
         <source>what was cut away is hidden</source>
         <translation>was weggeschnitten wurde, ist ausgeblendet</translation>
     </message>
+    <message>
+        <source>The measurements were left out: they are of another volume.</source>
+        <translation>Die Messungen wurden weggelassen: Sie gehören zu einem anderen Volumen.</translation>
+    </message>
+    <message>
+        <source>The measurements were left out: they are of another series.</source>
+        <translation>Die Messungen wurden weggelassen: Sie gehören zu einer anderen Serie.</translation>
+    </message>
+    <message>
+        <source>%1 is no mask and was left out.</source>
+        <translation>%1 ist keine Maske und wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 files are no masks and were left out: %2.</source>
+        <translation>%1 Dateien sind keine Masken und wurden ausgelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie in more than one mask and belong to the one whose name comes last; most of them, %2, to %3 and not to %4.</source>
+        <translation>%1 Voxel liegen in mehr als einer Maske und gehören zu der, deren Name zuletzt kommt; die meisten davon, %2, zu %3 und nicht zu %4.</translation>
+    </message>
+    <message>
+        <source>no file in it is the mask of a structure: 0, and one value inside</source>
+        <translation>keine Datei darin ist die Maske einer Struktur: 0, und innen ein Wert</translation>
+    </message>
+    <message>
+        <source>open the folder that the segmentation was written to</source>
+        <translation>öffnen Sie den Ordner, in den die Segmentierung geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>all of its masks are empty</source>
+        <translation>alle seine Masken sind leer</translation>
+    </message>
+    <message>
+        <source>open the segmentation of this volume</source>
+        <translation>öffnen Sie die Segmentierung dieses Volumens</translation>
+    </message>
+    <message>
+        <source>must be a list of {&quot;name&quot;, &quot;camera&quot;}</source>
+        <translation>muss eine Liste von {&quot;name&quot;, &quot;camera&quot;} sein</translation>
+    </message>
+    <message>
+        <source>belongs to pieces with &quot;do&quot;: &quot;look&quot; alone</source>
+        <translation>gehört nur zu Stücken mit &quot;do&quot;: &quot;look&quot;</translation>
+    </message>
+    <message>
+        <source>is missing; it is the piece&apos;s own list of control points</source>
+        <translation>fehlt; es ist die eigene Liste von Kontrollpunkten des Stücks</translation>
+    </message>
+    <message>
+        <source>must be a list of as many places as are measured: %1 of %2</source>
+        <translation>muss eine Liste mit so vielen Orten sein, wie gemessen werden: %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -7773,6 +8102,14 @@
         <source>Inferior (below)</source>
         <translation>Inferior (unten)</translation>
     </message>
+    <message>
+        <source>Show orientation &amp;cube</source>
+        <translation>Orientierungs&amp;würfel zeigen</translation>
+    </message>
+    <message>
+        <source>A cube in the picture shows how it lies; a click on a face looks from there.</source>
+        <translation>Ein Würfel im Bild zeigt, wie es liegt; ein Klick auf eine Fläche blickt von dort.</translation>
+    </message>
 </context>
 <context>
     <name>limn::OrientationDialog</name>
@@ -8020,6 +8357,42 @@
         <source>a click picks what hangs together, a drag rotates</source>
         <translation>ein Klick wählt, was zusammenhängt; Ziehen dreht</translation>
     </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>clicks set both ends, a drag rotates</source>
+        <translation>Klicks setzen beide Enden, Ziehen dreht</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>clicks set an end, the corner and the other end, a drag rotates</source>
+        <translation>Klicks setzen ein Ende, den Scheitel und das andere Ende, Ziehen dreht</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>a click marks a place, a drag rotates</source>
+        <translation>ein Klick markiert einen Ort, Ziehen dreht</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureMenu</name>
@@ -8078,6 +8451,26 @@
     <message>
         <source>Lights up what hangs together here, to be hidden or kept alone.</source>
         <translation>Hebt hervor, was hier zusammenhängt, um es auszublenden oder allein zu behalten.</translation>
+    </message>
+    <message>
+        <source>Take %1 in hand</source>
+        <translation>%1 auswählen</translation>
+    </message>
+    <message>
+        <source>Take this label in hand</source>
+        <translation>Dieses Label auswählen</translation>
+    </message>
+    <message>
+        <source>No segmentation is open; File ▸ Open labels… opens one.</source>
+        <translation>Keine Segmentierung ist offen; Datei ▸ Labels öffnen… öffnet eine.</translation>
+    </message>
+    <message>
+        <source>Selects it in the list of labels, and shows its curve.</source>
+        <translation>Wählt es in der Liste der Labels aus und zeigt seine Kurve.</translation>
+    </message>
+    <message>
+        <source>Selects it in the list of labels.</source>
+        <translation>Wählt es in der Liste der Labels aus.</translation>
     </message>
 </context>
 <context>
@@ -8257,10 +8650,6 @@
         <translation>Fadenkreuz in die Mitte</translation>
     </message>
     <message>
-        <source>Remove the distance</source>
-        <translation>Abstand löschen</translation>
-    </message>
-    <message>
         <source>%1 (W %2 L %3)</source>
         <translation>%1 (W %2 L %3)</translation>
     </message>
@@ -8283,6 +8672,38 @@
     <message>
         <source>Outline kept region and crop box</source>
         <translation>Behaltenen Bereich und Zuschnittbox umranden</translation>
+    </message>
+    <message>
+        <source>Angle (G)</source>
+        <translation>Winkel (G)</translation>
+    </message>
+    <message>
+        <source>Ellipse (E)</source>
+        <translation>Ellipse (E)</translation>
+    </message>
+    <message>
+        <source>Mark (N)</source>
+        <translation>Marke (N)</translation>
+    </message>
+    <message>
+        <source>Left drag: from one end to the corner; then a click sets the other end.</source>
+        <translation>Links ziehen: von einem Ende zum Scheitel; danach setzt ein Klick das andere Ende.</translation>
+    </message>
+    <message>
+        <source>Left drag: mean, deviation and area of what lies in an ellipse.</source>
+        <translation>Links ziehen: Mittelwert, Streuung und Fläche dessen, was in einer Ellipse liegt.</translation>
+    </message>
+    <message>
+        <source>Click: marks a place with a number; a double click in its list names it.</source>
+        <translation>Klick: markiert einen Ort mit einer Nummer; ein Doppelklick in der Liste benennt ihn.</translation>
+    </message>
+    <message>
+        <source>Remove all measurements</source>
+        <translation>Alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>remove all measurements</source>
+        <translation>alle Messungen löschen</translation>
     </message>
 </context>
 <context>
@@ -9105,6 +9526,34 @@
         <source>Cutting</source>
         <translation>Schneiden</translation>
     </message>
+    <message>
+        <source>Open a folder of mas&amp;ks…</source>
+        <translation>Ordner mit Mas&amp;ken öffnen…</translation>
+    </message>
+    <message>
+        <source>Opens a segmentation that has a file for each structure, as TotalSegmentator writes it: each becomes a label, called after its file.</source>
+        <translation>Öffnet eine Segmentierung mit einer Datei je Struktur, wie TotalSegmentator sie schreibt: Jede wird ein Label mit dem Namen ihrer Datei.</translation>
+    </message>
+    <message>
+        <source>Open a folder of masks of this volume</source>
+        <translation>Ordner mit Masken dieses Volumens öffnen</translation>
+    </message>
+    <message>
+        <source>The volume before lies on the same grid and was cut by hand.</source>
+        <translation>Das vorige Volumen liegt auf demselben Gitter und wurde von Hand beschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut this one likewise</source>
+        <translation>Dieses ebenso schneiden</translation>
+    </message>
+    <message>
+        <source>cuts of the volume before</source>
+        <translation>Schnitte des vorigen Volumens</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
 </context>
 <context>
     <name>limn::RemarksController</name>
@@ -9856,6 +10305,14 @@
         <source>Saved %1.</source>
         <translation>%1 wurde gespeichert.</translation>
     </message>
+    <message>
+        <source>&amp;Begins at</source>
+        <translation>&amp;Beginnt bei</translation>
+    </message>
+    <message>
+        <source>What the picture shows</source>
+        <translation>Was das Bild zeigt</translation>
+    </message>
 </context>
 <context>
     <name>limn::ViewInput</name>
@@ -9866,6 +10323,104 @@
     <message>
         <source>reset crop</source>
         <translation>Zuschnitt zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ViewsController</name>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this view…</source>
+        <translation>Diese Ansicht &amp;merken…</translation>
+    </message>
+    <message>
+        <source>Keeps from where the picture is seen, under a name. Sessions and scenes keep it.</source>
+        <translation>Merkt sich unter einem Namen, von wo das Bild gesehen wird. Sitzungen und Szenen behalten ihn.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name or delete views…</source>
+        <translation>Ansichten um&amp;benennen oder löschen…</translation>
+    </message>
+    <message>
+        <source>Lists the views that were kept of this volume.</source>
+        <translation>Listet die Ansichten, die zu diesem Volumen gemerkt wurden.</translation>
+    </message>
+    <message>
+        <source>Keep this view</source>
+        <translation>Diese Ansicht merken</translation>
+    </message>
+    <message>
+        <source>Name (a view of the same name is replaced):</source>
+        <translation>Name (eine Ansicht gleichen Namens wird ersetzt):</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Merken</translation>
+    </message>
+    <message>
+        <source>keep view &quot;%1&quot;</source>
+        <translation>Ansicht „%1“ merken</translation>
+    </message>
+    <message>
+        <source>Kept. View ▸ Look from has &quot;%1&quot;.</source>
+        <translation>Gemerkt. Ansicht ▸ Blick von hat „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ViewsDialog</name>
+    <message>
+        <source>&amp;Look from there</source>
+        <translation>Von dort &amp;blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Kept views</source>
+        <translation>Gemerkte Ansichten</translation>
+    </message>
+    <message>
+        <source>Enter or a double click does the same.</source>
+        <translation>Eingabe oder ein Doppelklick tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>F2 does the same.</source>
+        <translation>F2 tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>Delete does the same; undo brings it back.</source>
+        <translation>Entf tut dasselbe; Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>No view is kept. &quot;Keep this view…&quot; keeps the one of the picture.</source>
+        <translation>Keine Ansicht ist gemerkt. „Diese Ansicht merken…“ merkt sich die des Bildes.</translation>
+    </message>
+    <message>
+        <source>A view needs a name.</source>
+        <translation>Eine Ansicht braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Another view has that name; choose one of its own.</source>
+        <translation>Eine andere Ansicht heißt schon so; wählen Sie einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>rename view &quot;%1&quot;</source>
+        <translation>Ansicht „%1“ umbenennen</translation>
+    </message>
+    <message>
+        <source>delete view &quot;%1&quot;</source>
+        <translation>Ansicht „%1“ löschen</translation>
     </message>
 </context>
 <context>
