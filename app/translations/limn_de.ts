@@ -2411,7 +2411,7 @@
     </message>
     <message>
         <source>Piece %1</source>
-        <translation>Stück %1</translation>
+        <translation>Teil %1</translation>
     </message>
 </context>
 <context>
@@ -2553,7 +2553,7 @@
     </message>
     <message>
         <source>Gives this piece a curve of its own, which the curve panel then shows.</source>
-        <translation>Gibt diesem Stück eine eigene Kurve, die dann der Kurvenbereich zeigt.</translation>
+        <translation>Gibt diesem Teil eine eigene Kurve, die dann der Kurvenbereich zeigt.</translation>
     </message>
 </context>
 <context>
@@ -2600,7 +2600,7 @@
     </message>
     <message>
         <source>give a piece its own curve</source>
-        <translation>Stück mit eigener Kurve</translation>
+        <translation>Teil mit eigener Kurve</translation>
     </message>
 </context>
 <context>
@@ -2703,15 +2703,15 @@
     </message>
     <message>
         <source>Piece %1, own curve</source>
-        <translation>Stück %1, eigene Kurve</translation>
+        <translation>Teil %1, eigene Kurve</translation>
     </message>
     <message>
         <source>What was cut away or told apart, in order; marked cuts hold. A piece with its own curve comes into the curve panel by a click.</source>
-        <translation>Was weggeschnitten oder unterschieden wurde, der Reihe nach; markierte Schnitte gelten. Ein Stück mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
+        <translation>Was weggeschnitten oder unterschieden wurde, der Reihe nach; markierte Schnitte gelten. Ein Teil mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
     </message>
     <message>
         <source>Hides the connected piece that you click, or all but it, or gives it a curve of its own (K).</source>
-        <translation>Blendet das zusammenhängende Stück aus, das angeklickt wird, oder alles andere, oder gibt ihm eine eigene Kurve (K).</translation>
+        <translation>Blendet das zusammenhängende Teil aus, das angeklickt wird, oder alles andere, oder gibt ihm eine eigene Kurve (K).</translation>
     </message>
 </context>
 <context>
@@ -7806,11 +7806,11 @@
     </message>
     <message>
         <source>belongs to pieces with &quot;do&quot;: &quot;look&quot; alone</source>
-        <translation>gehört nur zu Stücken mit &quot;do&quot;: &quot;look&quot;</translation>
+        <translation>gehört nur zu Teilen mit &quot;do&quot;: &quot;look&quot;</translation>
     </message>
     <message>
         <source>is missing; it is the piece&apos;s own list of control points</source>
-        <translation>fehlt; es ist die eigene Liste von Kontrollpunkten des Stücks</translation>
+        <translation>fehlt; es ist die eigene Liste von Kontrollpunkten des Teils</translation>
     </message>
     <message>
         <source>must be a list of as many places as are measured: %1 of %2</source>
