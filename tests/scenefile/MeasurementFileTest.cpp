@@ -18,7 +18,7 @@ std::vector<Measurement> everyKind() {
           {Kind::mark, PatientPlane::axial, {{1.0 / 3.0, 2, 3}}, "1"}};
 }
 
-std::string refusalOf(const std::string& measurements) {
+std::string measurementRefusal(const std::string& measurements) {
   try {
     parseScene(R"({"limn_scene": 1, "volume": "a", "measurements": )" + measurements + "}", "test.json");
   } catch (const Error& error) {
@@ -82,7 +82,7 @@ TEST(MeasurementFile, theOneDistanceOfOldFiguresIsInAllOfTheirPanels) {
 }
 
 TEST(MeasurementFile, whatIsWrongIsRefusedByName) {
-  EXPECT_EQ(refusalOf("[]"), "accepted");
+  EXPECT_EQ(measurementRefusal("[]"), "accepted");
   for (const auto& [measurements, named] : std::vector<std::pair<std::string, std::string>>{
            {R"({})", "measurements"},
            {R"([{"places_mm": [[1, 2, 3]]}])", "kind"},
@@ -100,9 +100,9 @@ TEST(MeasurementFile, whatIsWrongIsRefusedByName) {
            {R"([{"kind": "mark", "places_mm": [[1, 2, 3]], "shown": 1}])", "shown"},
            {R"([{"kind": "mark", "places_mm": [[1, 2, 3]], "color": "red"}])", "color"},
            {R"([7])", "measurements"}}) {
-    EXPECT_NE(refusalOf(measurements).find(named), std::string::npos)
-        << measurements << ": " << refusalOf(measurements);
-    EXPECT_NE(refusalOf(measurements), "accepted") << measurements;
+    EXPECT_NE(measurementRefusal(measurements).find(named), std::string::npos)
+        << measurements << ": " << measurementRefusal(measurements);
+    EXPECT_NE(measurementRefusal(measurements), "accepted") << measurements;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "scene/volume/Phantom.h"
 
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -69,8 +70,7 @@ TEST_F(MeasureSectionTest, aDoubleClickRenamesAndAnEmptyNameIsTheKind) {
   const QPoint row = list().visualItemRect(list().topLevelItem(0)).center();
   QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, row);
   QTest::mouseDClick(list().viewport(), Qt::LeftButton, {}, row);
-  auto* editor = list().viewport()->findChild<QWidget*>(QStringLiteral("qt_spinbox_lineedit"));
-  editor = editor ? editor : QApplication::focusWidget();
+  auto* editor = list().viewport()->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);
   QTest::keyClicks(editor, QStringLiteral("Tumour"));
   QTest::keyClick(editor, Qt::Key_Return);

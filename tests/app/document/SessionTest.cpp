@@ -154,7 +154,7 @@ TEST(Session, aMeasuringDragThatIsCancelledLeavesNoStep) {
 TEST(Session, whatWasMeasuredGoesWithTheVolumeAndComesWithItsSession) {
   Session session;
   LoadedScene loaded;
-  loaded.scene.volume = phantomVolume({.spacingMm = 32.0});
+  loaded.scene.volume = phantomVolume({.spacingMm = 16.0});
   loaded.measurements = {distanceTo(4)};
   session.open(loaded);
   EXPECT_EQ(session.measurements(), loaded.measurements);

@@ -89,10 +89,10 @@ struct HiddenPlace {
 struct Hovered {
   int label = -1; ///< the position of a picture, -1 for none
   bool wipe = false;
-  bool measure = false; ///< a handle of a measurement
   std::optional<HiddenPlace> hidden;
   std::optional<CropFace> face;
   std::optional<std::size_t> cubeFace{}; ///< of the cube that shows how the picture lies (cubeFaces)
+  bool measure = false; ///< a handle of a measurement
   bool operator==(const Hovered&) const = default;
 };
 

@@ -18,13 +18,13 @@ namespace {
 
 using Kind = Measurement::Kind;
 
-constexpr QRectF view(0.0, 0.0, 640.0, 480.0);
+constexpr QRectF shownIn(0.0, 0.0, 640.0, 480.0);
 
-MeasureShape distance(const QPointF& from, const QPointF& to, std::size_t number = 0) {
+MeasureShape distanceShape(const QPointF& from, const QPointF& to, std::size_t number = 0) {
   return {number, Kind::distance, {from, to}, QStringLiteral("23.2 mm"), false};
 }
 
-MeasureShape ellipse(const QPointF& centre, double a, double b) {
+MeasureShape ellipseShape(const QPointF& centre, double a, double b) {
   return {0,
           Kind::ellipse,
           {centre - QPointF(a, 0), centre + QPointF(a, 0), centre - QPointF(0, b), centre + QPointF(0, b),
@@ -37,20 +37,20 @@ TEST(MeasureMarks, aTextStandsBesideWhatWasMeasuredAndInTheView) {
   std::vector<MeasureShape> shapes;
   for (const QPointF& to : {QPointF(360, 240), QPointF(280, 240), QPointF(320, 300), QPointF(350, 180),
                             QPointF(321, 241), QPointF(320, 240), QPointF(600, 60)})
-    shapes.push_back(distance({320, 240}, to));
+    shapes.push_back(distanceShape({320, 240}, to));
   for (const auto& [a, b] : {std::pair(40.0, 20.0), std::pair(5.0, 60.0), std::pair(0.0, 0.0)})
-    shapes.push_back(ellipse({320, 240}, a, b));
+    shapes.push_back(ellipseShape({320, 240}, a, b));
   shapes.push_back({0, Kind::angle, {{300, 200}, {320, 260}, {380, 240}}, QStringLiteral("45.0°"), false});
   shapes.push_back({0, Kind::angle, {{320, 260}, {320, 260}, {320, 260}}, QStringLiteral("none"), false});
   // In the corners, too.
   for (const QPointF& at : {QPointF(2, 2), QPointF(638, 2), QPointF(2, 478), QPointF(638, 478)})
     shapes.push_back({0, Kind::mark, {at}, QStringLiteral("1"), false});
   for (std::size_t n = 0; n < shapes.size(); ++n) {
-    const std::vector<MeasureMark> marks = placedMeasures({shapes[n]}, {}, view, {});
+    const std::vector<MeasureMark> marks = placedMeasures({shapes[n]}, {}, shownIn, {});
     ASSERT_TRUE(marks.front().note) << n;
     const QRectF& plate = marks.front().note->plate;
     EXPECT_FALSE(measuredArea(shapes[n]).intersects(plate)) << n;
-    EXPECT_TRUE(view.contains(plate)) << n;
+    EXPECT_TRUE(shownIn.contains(plate)) << n;
     const QPointF& anchor = marks.front().anchor;
     EXPECT_NE(std::ranges::find(shapes[n].places, anchor), shapes[n].places.end()) << n;
   }
@@ -59,10 +59,10 @@ TEST(MeasureMarks, aTextStandsBesideWhatWasMeasuredAndInTheView) {
 TEST(MeasureMarks, textsKeepClearOfEachOtherAndOfWhatIsWritten) {
   std::vector<MeasureShape> shapes;
   for (std::size_t n = 0; n < 12; ++n)
-    shapes.push_back(distance({300.0, 200.0 + 6.0 * static_cast<double>(n)},
-                              {340.0, 200.0 + 6.0 * static_cast<double>(n)}, n));
+    shapes.push_back(distanceShape({300.0, 200.0 + 6.0 * static_cast<double>(n)},
+                                   {340.0, 200.0 + 6.0 * static_cast<double>(n)}, n));
   const std::vector<QRectF> written{{0, 0, 640, 40}, {0, 440, 200, 40}, {350, 150, 60, 30}};
-  const std::vector<MeasureMark> marks = placedMeasures(shapes, {}, view, written);
+  const std::vector<MeasureMark> marks = placedMeasures(shapes, {}, shownIn, written);
   for (std::size_t a = 0; a < marks.size(); ++a) {
     for (std::size_t b = a + 1; b < marks.size(); ++b)
       EXPECT_FALSE(marks[a].note->plate.intersects(marks[b].note->plate)) << a << ' ' << b;
@@ -79,23 +79,23 @@ TEST(MeasureMarks, hundredsHaveAPlaceEach) {
                       {{static_cast<double>(n % 20) * 32.0, static_cast<double>(n / 20) * 24.0}},
                       QString::number(n),
                       false});
-  for (const MeasureMark& mark : placedMeasures(shapes, {}, view, {}))
-    EXPECT_TRUE(view.contains(mark.note->plate)) << mark.shape.number;
-  // Nor does a view without room for one make trouble.
+  for (const MeasureMark& mark : placedMeasures(shapes, {}, shownIn, {}))
+    EXPECT_TRUE(shownIn.contains(mark.note->plate)) << mark.shape.number;
+  // Nor does a shownIn without room for one make trouble.
   EXPECT_EQ(placedMeasures(shapes, {}, {0, 0, 10, 5}, {}).size(), 400u);
 }
 
 TEST(MeasureMarks, aLongNameIsCut) {
-  MeasureShape shape = distance({300, 200}, {340, 200});
+  MeasureShape shape = distanceShape({300, 200}, {340, 200});
   shape.text = QString(500, QLatin1Char('W'));
-  const std::vector<MeasureMark> marks = placedMeasures({shape}, {}, view, {});
+  const std::vector<MeasureMark> marks = placedMeasures({shape}, {}, shownIn, {});
   EXPECT_LE(marks.front().note->plate.width(), 240.0);
   EXPECT_TRUE(marks.front().note->text.endsWith(QChar(0x2026)));
 }
 
 TEST(MeasureMarks, theNearestHandleIsTaken) {
-  const std::vector<MeasureShape> shapes{distance({100, 100}, {110, 100}, 3),
-                                         distance({104, 100}, {200, 200}, 7)};
+  const std::vector<MeasureShape> shapes{distanceShape({100, 100}, {110, 100}, 3),
+                                         distanceShape({104, 100}, {200, 200}, 7)};
   EXPECT_EQ(measureHandleAt(shapes, {101, 100}), (MeasureHandle{3, 0}));
   EXPECT_EQ(measureHandleAt(shapes, {105, 101}), (MeasureHandle{7, 0}));
   EXPECT_EQ(measureHandleAt(shapes, {203, 204}), (MeasureHandle{7, 1}));
@@ -108,11 +108,12 @@ TEST(MeasureMarks, textsAreReadOnAnyGround) {
   QFont font;
   font.setPointSize(28); // strokes that cover pixels wholly
   for (const int grey : {0, 90, 128, 200, 255}) {
-    QImage image(view.size().toSize(), QImage::Format_RGB32);
+    QImage image(shownIn.size().toSize(), QImage::Format_RGB32);
     image.fill(QColor(grey, grey, grey));
     QPainter painter(&image);
     painter.setFont(font);
-    const std::vector<MeasureMark> marks = placedMeasures({distance({300, 200}, {340, 200})}, font, view, {});
+    const std::vector<MeasureMark> marks =
+        placedMeasures({distanceShape({300, 200}, {340, 200})}, font, shownIn, {});
     paintMeasures(painter, marks);
     painter.end();
     const QRect plate = marks.front().note->plate.toAlignedRect();
@@ -128,12 +129,12 @@ TEST(MeasureMarks, textsAreReadOnAnyGround) {
 // White or amber on a dark border: a line is seen where either would vanish.
 TEST(MeasureMarks, linesShowOnWhiteAndOnBlack) {
   for (const QColor& ground : {QColor(Qt::white), QColor(Qt::black)}) {
-    QImage image(view.size().toSize(), QImage::Format_RGB32);
+    QImage image(shownIn.size().toSize(), QImage::Format_RGB32);
     image.fill(ground);
     QPainter painter(&image);
-    MeasureShape shape = distance({300, 200}, {400, 200});
+    MeasureShape shape = distanceShape({300, 200}, {400, 200});
     shape.text.clear();
-    paintMeasures(painter, placedMeasures({shape}, {}, view, {}));
+    paintMeasures(painter, placedMeasures({shape}, {}, shownIn, {}));
     painter.end();
     double best = 1.0;
     for (int y = 194; y < 207; ++y)
