@@ -22,10 +22,11 @@ protected:
   const Camera& camera() const { return scene().camera; }
   OverlaySource source() { return {view().order(), view().pictureState()}; }
   std::optional<OrientationCube> cube() { return overlayOf(source()).cube; }
+  std::vector<CubeSide> sides() { return cube().value_or(OrientationCube()).sides; }
 
   // The middle of the face that bears a letter, in the window.
   QPoint faceWith(const QString& letter) {
-    for (const CubeSide& side : cube().value().sides)
+    for (const CubeSide& side : sides())
       if (side.letter == letter)
         return view().mapTo(window.get(), side.onto.map(QPointF(0.0, 0.0))).toPoint();
     ADD_FAILURE() << letter.toStdString() << " is not seen";
@@ -62,8 +63,8 @@ TEST_F(CubeWindow, aClickOnAFaceLooksFromThereAsTheStandardViewDoesAndAltLeftGoe
                                              {"L", "view-left"},     {"R", "view-right"},
                                              {"S", "view-superior"}, {"I", "view-inferior"}};
   const Camera oblique = camera();
-  ASSERT_EQ(cube()->sides.size(), 3u);
-  for (const CubeSide& side : cube()->sides) {
+  ASSERT_EQ(sides().size(), 3u);
+  for (const CubeSide& side : sides()) {
     const Camera expected = seenBy(views.at(side.letter));
     click(faceWith(side.letter));
     EXPECT_EQ(camera(), expected) << side.letter.toStdString();
@@ -76,7 +77,7 @@ TEST_F(CubeWindow, aClickOnAFaceLooksFromThereAsTheStandardViewDoesAndAltLeftGoe
 TEST_F(CubeWindow, straightOnAClickLooksFromTheOppositeSide) {
   const Camera front = seenBy("view-anterior");
   named("view-anterior").trigger();
-  ASSERT_EQ(cube()->sides.size(), 1u);
+  ASSERT_EQ(sides().size(), 1u);
   const Camera back = seenBy("view-posterior");
   click(faceWith(QStringLiteral("A")));
   EXPECT_EQ(camera(), back);
@@ -86,10 +87,9 @@ TEST_F(CubeWindow, straightOnAClickLooksFromTheOppositeSide) {
 
 TEST_F(CubeWindow, aFaceUnderThePointerLightsUpAndSaysWhereItLeads) {
   turnALittle();
-  const QString letter = cube()->sides.front().letter;
   EXPECT_FALSE(cube()->lit);
-  const auto& side = cube()->sides.front();
-  pointAt(faceWith(letter));
+  const CubeSide side = sides().front();
+  pointAt(faceWith(side.letter));
   ASSERT_TRUE(cube()->lit);
   EXPECT_EQ(*cube()->lit, side.face);
   EXPECT_EQ(view().toolTip(), cubeFaces(*scene().volume)[side.face].meaning);
@@ -103,7 +103,7 @@ TEST_F(CubeWindow, aDoubleClickOnItIsNoOneOnThePicture) {
   turnALittle();
   const QWidget* presets = window->findChild<QWidget*>(QStringLiteral("presetDock"));
   ASSERT_TRUE(presets->isVisible());
-  QTest::mouseDClick(window->windowHandle(), Qt::LeftButton, {}, faceWith(cube()->sides.front().letter));
+  QTest::mouseDClick(window->windowHandle(), Qt::LeftButton, {}, faceWith(sides().front().letter));
   QCoreApplication::processEvents();
   EXPECT_TRUE(presets->isVisible()) << "the picture is not alone";
 }
@@ -142,8 +142,8 @@ TEST_F(CubeWindow, whereTheFileSaysNoSidesItNamesAxesAndTurnsToThem) {
   ASSERT_TRUE(open(pathTo("small.nrrd")));
   ASSERT_TRUE(rest());
   turnALittle();
-  ASSERT_EQ(cube()->sides.size(), 3u);
-  for (const CubeSide& side : cube()->sides)
+  ASSERT_EQ(sides().size(), 3u);
+  for (const CubeSide& side : sides())
     EXPECT_TRUE(side.letter == QChar(0x2212) + QStringLiteral("y") || side.letter.contains(u'x') ||
                 side.letter.contains(u'z'))
         << side.letter.toStdString();

@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QPushButton>
 
+#include <algorithm>
+
 // Cameras that are kept under names, in the program's window.
 
 namespace limn {
@@ -76,7 +78,13 @@ protected:
     editor->selectAll();
     QTest::keyClicks(editor, name.isEmpty() ? QStringLiteral(" ") : name);
     QTest::keyClick(editor, Qt::Key_Return);
-    QCoreApplication::processEvents();
+  }
+  /// Whether a label of the list comes to say this.
+  [[nodiscard]] bool isNoted(const QString& text) {
+    return test::waitUntil([&] {
+      return std::ranges::any_of(dialog().findChildren<QLabel*>(),
+                                 [&](const QLabel* label) { return label->text() == text; });
+    });
   }
 };
 
@@ -164,14 +172,17 @@ TEST_F(ViewsWindow, theListLooksRenamesAndDeletes) {
   QTest::mouseDClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(list().item(1)).center());
   EXPECT_EQ(camera(), back);
   renameTo(QStringLiteral("from behind"));
-  EXPECT_EQ(names(), (QStringList{QStringLiteral("a"), QStringLiteral("from behind")}));
+  const QStringList renamed{QStringLiteral("a"), QStringLiteral("from behind")};
+  ASSERT_TRUE(test::waitUntil([&] { return names() == renamed; }));
   EXPECT_EQ(entries()[1]->text(), QStringLiteral("from behind"));
   EXPECT_EQ(undo().undoText(), QStringLiteral("rename view \"b\""));
-  for (const QString& none : {QString(), QStringLiteral("a")}) { // empty, and taken
-    renameTo(none);
-    EXPECT_EQ(names(), (QStringList{QStringLiteral("a"), QStringLiteral("from behind")}));
-    EXPECT_EQ(list().item(1)->text(), QStringLiteral("from behind"));
-  }
+  renameTo({});
+  EXPECT_TRUE(isNoted(QStringLiteral("A view needs a name.")));
+  EXPECT_EQ(list().item(1)->text(), QStringLiteral("from behind"));
+  renameTo(QStringLiteral("a"));
+  EXPECT_TRUE(isNoted(QStringLiteral("Another view has that name; choose one of its own.")));
+  EXPECT_EQ(list().item(1)->text(), QStringLiteral("from behind"));
+  EXPECT_EQ(names(), renamed);
   list().setFocus();
   QTest::keyClick(&list(), Qt::Key_Delete);
   EXPECT_EQ(names(), QStringList{QStringLiteral("a")});
