@@ -257,6 +257,8 @@ TEST_F(LabelPickWindow, aFolderOfMasksThatIsDroppedBecomesTheLabels) {
   write<std::int16_t>("segmentations/ct.nii.gz", [](const glm::ivec3& v) { return v.x; });
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(pathTo("segmentations"))});
+  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(window.get(), &enter);
   QDropEvent event({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
   QCoreApplication::sendEvent(window.get(), &event);
   ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));

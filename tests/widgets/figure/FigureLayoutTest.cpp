@@ -309,6 +309,7 @@ TEST(LabelLegend, standsBelowThePicturesOnceWhereAllHaveTheSame) {
   for (const std::size_t count : {1u, 2u, 4u})
     for (const bool isShared : {true, false}) {
       Figure figure = figureOf(count);
+      figure.settings.dotsPerInch = 150.0;
       const FigureLayout without = figureLayout(figure);
       for (FigurePanel& panel : figure.panels)
         panel.scene.keep = turnsWithLooks(8);
@@ -332,18 +333,20 @@ TEST(LabelLegend, standsBelowThePicturesOnceWhereAllHaveTheSame) {
         for (std::size_t k = 0; k < i; ++k)
           EXPECT_FALSE(places[i].intersects(places[k])) << count << " panels, places " << i << " and " << k;
       }
-      // Every label's colour is on the page, each in a square within its legend.
-      const QImage page1 = figureImage(figure, layout, {});
-      const QRectF legend = layout.labelLegends.front().place;
-      for (const LabelRow& row : labelRows(figure.panels[layout.labelLegends.front().panel])) {
+      // Every label's colour is on the page, in squares within legends.
+      const QImage drawn = figureImage(figure, layout, {});
+      for (const LabelRow& row : labelRows(figure.panels.front())) {
         int found = 0;
-        for (int y = 0; y < page1.height(); ++y)
-          for (int x = 0; x < page1.width(); ++x)
-            if (page1.pixelColor(x, y) == *row.color) {
-              EXPECT_TRUE(legend.contains(QPointF(x, y)));
+        for (int y = 0; y < drawn.height(); ++y)
+          for (int x = 0; x < drawn.width(); ++x)
+            if (drawn.pixel(x, y) == row.color->rgb()) {
+              ASSERT_TRUE(std::ranges::any_of(
+                  layout.labelLegends,
+                  [&](const LegendPlace& legend) { return legend.place.contains(QPointF(x, y)); }))
+                  << x << ' ' << y;
               ++found;
             }
-        // Its side is 0.95 of the text's height, without its frame.
+        // The side of one is 0.95 of the text's height, its frame included.
         EXPECT_GT(found, 0.5 * std::pow(0.95 * noteScale * layout.textPixels, 2.0)) << row.text.toStdString();
       }
       hide(figure, FigureMark::labels);
