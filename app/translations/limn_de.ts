@@ -379,10 +379,6 @@
         <translation>Fadenkreuz bewegen; in die Mitte</translation>
     </message>
     <message>
-        <source>Del</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
     </message>
@@ -1720,10 +1716,6 @@
         <translation>Dort ist nichts zu sehen.</translation>
     </message>
     <message>
-        <source>tools: cut along a line, pick a piece</source>
-        <translation>Werkzeuge: entlang einer Linie schneiden, Teil wählen</translation>
-    </message>
-    <message>
         <source>Enter, Backspace</source>
         <translation>Eingabe, Rücktaste</translation>
     </message>
@@ -1748,14 +1740,6 @@
         <translation>Ansicht: %1</translation>
     </message>
     <message>
-        <source>tools: clicks measure a distance, an angle, mark a place</source>
-        <translation>Werkzeuge: Klicks messen einen Abstand, einen Winkel, markieren einen Ort</translation>
-    </message>
-    <message>
-        <source>delete the measurement in hand</source>
-        <translation>die gewählte Messung löschen</translation>
-    </message>
-    <message>
         <source>Click the cube</source>
         <translation>Klick auf den Würfel</translation>
     </message>
@@ -1778,10 +1762,6 @@
     <message>
         <source>tools: crosshair, window and level</source>
         <translation>Werkzeuge: Fadenkreuz, Fenster</translation>
-    </message>
-    <message>
-        <source>tools: distance, angle, ellipse, mark</source>
-        <translation>Werkzeuge: Abstand, Winkel, Ellipse, Marke</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -1890,6 +1870,14 @@
     <message>
         <source>Look from the first slice</source>
         <translation>Blick von der ersten Schicht</translation>
+    </message>
+    <message>
+        <source>tools: cut, pick a piece, distance, angle, mark</source>
+        <translation>Werkzeuge: schneiden, Stück wählen, Abstand, Winkel, Marke</translation>
+    </message>
+    <message>
+        <source>tools: distance, angle, ellipse, mark; Del: delete</source>
+        <translation>Werkzeuge: Abstand, Winkel, Ellipse, Marke; Entf: löschen</translation>
     </message>
 </context>
 <context>
