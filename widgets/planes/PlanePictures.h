@@ -48,7 +48,7 @@ private:
   PlaneImage m_values;
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;
-  Region m_looked; ///< of whose labels the looks were read
+  Region m_looked;    ///< of whose labels the looks were read
   PlaneLooks m_looks; ///< of the content, or of the label alone of whose curve a point lights up
   PlaneContent m_painted;
   QImage m_picture;
