@@ -43,18 +43,27 @@ Message listOf(const std::vector<std::string>& names) {
   return names.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list, names.size() - mostNamed) : list;
 }
 
+Message overlapIn(const MasksOnGrid& masks) {
+  const auto& largest = masks.largestOverlap();
+  if (!largest)
+    return {};
+  if (largest->voxels == masks.overlapping())
+    return Message::tr(
+               "%1 voxels lie in two masks and belong to the one whose name comes last: to %2 and not "
+               "to %3.")
+        .arg(largest->voxels, largest->winner, largest->loser);
+  return Message::tr("%1 voxels lie in more than one mask and belong to the one whose name comes last; most "
+                     "of them, %2, to %3 and not to %4.")
+      .arg(masks.overlapping(), largest->voxels, largest->winner, largest->loser);
+}
+
 Message remarkOn(const std::vector<std::string>& skipped, const MasksOnGrid& masks) {
   Message remark;
   if (skipped.size() == 1)
     remark = Message::tr("%1 is no mask and was left out.").arg(listOf(skipped));
   else if (!skipped.empty())
     remark = Message::tr("%1 files are no masks and were left out: %2.").arg(skipped.size(), listOf(skipped));
-  if (const auto& largest = masks.largestOverlap())
-    remark = remark.followedBy(
-        " ", Message::tr("%1 voxels lie in more than one mask and belong to the one whose name comes last; "
-                         "most of them, %2, to %3 and not to %4.")
-                 .arg(masks.overlapping(), largest->voxels, largest->winner, largest->loser));
-  return remark;
+  return remark.followedBy(" ", overlapIn(masks));
 }
 
 } // namespace

@@ -113,6 +113,10 @@ TEST_F(MaskFolder, ofTwoMasksTheLaterByNameHasTheVoxelWhichIsSaid) {
   EXPECT_EQ(read.remark.english(),
             "3 voxels lie in more than one mask and belong to the one whose name comes last; most of them, "
             "2, to stomach and not to colon.");
+  std::filesystem::remove(masks() / "duodenum.nii.gz");
+  EXPECT_EQ(readSegmentation(masks(), grid).remark.english(),
+            "2 voxels lie in two masks and belong to the one whose name comes last: to stomach and not to "
+            "colon.");
 }
 
 TEST_F(MaskFolder, leavesOutWhatIsNoMaskAndSaysSo) {
