@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string>
+#include <string_view>
 
 namespace limn {
 namespace {
@@ -57,6 +60,18 @@ void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std:
         Error::Kind::usage,
         Message::tr("Cannot write %1: the picture or its description is too large for JPEG; use .png.")
             .arg(path.string()));
+}
+
+// A PNG ends with a chunk of its own, which no reader of rows misses.
+bool hasEnd(const fs::path& path) {
+  constexpr std::string_view begin = "\x89PNG", end("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(begin.size(), '\0');
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || bytes != begin)
+    return true; // another format
+  bytes.resize(end.size());
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  return file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && bytes == end;
 }
 
 } // namespace
@@ -144,7 +159,7 @@ Image readExr(const fs::path& path) {
 
 bool isWholePicture(const fs::path& path) {
   std::error_code unknown;
-  if (!fs::is_regular_file(path, unknown))
+  if (!fs::is_regular_file(path, unknown) || !hasEnd(path))
     return false;
   const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
   if (!picture)

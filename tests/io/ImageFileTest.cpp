@@ -8,6 +8,9 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <regex>
+
 namespace limn {
 namespace {
 
@@ -73,6 +76,29 @@ TEST(ImageFile, exrKeepsThePremultipliedFloats) {
   ASSERT_EQ(channels, 4);
   for (std::size_t i = 0; i < 12; ++i)
     EXPECT_EQ(samples[i], image.pixels[i / 4][static_cast<int>(i % 4)]) << i;
+}
+
+TEST(ImageFile, saysNowhereWhenItWasWritten) {
+  const TemporaryFolder folder;
+  // "2026:11:25 21:11:24", "2026-11-25": the same scene has to be the same bytes tomorrow.
+  const std::regex date("(19|20)[0-9]{2}[:-][01][0-9][:-][0-3][0-9]");
+  for (const char* name : {"a.png", "a.tif", "a.jpg", "a.exr"}) {
+    writeImage(folder.path() / name, threePixels(), {0.2, 0.4, 1.0}, description);
+    EXPECT_FALSE(std::regex_search(bytesOfFile(folder.path() / name), date)) << name;
+  }
+}
+
+TEST(ImageFile, isWholeUpToItsLastChunk) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    const std::filesystem::path file = folder.path() / name;
+    writeImage(file, threePixels(), {0.2, 0.4, 1.0}, description);
+    EXPECT_TRUE(isWholePicture(file)) << name;
+    EXPECT_FALSE(isWholePicture(folder.path() / "missing.png"));
+    const std::string bytes = bytesOfFile(file);
+    std::ofstream(file, std::ios::binary) << bytes.substr(0, bytes.size() - 12);
+    EXPECT_FALSE(isWholePicture(file)) << name << " without its last 12 bytes";
+  }
 }
 
 TEST(ImageFile, theDescriptionIsReadBack) {

@@ -219,6 +219,8 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   if (const auto referred = options.references.find(name); referred != options.references.end())
     if (fs::exists(referred->second))
       return referred->second.string();
+  if (const auto head = installedSampleHead(); head && head->filename() == name)
+    return head->string(); // as `sample` was called when the scene was written
   std::set<fs::path> found;
   for (const fs::path& known : options.knownVolumes)
     if (known.filename() == name && fs::exists(known))

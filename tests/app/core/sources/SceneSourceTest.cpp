@@ -136,6 +136,16 @@ TEST(SceneSource, scenesAndSessionsAreKnownByWhatTheyHoldWhateverTheirEnding) {
   }
 }
 
+TEST(SceneSource, aSceneOfTheSampleHeadOpensFromAnyFolder) {
+  const auto head = installedSampleHead();
+  if (!head)
+    GTEST_SKIP() << "no sample head is installed (package invesalius-examples)";
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "scene.json"; // as a picture of it says, which names no folders
+  std::ofstream(path) << R"({"limn_scene": 1, "volume": ")" << head->filename().string() << "\"}";
+  EXPECT_EQ(loadScene(path.string(), {}, {}).volumePath, head->string());
+}
+
 TEST(SceneSource, aPathMeansTheSameFromEverywhereAndBuiltInNamesStay) {
   EXPECT_EQ(absoluteSource("sample"), "sample");
   EXPECT_EQ(absoluteSource("phantom:4"), "phantom:4");
