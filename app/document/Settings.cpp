@@ -31,6 +31,7 @@ const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
 const std::string galleryKey = "presetGallery";
+const std::string keepLightKey = "presetsKeepLight";
 const std::string tourKey = "tourIsKnown";
 const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
@@ -322,6 +323,14 @@ bool Settings::presetsAreGallery() const {
 
 void Settings::setPresetsAreGallery(bool areGallery) {
   set(galleryKey, written(areGallery));
+}
+
+bool Settings::presetsKeepLight() const {
+  return text(keepLightKey) == written(true);
+}
+
+void Settings::setPresetsKeepLight(bool keepLight) {
+  set(keepLightKey, written(keepLight));
 }
 
 std::set<std::string> Settings::favourites() {

@@ -107,6 +107,10 @@ public:
   bool presetsAreGallery() const;
   void setPresetsAreGallery(bool areGallery);
 
+  /// Whether presets leave the light as it is; false at first.
+  bool presetsKeepLight() const;
+  void setPresetsKeepLight(bool keepLight);
+
   /// Whether the tour of the window was taken or declined; false at first.
   bool tourIsKnown() const;
   void setTourIsKnown(bool isKnown);

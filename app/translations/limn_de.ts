@@ -7804,6 +7804,10 @@
         <source>must be a list of as many places as are measured: %1 of %2</source>
         <translation>muss eine Liste mit so vielen Orten sein, wie gemessen werden: %1 von %2</translation>
     </message>
+    <message>
+        <source>%1 voxels lie in two masks and belong to the one whose name comes last: to %2 and not to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9237,6 +9241,14 @@
     <message>
         <source>&amp;Save as preset…</source>
         <translation>Als Preset s&amp;peichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep my light</source>
+        <translation>Mein &amp;Licht behalten</translation>
+    </message>
+    <message>
+        <source>Presets leave light, highlights and boundaries as they are; the curve and what a ray shows are the preset&apos;s.</source>
+        <translation>Presets lassen Licht, Glanz und Grenzen, wie sie sind; Kurve und Projektion sind die des Presets.</translation>
     </message>
 </context>
 <context>

@@ -46,7 +46,30 @@ PresetController::PresetController(WindowContext& context)
       {.text = tr("&Save as preset…"), .place = {Menu::preset, 1, 2}, .needsVolume = true});
   connect(save, &QAction::triggered, this, &PresetController::askForName);
   connect(&context.view, &CompareView::windowPresetRequested, this, &PresetController::useNumber);
+  addKeepingLight();
   connectBrowser();
+}
+
+void PresetController::addKeepingLight() {
+  m_keepsLight = m_context.actions.add(
+      QStringLiteral("keepLight"),
+      {.text = tr("&Keep my light"),
+       .place = {Menu::preset, 1, 5},
+       .toolTip =
+           tr("Presets leave light, highlights and boundaries as they are; the curve and what a ray shows "
+              "are the preset's."),
+       .isCheckable = true});
+  m_keepsLight->setChecked(m_context.settings.presetsKeepLight());
+  connect(m_keepsLight, &QAction::toggled, this, [this](bool isOn) {
+    m_context.settings.setPresetsKeepLight(isOn);
+    emit listed(); // each looks otherwise
+  });
+}
+
+Preset PresetController::asUsed(Preset preset) const {
+  if (m_keepsLight->isChecked())
+    preset.shading.reset();
+  return preset;
 }
 
 void PresetController::connectBrowser() {
@@ -182,7 +205,7 @@ void PresetController::preview(const QString& name) {
   const std::optional<Preset> preset = fitted(name);
   const std::optional<Scene> ofPart = preset ? m_shownAs(*preset) : std::nullopt;
   emit previewed(ofPart   ? *ofPart
-                 : preset ? withPreset(scene, *preset, true)
+                 : preset ? withPreset(scene, asUsed(*preset), true)
                           : scene,
                  preset ? preset->name : std::string());
 }
@@ -196,7 +219,7 @@ void PresetController::show(const Preset& preset, const QString& edit) {
   if (const std::optional<Scene> ofPart = m_shownAs(preset))
     m_context.session.edit(*ofPart, {nextGestureId(), edit});
   else
-    m_context.session.usePreset(preset, {nextGestureId(), edit});
+    m_context.session.usePreset(asUsed(preset), {nextGestureId(), edit});
   markShown(); // one that changes nothing is in use as well
 }
 

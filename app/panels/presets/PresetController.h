@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+class QAction;
+
 namespace limn {
 
 class PresetBrowser;
@@ -68,6 +70,9 @@ public:
   /// Asks for the name under which a preset, as fitted to what is open, is kept as one of the user's own.
   void duplicate(const QString& name);
 
+  /// A preset as it is put into use: without its light where the user keeps their own.
+  Preset asUsed(Preset preset) const;
+
 signals:
   void exportRequested(const QString& preset);
   void listed(); ///< the list was made anew
@@ -78,6 +83,7 @@ signals:
 
 private:
   void connectBrowser();
+  void addKeepingLight();
   void show(const Preset& preset, const QString& edit);
   bool isInOtherUnits(const Preset& preset) const;
   bool isBuiltIn(const QString& name) const;
@@ -98,6 +104,7 @@ private:
 
   WindowContext& m_context;
   PresetBrowser& m_browser;
+  QAction* m_keepsLight = nullptr;
   std::function<std::optional<Scene>(const Preset&)> m_shownAs = [](const Preset&) { return std::nullopt; };
   PresetStore m_store;
   std::vector<Preset> m_builtIn = builtInPresets();

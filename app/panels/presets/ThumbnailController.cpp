@@ -181,7 +181,7 @@ std::vector<Thumbnail> ThumbnailController::missing() {
   std::vector<Thumbnail> wanted;
   for (const Preset& preset : m_presets.fittedPresets()) {
     const QString name = QString::fromStdString(preset.name);
-    Thumbnail one{name, withPreset(base, preset, true)};
+    Thumbnail one{name, withPreset(base, m_presets.asUsed(preset), true)};
     const auto found = m_shown.find(name);
     if (found == m_shown.end() || found->second != one.scene)
       wanted.push_back(std::move(one));

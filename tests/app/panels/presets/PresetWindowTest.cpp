@@ -4,9 +4,12 @@
 #include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
 
+#include <QAction>
 #include <QContextMenuEvent>
 #include <QInputDialog>
 #include <QMenu>
+
+#include <map>
 
 // Presets in the program's window, by mouse and keys.
 
@@ -41,6 +44,45 @@ protected:
 private:
   int m_nudge = 0;
 };
+
+TEST_F(PresetWindow, whatAPresetShowsDoesNotDependOnWhatWasUsedBefore) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const QStringList names = browser().presets();
+  ASSERT_GT(names.size(), 25);
+  std::map<QString, Scene> alone;
+  for (const QString& name : names) {
+    emit browser().presetChosen(name);
+    alone.emplace(name, scene());
+  }
+  // The other way round, and each after one with everything else.
+  for (qsizetype n = names.size(); n-- > 0;) {
+    Scene changed = scene();
+    changed.shading.ambientIntensity = 0.9;
+    changed.shading.exponent = 3.0;
+    changed.shading.opacityRange.atBoundary = 7.0;
+    changed.gradientOpacity = GradientOpacity{{{5.0, 0.5}}};
+    session().edit(changed, {nextGestureId(), QStringLiteral("other light")});
+    emit browser().presetChosen(names[n]);
+    EXPECT_EQ(scene().shading, alone.at(names[n]).shading) << names[n].toStdString();
+    EXPECT_EQ(scene().projection, alone.at(names[n]).projection) << names[n].toStdString();
+    EXPECT_EQ(scene().gradientOpacity, alone.at(names[n]).gradientOpacity) << names[n].toStdString();
+    EXPECT_EQ(scene().transferFunction, alone.at(names[n]).transferFunction) << names[n].toStdString();
+  }
+}
+
+TEST_F(PresetWindow, lightIsKeptWhereThatIsWanted) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  window->findChild<QAction*>(QStringLiteral("keepLight"))->trigger();
+  Scene changed = scene();
+  changed.shading.ambientIntensity = 0.9;
+  session().edit(changed, {nextGestureId(), QStringLiteral("other light")});
+  const Shading own = scene().shading;
+  emit browser().presetChosen(QStringLiteral("CT fat"));
+  EXPECT_EQ(scene().shading, own);
+  window->findChild<QAction*>(QStringLiteral("keepLight"))->trigger();
+  emit browser().presetChosen(QStringLiteral("CT fat"));
+  EXPECT_NE(scene().shading, own);
+}
 
 TEST_F(PresetWindow, thePresetUnderThePointerIsSeenAndLeavesNothingBehind) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
