@@ -7806,7 +7806,7 @@
     </message>
     <message>
         <source>%1 voxels lie in two masks and belong to the one whose name comes last: to %2 and not to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Voxel liegen in zwei Masken und gehören zu der, deren Name zuletzt kommt: zu %2 und nicht zu %3.</translation>
     </message>
 </context>
 <context>
