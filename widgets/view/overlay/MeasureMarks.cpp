@@ -208,7 +208,8 @@ std::vector<MeasureMark> placedMeasures(const std::vector<MeasureShape>& shapes,
   for (const MeasureShape& shape : shapes) {
     MeasureMark mark{shape, std::nullopt, {}};
     if (!shape.text.isEmpty()) {
-      Note note = noteAt(font, shape.text, {0.0, 0.0}, Qt::AlignLeft, std::min(roomForText, view.width()));
+      Note note = noteAt(font, shape.text, {0.0, 0.0}, Qt::AlignLeft,
+                         std::clamp(0.45 * view.width(), 0.0, roomForText));
       std::vector<QRectF> others = boxes;
       if (!others.empty())
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(marks.size()));
