@@ -274,6 +274,14 @@ TEST_F(MeasureWindow, inThePictureTwoClicksMeasureBetweenWhatIsSeen) {
   EXPECT_EQ(view().tool(), ViewTool::rotate);
 }
 
+TEST_F(MeasureWindow, inThePictureBothEndsMayLieClose) {
+  press(view(), Qt::Key_D);
+  click(inPicture({0, 0}));
+  click(inPicture({5, 0}));
+  ASSERT_EQ(measurements().size(), 1u) << "the first end is no handle yet";
+  EXPECT_GT(lengthMm(measurements().front()), 0.0);
+}
+
 TEST_F(MeasureWindow, inThePictureAnAngleIsThreeClicksAndAMarkOne) {
   press(view(), Qt::Key_G);
   for (const QPoint& at : {QPoint(-30, 0), QPoint(0, 0), QPoint(0, -30)})

@@ -228,7 +228,7 @@ std::optional<MeasureHandle> measureHandleAt(const std::vector<MeasureShape>& sh
   std::optional<MeasureHandle> found;
   double nearest = measureHandleReach;
   for (const MeasureShape& shape : shapes)
-    for (std::size_t place = 0; place < shape.places.size(); ++place)
+    for (std::size_t place = 0; place < shape.places.size() && !shape.isOpen; ++place)
       if (const double away = QLineF(shape.places[place], point).length(); away <= nearest) {
         nearest = away;
         found = {shape.number, place};
