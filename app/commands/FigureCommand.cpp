@@ -166,6 +166,7 @@ void nameAfterFiles(Plan& plan, const std::vector<std::string>& sources) {
 void addPanel(Plan& plan, FigurePanel panel, const LoadedScene& loaded) {
   if (panel.name.isEmpty())
     panel.name = usualName(panel);
+  panel.measurements = loaded.measurements;
   plan.panels.push_back({std::move(panel), loaded.volumePath, loaded.hasOwnCamera});
 }
 

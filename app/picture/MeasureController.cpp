@@ -75,7 +75,7 @@ void MeasureController::show() {
       seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
                       m_inHand == number});
   if (m_open && !m_open->placesMm.empty())
-    seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true});
+    seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true});
   m_context.view.setMeasures(seen);
   emit shown(m_measured, m_volume, m_inHand);
 }

@@ -74,7 +74,8 @@ TEST_F(MeasureSectionTest, aDoubleClickRenamesAndAnEmptyNameIsTheKind) {
   ASSERT_NE(editor, nullptr);
   QTest::keyClicks(editor, QStringLiteral("Tumour"));
   QTest::keyClick(editor, Qt::Key_Return);
-  EXPECT_EQ(measured[0].measurement.name, "Tumour");
+  QCoreApplication::processEvents(); // the list commits what was typed once the key is through
+  ASSERT_EQ(measured[0].measurement.name, "Tumour");
   EXPECT_EQ(texts.last(), QStringLiteral("rename: Distance 5 mm · Tumour"));
   list().topLevelItem(0)->setText(0, QStringLiteral("  "));
   EXPECT_EQ(measured[0].measurement.name, "");

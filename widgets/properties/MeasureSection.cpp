@@ -20,6 +20,7 @@ namespace {
 enum MeasureColumn { measureName, measureValue };
 
 constexpr int mostMeasuresShown = 8;
+constexpr int measureRowHeight = 24; // logical pixels
 
 QString measureHelp(Measurement::Kind kind) {
   switch (kind) {
@@ -102,13 +103,16 @@ void MeasureSection::addTools() {
 void MeasureSection::setMeasured(const std::vector<Measured>& measured,
                                  const std::shared_ptr<const Volume>& volume,
                                  std::optional<std::size_t> inHand) {
-  if (m_measured.empty() && !measured.empty())
+  const bool isFirst = m_measured.empty() && !measured.empty();
+  if (isFirst)
     setFolded(false);
   m_measured = volume ? measured : std::vector<Measured>();
   m_volume = volume;
   showRows(inHand);
   for (QToolButton* button : m_tools)
     button->setEnabled(volume != nullptr);
+  if (isFirst && inHand)
+    emit begun();
 }
 
 // Rows stay as long as they can: what is being renamed in one of them would go.
@@ -120,6 +124,7 @@ void MeasureSection::showRows(std::optional<std::size_t> inHand) {
   while (m_list->topLevelItemCount() < rows) {
     auto* item = new QTreeWidgetItem(m_list);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+    item->setSizeHint(measureName, {0, measureRowHeight}); // marks stand clear of each other
     item->setTextAlignment(measureValue, Qt::AlignRight | Qt::AlignVCenter);
   }
   for (std::size_t number = 0; number < m_measured.size(); ++number)

@@ -30,6 +30,8 @@ public:
 
 signals:
   void measurementsEdited(const limn::MeasurementsEdited& edited);
+  /// Somebody has measured while nothing was measured yet.
+  void begun();
   /// The one at this place of the list shall be gone to.
   void chosen(std::size_t number);
   void toolRequested(limn::Measurement::Kind kind);

@@ -119,6 +119,10 @@ void PropertiesPanel::connectSections() {
   connect(m_projection, &ProjectionSection::projectionEdited, this, &PropertiesPanel::projectionEdited);
   connect(m_projection, &ProjectionSection::isovalueEdited, this, &PropertiesPanel::isovalueEdited);
   connect(m_crop, &CropSection::cropEdited, this, &PropertiesPanel::cropEdited);
+  // It lies below what is always there; once the rows have their place.
+  connect(
+      m_measures, &MeasureSection::begun, this, [this] { ensureWidgetVisible(m_measures); },
+      Qt::QueuedConnection);
   connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);
 }
 

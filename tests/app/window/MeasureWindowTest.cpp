@@ -83,6 +83,8 @@ TEST_F(MeasureWindow, aDistanceIsOneDragOnceItsToolIsChosen) {
   EXPECT_NEAR(mm, 100.0 * mmPerPixelOfSlice(), 1e-9);
   EXPECT_EQ(undoText(), QStringLiteral("Distance %1 mm").arg(QString::number(mm, 'g', mm < 100.0 ? 3 : 4)));
   EXPECT_EQ(undo().count(), 1) << "one step, however it was dragged";
+  EXPECT_TRUE(test::waitUntil([&] { return !list().visibleRegion().isEmpty(); }))
+      << "the panel shows the list of what was measured";
 }
 
 TEST_F(MeasureWindow, threeDistancesStayAndUndoTakesThemBackOneByOne) {
@@ -270,6 +272,14 @@ TEST_F(MeasureWindow, inThePictureTwoClicksMeasureBetweenWhatIsSeen) {
   EXPECT_TRUE(measurements().empty());
   press(view(), Qt::Key_Escape);
   EXPECT_EQ(view().tool(), ViewTool::rotate);
+}
+
+TEST_F(MeasureWindow, inThePictureBothEndsMayLieClose) {
+  press(view(), Qt::Key_D);
+  click(inPicture({0, 0}));
+  click(inPicture({5, 0}));
+  ASSERT_EQ(measurements().size(), 1u) << "the first end is no handle yet";
+  EXPECT_GT(lengthMm(measurements().front()), 0.0);
 }
 
 TEST_F(MeasureWindow, inThePictureAnAngleIsThreeClicksAndAMarkOne) {

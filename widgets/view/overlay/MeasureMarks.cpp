@@ -208,7 +208,8 @@ std::vector<MeasureMark> placedMeasures(const std::vector<MeasureShape>& shapes,
   for (const MeasureShape& shape : shapes) {
     MeasureMark mark{shape, std::nullopt, {}};
     if (!shape.text.isEmpty()) {
-      Note note = noteAt(font, shape.text, {0.0, 0.0}, Qt::AlignLeft, std::min(roomForText, view.width()));
+      Note note = noteAt(font, shape.text, {0.0, 0.0}, Qt::AlignLeft,
+                         std::clamp(0.45 * view.width(), 0.0, roomForText));
       std::vector<QRectF> others = boxes;
       if (!others.empty())
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(marks.size()));
@@ -227,7 +228,7 @@ std::optional<MeasureHandle> measureHandleAt(const std::vector<MeasureShape>& sh
   std::optional<MeasureHandle> found;
   double nearest = measureHandleReach;
   for (const MeasureShape& shape : shapes)
-    for (std::size_t place = 0; place < shape.places.size(); ++place)
+    for (std::size_t place = 0; place < shape.places.size() && !shape.isOpen; ++place)
       if (const double away = QLineF(shape.places[place], point).length(); away <= nearest) {
         nearest = away;
         found = {shape.number, place};

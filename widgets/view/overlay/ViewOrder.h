@@ -36,6 +36,7 @@ struct SeenMeasure {
   std::vector<glm::dvec3> placesMm; ///< world; the last are absent while it is being measured
   QString text;
   bool isInHand = false;
+  bool isOpen = false; ///< it is being measured: nothing of it can be taken yet
   bool operator==(const SeenMeasure&) const = default;
 };
 

@@ -101,6 +101,9 @@ TEST(MeasureMarks, theNearestHandleIsTaken) {
   EXPECT_EQ(measureHandleAt(shapes, {203, 204}), (MeasureHandle{7, 1}));
   EXPECT_FALSE(measureHandleAt(shapes, {210, 210}));
   EXPECT_FALSE(measureHandleAt({}, {0, 0}));
+  MeasureShape open = shapes.front();
+  open.isOpen = true;
+  EXPECT_FALSE(measureHandleAt({open}, {101, 100})) << "what is being measured has none yet";
 }
 
 // On any ground, black, white or between: what is written has at least the contrast of small text, 4.5 : 1.
