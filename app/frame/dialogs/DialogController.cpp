@@ -67,14 +67,10 @@ QList<HelpRow> pictureRows() {
       {{}, QObject::tr("Window")},
       {QObject::tr("F6, Shift+F6"), QObject::tr("the keyboard goes to the next panel, the one before")},
       {QObject::tr("Ctrl+F"), QObject::tr("find a preset; Enter uses it and goes on to the picture")},
-      {{}, QObject::tr("Presets")},
-      {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
-      {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
-      {QObject::tr("Ctrl+L"), QObject::tr("the look of the volume that was open before")},
-      {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
   };
 }
 
+// And presets, which have more room beside those than below the picture.
 QList<HelpRow> sliceRows() {
   return {
       {{}, QObject::tr("Slices")},
@@ -92,6 +88,11 @@ QList<HelpRow> sliceRows() {
       {QObject::tr("Arrows, Home"), QObject::tr("move the crosshair; to the middle")},
       {QObject::tr("Double click"), QObject::tr("one slice large, and back")},
       {QObject::tr("Shift+click the picture"), QObject::tr("the crosshair goes to that place")},
+      {{}, QObject::tr("Presets")},
+      {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
+      {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
+      {QObject::tr("Ctrl+L"), QObject::tr("the look of the volume that was open before")},
+      {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
   };
 }
 

@@ -80,6 +80,13 @@ TEST_F(DialogPictures, ofAReportOnLooks) {
   take(QStringLiteral("dialog-look-report"), dialog);
 }
 
+TEST_F(DialogPictures, ofKeptViews) {
+  takeDialogOf("keepView", QStringLiteral("dialog-keep-view"));
+  session().setViews({{"The left ear", scene().camera}, {"Fracture from above", scene().camera}},
+                     QStringLiteral("keep views"));
+  takeDialogOf("manageViews", QStringLiteral("dialog-views"));
+}
+
 TEST_F(DialogPictures, ofSavingToDicom) {
   test::writeMarkedSeries(folder.path() / "series");
   ASSERT_TRUE(open(pathTo("series")));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/OrientationCube.h"
 
-#include "../../ContrastRatio.h"
-#include "scene/volume/Orientation.h"
 #include "scene/volume/Phantom.h"
+#include "widgets/ContrastRatio.h"
 #include "widgets/view/overlay/Overlay.h"
 
 #include <gtest/gtest.h>
