@@ -7790,11 +7790,11 @@
     </message>
     <message>
         <source>must be a list of {&quot;name&quot;, &quot;camera&quot;}</source>
-        <translation>muss eine Liste von {&quot;name&quot;, &quot;camera&quot;} sein</translation>
+        <translation>muss eine Liste von Einträgen mit „name“ und „camera“ sein</translation>
     </message>
     <message>
         <source>belongs to pieces with &quot;do&quot;: &quot;look&quot; alone</source>
-        <translation>gehört nur zu Teilen mit &quot;do&quot;: &quot;look&quot;</translation>
+        <translation>gehört nur zu Teilen, deren „do“ „look“ ist</translation>
     </message>
     <message>
         <source>is missing; it is the piece&apos;s own list of control points</source>
