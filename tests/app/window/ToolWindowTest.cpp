@@ -205,12 +205,12 @@ TEST_F(ToolWindow, theWindowsOfTheSlicesDoNotLookHoveredOnceTheirMenuIsLeft) {
   QObject::connect(&leave, &QTimer::timeout, &leave, [&] {
     if (QWidget* menu = QApplication::activePopupWidget()) {
       wasOpen = true;
-      leave.stop();
-      QTest::keyClick(menu, Qt::Key_Escape);
+      QTest::keyClick(menu, Qt::Key_Escape); // again where the menu did not listen yet
     }
   });
   leave.start(10);
   QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, middle); // until the menu is closed
+  leave.stop();
   EXPECT_TRUE(wasOpen);
   QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, middle);
   EXPECT_TRUE(test::waitUntil([&] { return !button->underMouse(); }));
