@@ -87,12 +87,12 @@ CropBox CrosshairController::openedNow(const CropBox& before, CropFace face) con
   return openedAt(before, m_context.session.scene().volume->grid(), face, crosshair());
 }
 
-// From the side that it was opened from already, it is closed.
+// From the side that it was opened from already, or where no slices are left to tell the place, it is closed.
 void CrosshairController::ask() {
   const Scene& scene = m_context.session.scene();
   if (scene.volume) {
     const CropFace face = faceTowards(scene.camera, scene.volume->grid(), crosshair());
-    if (m_opening && m_opening->face == face)
+    if (m_opening && (m_opening->face == face || !hasSlices()))
       close();
     else if (hasSlices())
       openFrom(face);

@@ -6,6 +6,7 @@
 #include "reference/ProfileAlong.h"
 #include "regions/Cutting.h"
 #include "regions/ScissorSet.h"
+#include "scene/LabelLooks.h"
 #include "scene/volume/VolumePart.h"
 #include "widgets/ValueText.h"
 #include "widgets/view/CompareView.h"
@@ -16,6 +17,7 @@
 #include <QStatusBar>
 
 #include <algorithm>
+#include <array>
 
 namespace limn {
 namespace {
@@ -24,6 +26,14 @@ constexpr int tellsForMs = 6000;
 constexpr double litBeside = 0.12; // of the opacity of what is not the piece: seen, and plainly not meant
 constexpr int depthsAcross = 24;   // at which the depth inside a line is looked for, along its longer side
 constexpr double pastSeenMm = 2.0; // further, so that what is seen goes with its whole skin
+
+// In which the curves of pieces begin, so that each is told from the rest at once.
+const std::array<glm::dvec3, 6> pieceColors{{{0.85, 0.2, 0.15},
+                                             {0.25, 0.7, 0.3},
+                                             {0.25, 0.5, 0.95},
+                                             {0.95, 0.75, 0.2},
+                                             {0.75, 0.35, 0.85},
+                                             {0.2, 0.75, 0.8}}};
 
 // The ray through a place of the picture (DEFINITION section 8).
 Ray rayAt(const Camera& camera, const glm::dvec2& place) {
@@ -85,7 +95,11 @@ CutController::CutController(WindowContext& context)
   connect(m_bar, &CutBar::hideRequested, this, [this] { finish(ConnectedPiece::Fate::hidden); });
   connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(ConnectedPiece::Fate::alone); });
   connect(m_bar, &CutBar::lookRequested, this, [this] { finish(ConnectedPiece::Fate::ownLook); });
-  connect(m_bar, &CutBar::closeRequested, this, [this] { m_context.view.setTool(ViewTool::rotate); });
+  connect(m_bar, &CutBar::closeRequested, this, [this] {
+    m_context.view.setTool(ViewTool::rotate);
+    m_context.view.setFocus(); // the button that had the keyboard is gone
+  });
+  m_bar->setDrawing([view = &context.view] { return view->input().cutLine().has_value(); });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
     putDown();
     m_context.showError(sentence);
@@ -184,10 +198,14 @@ void CutController::finish(ConnectedPiece::Fate fate) {
     return;
   ConnectedPiece piece = *m_piece;
   piece.fate = fate;
+  const Scene& scene = m_context.session.scene();
+  const auto told = std::count_if(scene.keep.cuts.begin(), scene.keep.cuts.end(), pieceWithLook);
   if (fate == ConnectedPiece::Fate::ownLook)
-    piece.look = m_context.session.scene().transferFunction;
+    piece.look =
+        inOneColor(scene.transferFunction, pieceColors[static_cast<std::size_t>(told) % pieceColors.size()]);
   putDown();
   showBar();
+  m_context.view.setFocus();
   emit cutWanted({piece, true}, fate == ConnectedPiece::Fate::alone    ? tr("keep a piece alone")
                                 : fate == ConnectedPiece::Fate::hidden ? tr("hide a piece")
                                                                        : tr("give a piece its own curve"));

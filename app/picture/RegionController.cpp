@@ -19,10 +19,13 @@
 namespace limn {
 namespace {
 
-// Labels stay open, each shown wholly, and cuts in their list, off where they hide something; a body goes.
+// What was cut away first, so that one who wants that back keeps the table hidden; then the rest: labels stay
+// open, each shown wholly, and a body goes. Cuts stay in their list, off where they hide something.
 Region shownWholly(const Region& region) {
   Region whole;
-  if (region.kind == Region::Kind::labels) {
+  if (isCutAway(region)) {
+    whole = withoutCuts(region);
+  } else if (region.kind == Region::Kind::labels) {
     whole = withoutCuts(region);
     std::fill(whole.weights.begin(), whole.weights.end(), 1.0);
   }

@@ -94,6 +94,12 @@ Region withLookOf(const Region& region, std::size_t place, const std::optional<T
   return changed;
 }
 
+TransferFunction inOneColor(TransferFunction function, const glm::dvec3& color) {
+  for (ControlPoint& point : function.points)
+    point.color = color;
+  return function;
+}
+
 bool hasLabelLooks(const Scene& scene) {
   return labelLooks(scene).areAny();
 }

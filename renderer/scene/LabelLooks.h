@@ -31,6 +31,9 @@ LabelLooks labelLooks(const Scene& scene);
 /// cut that made a piece knows it, too. Throws as withLooks.
 Region withLookOf(const Region& region, std::size_t place, const std::optional<TransferFunction>& look);
 
+/// The same opacities in one colour: with what the look of a label or a piece begins.
+TransferFunction inOneColor(TransferFunction function, const glm::dvec3& color);
+
 /// Whether labelLooks has any but the scene's own.
 bool hasLabelLooks(const Scene& scene);
 

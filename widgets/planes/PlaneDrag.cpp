@@ -108,10 +108,18 @@ PlaneTool toolOf(Measurement::Kind kind) {
   return static_cast<PlaneTool>(static_cast<int>(PlaneTool::distance) + static_cast<int>(kind));
 }
 
+std::optional<MeasureHandle> handleTaken(const PlaneContent& content, PatientPlane plane,
+                                         const PlaneFrame& frame, PlaneTool tool, const QPointF& point) {
+  const std::optional<MeasureHandle> handle = measureHandleAt(measureShapes(content, plane, frame), point);
+  const std::optional<Measurement::Kind> makes = kindOf(tool);
+  const bool isTaken = handle && (!makes || content.measured[handle->number].measurement.kind == *makes);
+  return isTaken ? handle : std::nullopt;
+}
+
 std::optional<PlaneDrag> dragFrom(const PlanePress& press, const PlaneContent& content,
                                   const PlaneFrame& frame) {
   const std::optional<MeasureHandle> handle =
-      measureHandleAt(measureShapes(content, press.plane, frame), press.point);
+      handleTaken(content, press.plane, frame, press.tool, press.point);
   const std::optional<PlaneDrag::Kind> kind = dragOf(press, handle.has_value());
   if (!kind)
     return std::nullopt;

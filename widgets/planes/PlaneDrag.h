@@ -77,9 +77,14 @@ struct PlanePress {
   QPointF point;
 };
 
+/// The handle of a measurement that a press with the left button takes: one at this point, logical pixels,
+/// but with a tool that makes measurements of another kind, which draws there.
+std::optional<MeasureHandle> handleTaken(const PlaneContent& content, PatientPlane plane,
+                                         const PlaneFrame& frame, PlaneTool tool, const QPointF& point);
+
 /// The drag that a press begins: the middle button, or the left one with Shift, pans; the right one, or the
-/// left one with Alt as in the 3D picture, drags the window; the left one takes the handle of a measurement
-/// that it is on, else does what the tool says. Nothing for other buttons.
+/// left one with Alt as in the 3D picture, drags the window; the left one takes the handle that it is on
+/// (handleTaken), else does what the tool says. Nothing for other buttons.
 std::optional<PlaneDrag> dragFrom(const PlanePress& press, const PlaneContent& content,
                                   const PlaneFrame& frame);
 

@@ -423,7 +423,7 @@ void PlaneView::zoom(const QPointF& about, double factor) {
 }
 
 void PlaneView::showCursor(const QPointF& point) {
-  if (m_content.volume && measureHandleAt(measureShapes(m_content, m_plane, frame()), point))
+  if (m_content.volume && handleTaken(m_content, m_plane, frame(), m_tool, point))
     setCursor(Qt::SizeAllCursor);
   else
     setCursor(m_tool == PlaneTool::windowLevel ? Qt::SizeAllCursor : Qt::CrossCursor);

@@ -16,6 +16,7 @@ namespace limn {
 namespace {
 
 constexpr int mostCutsShown = 6;
+constexpr int rowHeight = 24; // logical pixels, so that marks stand clear of each other
 
 QString summaryOf(const std::vector<Cut>& cuts) {
   if (cuts.empty())
@@ -118,6 +119,7 @@ void CutSection::showCuts() {
   m_list->clear();
   for (std::size_t n = 0; n < m_cuts.size(); ++n) {
     auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(cutText(m_cuts[n], *m_volume)), m_list);
+    item->setSizeHint({0, rowHeight});
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(m_cuts[n].isOn ? Qt::Checked : Qt::Unchecked);
   }

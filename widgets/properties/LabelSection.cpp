@@ -238,7 +238,8 @@ bool LabelTable::setCurve(std::size_t place, bool isOwn) {
   const QString name = QString::fromStdString(m_region.labels->labels()[place].name);
   Region edited;
   try {
-    edited = withLookOf(m_region, place, isOwn ? std::optional(m_function) : std::nullopt);
+    const glm::dvec3& color = m_region.labels->labels()[place].color;
+    edited = withLookOf(m_region, place, isOwn ? std::optional(inOneColor(m_function, color)) : std::nullopt);
   } catch (const Error& error) { // too many looks
     emit refused(translated(error));
     return false;
@@ -291,6 +292,10 @@ LabelSection::LabelSection(QWidget* parent)
   contents()->addLayout(buttons);
   connect(m_labels, &LabelTable::regionEdited, this, &LabelSection::keepEdited);
   connect(m_labels, &LabelTable::refused, this, &LabelSection::refused);
+  connect(m_labels, &QAbstractItemModel::modelReset, this, [this] {
+    if (m_labels->rowCount() > 0)
+      emit opened();
+  });
   connect(m_labels, &LabelTable::curveGiven, this, &LabelSection::curveRequested);
   connect(m_table, &QTreeView::clicked, this, [this](const QModelIndex& index) {
     const auto place = static_cast<std::size_t>(m_found->mapToSource(index).row());

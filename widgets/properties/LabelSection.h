@@ -27,7 +27,7 @@ public:
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// `function` is the scene's: with it a label's own curve begins.
+  /// `function` is the scene's: with its opacities, in the label's colour, a label's own curve begins.
   void setRegion(const Region& region, const TransferFunction& function);
   const Region& region() const { return m_region; }
 
@@ -78,6 +78,8 @@ public:
 signals:
   void keepEdited(const limn::Region& region, const limn::Gesture& gesture);
   void openRequested();
+  /// Labels are listed that were not before.
+  void opened();
   /// The curve of the label at this place shall be in hand.
   void curveRequested(std::size_t place);
   /// What was asked for cannot be, and why.

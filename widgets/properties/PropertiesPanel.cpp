@@ -121,6 +121,8 @@ void PropertiesPanel::connectSections() {
   connect(m_crop, &CropSection::cropEdited, this, &PropertiesPanel::cropEdited);
   // It lies below what is always there; once the rows have their place.
   connect(
+      m_labels, &LabelSection::opened, this, [this] { ensureWidgetVisible(m_labels); }, Qt::QueuedConnection);
+  connect(
       m_measures, &MeasureSection::begun, this, [this] { ensureWidgetVisible(m_measures); },
       Qt::QueuedConnection);
   connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);

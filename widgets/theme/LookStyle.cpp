@@ -57,8 +57,14 @@ QIcon LookStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, c
 
 int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                          QStyleHintReturn* answer) const {
-  return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
-                                                     : QProxyStyle::styleHint(hint, option, widget, answer);
+  switch (hint) {
+  case SH_DialogButtonBox_ButtonsHaveIcons:
+  case SH_ComboBox_Popup: // a list below its box: over it, Fusion has too little room for the rows of our
+                          // sheet
+    return 0;
+  default:
+    return QProxyStyle::styleHint(hint, option, widget, answer);
+  }
 }
 
 ThemeChoice themeNamed(const QString& name) {

@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/picture/CutController.h"
 #include "app/picture/RegionController.h"
+#include "scene/LabelLooks.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
@@ -166,6 +167,27 @@ TEST_F(CutWindow, cornersAreClickedTakenBackAndClosedByEnter) {
   EXPECT_EQ(view().tool(), ViewTool::scissors);
 }
 
+TEST_F(CutWindow, theBarStandsAsideWhileALineOfCornersIsOpen) {
+  press(Qt::Key_X);
+  EXPECT_TRUE(bar().isVisible());
+  click({-50, -50});
+  click({50, -50});
+  EXPECT_TRUE(test::waitUntil([this] { return !bar().isVisible(); })) << "what it lies on may be cut, too";
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(test::waitUntil([this] { return bar().isVisible(); }));
+  for (const QPoint& corner : {QPoint(-50, -50), QPoint(50, -50), QPoint(0, 50)})
+    click(corner);
+  press(Qt::Key_Return);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(cuts().size(), 1u);
+  EXPECT_TRUE(test::waitUntil([this] { return bar().isVisible(); }));
+  for (QPushButton* button : bar().findChildren<QPushButton*>())
+    if (button->text() == QStringLiteral("Done"))
+      QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_FALSE(bar().isVisible());
+  EXPECT_TRUE(view().hasFocus());
+}
+
 TEST_F(CutWindow, aLineGoesWithThePictureItWasDrawnOn) {
   press(Qt::Key_X);
   click({-50, -50});
@@ -226,10 +248,13 @@ TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
   ASSERT_EQ(cuts().size(), 1u);
   EXPECT_EQ(undo().undoText(), QStringLiteral("give a piece its own curve"));
   EXPECT_EQ(weightInTheMiddle(), 1.0) << "nothing is taken away";
+  ASSERT_EQ(scene().keep.looks.size(), 1u);
+  EXPECT_EQ(scene().keep.looks[0], inOneColor(function, scene().keep.looks[0].points[0].color));
+  EXPECT_NE(scene().keep.looks[0], function) << "it is told from the rest at once";
   TransferFunctionCanvas& canvas = *curves().valueEditor()->canvas();
   TransferFunction edited = function;
   for (ControlPoint& point : edited.points)
-    point.color = {1.0, 0.0, 0.0};
+    point.color = {1.0, 0.0, 0.5};
   canvas.edit(edited, {nextGestureId(), QStringLiteral("change colour")});
   EXPECT_EQ(undo().undoText(), QStringLiteral("Piece 1: change colour"));
   EXPECT_EQ(scene().transferFunction, function);
@@ -363,6 +388,18 @@ TEST_F(CutWindow, cutsHoldWhenOtherThingsAreKeptAndComeBackWithTheSession) {
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);
   EXPECT_EQ(cuts().size(), 1u);
   EXPECT_EQ(weightInTheMiddle(), 0.0);
+  // The note brings back what was cut first, then what Body only hides.
+  const Region both = scene().keep;
+  emit view().everythingRequested();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_FALSE(cuts().front().isOn);
+  emit view().everythingRequested();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::all);
+  undo().undo();
+  undo().undo();
+  EXPECT_EQ(scene().keep.weights, both.weights);
   typeName(pathTo("cut.limn"));
   window->findChild<QAction*>(QStringLiteral("saveSession"))->trigger();
   ASSERT_TRUE(test::waitUntil([this] { return QFile::exists(pathTo("cut.limn")); }));

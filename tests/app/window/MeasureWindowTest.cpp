@@ -129,6 +129,18 @@ TEST_F(MeasureWindow, anEndIsDraggedLaterAndEscPutsItBack) {
   QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, inSlice({60, 90}));
 }
 
+TEST_F(MeasureWindow, aToolDrawsWhereAnotherKindHasAnEnd) {
+  press(axial(), Qt::Key_D);
+  drag(inSlice({-40, 0}), inSlice({60, 0}));
+  ASSERT_EQ(measurements().size(), 1u);
+  const Measurement distance = measurements().front();
+  press(axial(), Qt::Key_E);
+  drag(inSlice({-40, 0}), inSlice({20, 40}));
+  ASSERT_EQ(measurements().size(), 2u) << "the box around a lesion begins where it was measured";
+  EXPECT_EQ(measurements().front(), distance);
+  EXPECT_EQ(measurements().back().kind, Kind::ellipse);
+}
+
 TEST_F(MeasureWindow, theOneInHandIsHighlightedAndDeleted) {
   press(axial(), Qt::Key_D);
   drag(inSlice({-50, -60}), inSlice({50, -60}));

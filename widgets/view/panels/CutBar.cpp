@@ -80,7 +80,8 @@ void CutBar::showScissors(bool removesInside, bool onlySeen) {
     button->show();
   for (QPushButton* button : {m_hide, m_alone, m_look})
     button->hide();
-  show();
+  m_isOut = true;
+  follow();
   place();
 }
 
@@ -92,13 +93,18 @@ void CutBar::showPiece(const QString& text, bool isPicked) {
     button->hide();
   for (QPushButton* button : {m_hide, m_alone, m_look})
     button->setVisible(isPicked);
-  show();
+  m_isOut = true;
+  follow();
   place();
 }
 
 void CutBar::putAway() {
-  m_isAside = false;
+  m_isOut = m_isAside = false;
   hide();
+}
+
+void CutBar::follow() {
+  setVisible(m_isOut && !m_isAside && !m_isDrawing());
 }
 
 bool CutBar::eventFilter(QObject* watched, QEvent* event) {
@@ -106,13 +112,15 @@ bool CutBar::eventFilter(QObject* watched, QEvent* event) {
     return PicturePanel::eventFilter(watched, event);
   if (event->type() == QEvent::Resize && isVisible())
     place();
-  // While a line is drawn the picture is seen whole.
+  // While a line is drawn the picture is seen whole; the view has to know first what an event is to it.
+  if (m_isOut)
+    QMetaObject::invokeMethod(this, &CutBar::follow, Qt::QueuedConnection);
   const auto* mouse = dynamic_cast<const QMouseEvent*>(event);
   if (event->type() == QEvent::MouseMove && isVisible() && mouse->buttons().testFlag(Qt::LeftButton)) {
     m_isAside = true;
     hide();
-  } else if (event->type() == QEvent::MouseButtonRelease && std::exchange(m_isAside, false)) {
-    show();
+  } else if (event->type() == QEvent::MouseButtonRelease) {
+    m_isAside = false;
   }
   return PicturePanel::eventFilter(watched, event);
 }

@@ -3,6 +3,9 @@
 
 #include "widgets/view/panels/ViewPanels.h"
 
+#include <functional>
+#include <utility>
+
 class QLabel;
 class QPushButton;
 
@@ -20,6 +23,9 @@ public:
   void showScissors(bool removesInside, bool onlySeen);
   /// For pieces: `text` says which piece lies ready, or what to do; only one that does can be hidden.
   void showPiece(const QString& text, bool isPicked);
+  /// While this says so the bar is out of the way: what it lies on may be drawn around.
+  void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
+
   /// No tool that cuts is in hand.
   void putAway();
 
@@ -37,6 +43,7 @@ protected:
 
 private:
   void place();
+  void follow();
 
   QLabel* m_text;
   QPushButton* m_inside;
@@ -46,6 +53,8 @@ private:
   QPushButton* m_hide;
   QPushButton* m_alone;
   QPushButton* m_look;
+  std::function<bool()> m_isDrawing = [] { return false; };
+  bool m_isOut = false;   ///< a tool is in hand
   bool m_isAside = false; ///< hidden until the button is let go
 };
 
