@@ -90,7 +90,7 @@ TEST(ImageFile, saysNowhereWhenItWasWritten) {
 
 TEST(ImageFile, isWholeUpToItsLastChunk) {
   const TemporaryFolder folder;
-  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+  for (const char* name : {"a.png", "a.exr"}) {
     const std::filesystem::path file = folder.path() / name;
     writeImage(file, threePixels(), {0.2, 0.4, 1.0}, description);
     EXPECT_TRUE(isWholePicture(file)) << name;

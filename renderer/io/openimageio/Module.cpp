@@ -74,9 +74,9 @@ OIIO::ImageSpec specOf(const PictureToWrite& picture) {
   }
   if (picture.format == Format::tiff)
     spec.attribute("compression", "zip");
-  if (isFloat)
-    spec.attribute("DateTime",
-                   ""); // or the library writes when it was: one scene would be other bytes each time
+  // Or the library writes when it was: one scene would be other bytes each time.
+  if (isFloat || picture.format == Format::tiff)
+    spec.attribute("DateTime", "");
   if (!picture.description.empty())
     spec.attribute("ImageDescription", picture.description);
   return spec;
