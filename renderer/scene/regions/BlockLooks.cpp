@@ -10,6 +10,7 @@ BlockLooks blockLooks(const LabelMap& labels, const std::vector<std::uint8_t>& l
   const glm::ivec3& dims = labels.dims();
   const glm::ivec3& blocks = grid.blocks;
   std::vector<LookBits> bitOf;
+  bitOf.reserve(lookOf.size());
   for (const std::uint8_t look : lookOf)
     bitOf.push_back(LookBits{1} << look);
   BlockLooks looks(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z, room);

@@ -84,11 +84,10 @@ std::shared_ptr<const LabelMap> PackedLabels::map() const {
   if (std::shared_ptr<const LabelMap> known = m_map.lock())
     return known;
   const std::size_t voxels = static_cast<std::size_t>(m_dims.x) * static_cast<std::size_t>(m_dims.y);
-  const auto map =
-      std::make_shared<const LabelMap>(m_dims,
-                                       m_isOfBytes ? unpacked<std::uint8_t>(m_slices, voxels, m_room)
-                                                   : unpacked<std::uint16_t>(m_slices, voxels, m_room),
-                                       m_labels);
+  auto map = std::make_shared<const LabelMap>(m_dims,
+                                              m_isOfBytes ? unpacked<std::uint8_t>(m_slices, voxels, m_room)
+                                                          : unpacked<std::uint16_t>(m_slices, voxels, m_room),
+                                              m_labels);
   m_map = map;
   return map;
 }

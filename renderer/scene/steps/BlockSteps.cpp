@@ -320,6 +320,7 @@ BlockSteps blockSteps(const BlockFacts& facts, const std::vector<TransferFunctio
   steps.blocks = facts.blocks;
   steps.rungs = RoomVector<StepRungs>(facts.facts.size(), facts.facts.get_allocator().room());
   std::vector<FunctionRungs> ofFunctions;
+  ofFunctions.reserve(functions.size());
   for (const TransferFunction& function : functions)
     ofFunctions.emplace_back(facts, function, smallestSpacingMm);
   std::atomic<bool> resolvesFunction = true;

@@ -30,13 +30,14 @@ glm::dvec3 middleMm(const Measurement& measurement) {
 
 std::string freeName(const std::vector<Measurement>& measurements) {
   for (int number = 1;; ++number)
-    if (const std::string name = std::to_string(number);
+    if (std::string name = std::to_string(number);
         std::ranges::find(measurements, name, &Measurement::name) == measurements.end())
       return name;
 }
 
 std::vector<Measurement> measurementsOf(const std::vector<Measured>& measured) {
   std::vector<Measurement> measurements;
+  measurements.reserve(measured.size());
   for (const Measured& one : measured)
     measurements.push_back(one.measurement);
   return measurements;

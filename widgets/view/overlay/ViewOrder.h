@@ -93,7 +93,7 @@ struct Hovered {
   std::optional<HiddenPlace> hidden;
   std::optional<CropFace> face;
   std::optional<std::size_t> cubeFace{}; ///< of the cube that shows how the picture lies (cubeFaces)
-  bool measure = false; ///< a handle of a measurement
+  bool measure = false;                  ///< a handle of a measurement
   bool operator==(const Hovered&) const = default;
 };
 
