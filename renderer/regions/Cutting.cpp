@@ -245,7 +245,7 @@ BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPie
   if (!isVoxel(index, grid) || !allowed.at(glm::ivec3(index)))
     return seed;
   seed.set(glm::ivec3(index));
-  const BitGrid found = grownWithin(seed, allowed, partOf(effort, 0.3, 0.8));
+  BitGrid found = grownWithin(seed, allowed, partOf(effort, 0.3, 0.8));
   if (piece.growVoxels <= 0)
     return found;
   BitGrid grown = dilated(found, glm::dvec3(piece.growVoxels), partOf(effort, 0.8, 1.0));

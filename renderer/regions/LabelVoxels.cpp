@@ -69,6 +69,7 @@ std::vector<LabelFigures> figuresOfLabels(const LabelMap& labels, const Volume& 
   });
   const glm::dvec3& spacing = volume.grid().spacingMm;
   std::vector<LabelFigures> figures;
+  figures.reserve(sums.size());
   for (const LabelSums& its : sums)
     figures.push_back(figuresFrom(its, middle, spacing.x * spacing.y * spacing.z));
   return figures;

@@ -252,7 +252,7 @@ KeptPart readKeptPart(JsonFields& scene) {
 }
 
 nlohmann::ordered_json keptPartJson(const KeptPart& part) {
-  const nlohmann::ordered_json base = baseJson(part);
+  nlohmann::ordered_json base = baseJson(part);
   if (part.cuts.empty())
     return base;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();

@@ -99,7 +99,7 @@ Uint16 addSegment(DcmSegmentation& segmentation, const Written& label, int numbe
   requireMade(segment->setRecommendedDisplayCIELabValue(color[0], color[1], color[2]));
   Uint16 added = 0;
   requireMade(segmentation.addSegment(segment.get(), added));
-  segment.release(); // which is the segmentation's now
+  static_cast<void>(segment.release()); // which is the segmentation's now
   return added;
 }
 
