@@ -36,11 +36,10 @@ Camera withProjection(Camera camera, Camera::Projection projection) {
 /// what was measured goes with it and comes back with it.
 class SceneEdit : public QUndoCommand {
 public:
-  SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture,
-            std::vector<Measurement> measurements = {})
+  SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture)
       : QUndoCommand(gesture.text), m_session(session),
         m_before(stateOf(session, session.m_scene, session.m_preset, session.m_measurements)),
-        m_after(stateOf(session, scene, preset, std::move(measurements))), m_gesture(gesture.id) {}
+        m_after(stateOf(session, scene, preset, {})), m_gesture(gesture.id) {}
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
   int id() const override { return 1; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/regions/LabelAt.h"
 
+#include "scene/LabelLooks.h"
+
 #include <gtest/gtest.h>
 
 namespace limn {
@@ -53,6 +55,29 @@ TEST(LabelAt, knowsTheCurveThatALabelHas) {
   EXPECT_EQ(ownLookAt(region, {1.0, 0.0, 0.0}), nullptr);
   ASSERT_NE(ownLookAt(region, {2.0, 0.0, 0.0}), nullptr);
   EXPECT_EQ(*ownLookAt(region, {2.0, 0.0, 0.0}), red);
+}
+
+TEST(LabelAt, ofAPieceThatWasPickedReadsThePiecesCurve) {
+  const TransferFunction red{1.0, {{0.0, {1, 0, 0}, 0.5}}}, blue{1.0, {{0.0, {0, 0, 1}, 0.5}}};
+  for (const bool hasSegmentation : {false, true}) {
+    Region region = hasSegmentation ? withLooks(threeLabels(), {{2, blue}}) : Region{};
+    region.uncut = region.labels;
+    std::vector<Label> labels = hasSegmentation ? region.labels->labels() : std::vector<Label>(1);
+    labels.push_back({-3, "Piece 1", {}});
+    const auto piece = static_cast<std::uint8_t>(labels.size() - 1);
+    const std::uint8_t last = hasSegmentation ? 2 : 0;
+    region.labels = std::make_shared<const LabelMap>(glm::ivec3(3, 1, 1),
+                                                     std::vector<std::uint8_t>{0, piece, last}, labels);
+    region.weights.assign(labels.size(), 1.0);
+    region.cuts = {{ConnectedPiece{{}, {}, 0, ConnectedPiece::Fate::ownLook, red}, true}};
+    region.isCut = true;
+    region = withLookOf(region, piece, red);
+    ASSERT_NE(ownLookAt(region, {1.0, 0.0, 0.0}), nullptr);
+    EXPECT_EQ(*ownLookAt(region, {1.0, 0.0, 0.0}), red);
+    EXPECT_EQ(ownLookAt(region, {0.0, 0.0, 0.0}), nullptr);
+    EXPECT_EQ(ownLookAt(region, {2.0, 0.0, 0.0}) != nullptr, hasSegmentation) << "beside it";
+    EXPECT_EQ(labelNameAt(region, {1.0, 0.0, 0.0}), hasSegmentation ? "liver" : "");
+  }
 }
 
 } // namespace

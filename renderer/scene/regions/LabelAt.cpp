@@ -3,18 +3,24 @@
 
 namespace limn {
 
-std::optional<std::size_t> voxelLabelAt(const Region& region, const glm::dvec3& index) {
-  // What is cut away is one label more, under which the others lie.
-  const std::shared_ptr<const LabelMap>& map = region.isCut ? region.uncut : region.labels;
-  if (region.kind != Region::Kind::labels || !map)
-    return std::nullopt;
+namespace {
+
+std::optional<std::size_t> placeNearest(const LabelMap& map, const glm::dvec3& index) {
   const glm::dvec3 nearest = glm::floor(index + 0.5);
   const bool isInside = glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0))) &&
-                        glm::all(glm::lessThan(nearest, glm::dvec3(map->dims())));
+                        glm::all(glm::lessThan(nearest, glm::dvec3(map.dims())));
   if (!isInside)
     return std::nullopt;
   const glm::ivec3 voxel(nearest);
-  return map->placeAt(voxelOffset(map->dims(), voxel.x, voxel.y, voxel.z));
+  return map.placeAt(voxelOffset(map.dims(), voxel.x, voxel.y, voxel.z));
+}
+
+} // namespace
+
+std::optional<std::size_t> voxelLabelAt(const Region& region, const glm::dvec3& index) {
+  // What is cut away is one label more, under which the others lie.
+  const std::shared_ptr<const LabelMap>& map = region.isCut ? region.uncut : region.labels;
+  return region.kind == Region::Kind::labels && map ? placeNearest(*map, index) : std::nullopt;
 }
 
 std::string labelNameAt(const Region& region, const glm::dvec3& index) {
@@ -25,9 +31,13 @@ std::string labelNameAt(const Region& region, const glm::dvec3& index) {
 }
 
 const TransferFunction* ownLookAt(const Region& region, const glm::dvec3& index) {
-  const std::optional<std::size_t> place = voxelLabelAt(region, index);
-  const std::size_t look = place ? lookOfLabel(region, *place) : 0;
-  return look > 0 ? &region.looks[look - 1] : nullptr;
+  // A piece that was picked lies over the labels, with or without a segmentation.
+  const auto lookAt = [&region](const std::optional<std::size_t>& place) {
+    const std::size_t look = place ? lookOfLabel(region, *place) : 0;
+    return look > 0 ? &region.looks[look - 1] : nullptr;
+  };
+  const TransferFunction* shown = region.labels ? lookAt(placeNearest(*region.labels, index)) : nullptr;
+  return shown ? shown : lookAt(voxelLabelAt(region, index));
 }
 
 } // namespace limn

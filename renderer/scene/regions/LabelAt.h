@@ -19,7 +19,8 @@ std::optional<std::size_t> voxelLabelAt(const Region& region, const glm::dvec3& 
 /// The name of that label; empty where there is none, and of the background.
 std::string labelNameAt(const Region& region, const glm::dvec3& index);
 
-/// The curve by which that label is shown where it has its own; null where it has not.
+/// The curve of its own by which the nearest voxel is shown: that of a piece that was picked there, else of
+/// its label; null where neither has one.
 const TransferFunction* ownLookAt(const Region& region, const glm::dvec3& index);
 
 } // namespace limn
