@@ -2,6 +2,7 @@
 #include "widgets/properties/CutSection.h"
 
 #include "widgets/ValueText.h"
+#include "widgets/controls/ListRows.h"
 
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -16,7 +17,6 @@ namespace limn {
 namespace {
 
 constexpr int mostCutsShown = 6;
-constexpr int rowHeight = 24; // logical pixels, so that marks stand clear of each other
 
 QString summaryOf(const std::vector<Cut>& cuts) {
   if (cuts.empty())
@@ -119,16 +119,13 @@ void CutSection::showCuts() {
   m_list->clear();
   for (std::size_t n = 0; n < m_cuts.size(); ++n) {
     auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(cutText(m_cuts[n], *m_volume)), m_list);
-    item->setSizeHint({0, rowHeight});
+    item->setSizeHint({0, listRowHeight});
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(m_cuts[n].isOn ? Qt::Checked : Qt::Unchecked);
   }
   const int rows = m_list->count();
   m_list->setCurrentRow(std::min(std::max(row, 0), rows - 1));
-  m_list->setVisible(rows > 0);
-  if (rows > 0)
-    m_list->setFixedHeight(2 * m_list->frameWidth() +
-                           std::min(rows, mostCutsShown) * m_list->sizeHintForRow(0));
+  fitToRows(*m_list, rows, mostCutsShown);
   setSummary(summaryOf(m_cuts));
   showButtons();
 }

@@ -5,6 +5,7 @@
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
+#include "widgets/controls/ListRows.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -55,7 +56,7 @@ public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    return QStyledItemDelegate::sizeHint(option, index).expandedTo({0, 24});
+    return QStyledItemDelegate::sizeHint(option, index).expandedTo({0, listRowHeight});
   }
 };
 
@@ -320,10 +321,7 @@ void LabelSection::setScene(const Scene& scene) {
     m_search->clear();
   if (rows > 0 && !hadRows)
     setFolded(false);
-  m_table->setVisible(rows > 0);
-  if (rows > 0)
-    m_table->setFixedHeight(m_table->header()->sizeHint().height() + 2 * m_table->frameWidth() +
-                            std::min(rows, mostRowsShown) * m_table->sizeHintForRow(0));
+  fitToRows(*m_table, rows, mostRowsShown);
   m_open->setEnabled(scene.volume != nullptr);
   m_showAll->setVisible(rows > 0);
   m_showAll->setEnabled(rows > 0 &&

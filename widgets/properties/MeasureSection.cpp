@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/MeasureSection.h"
 
+#include "widgets/controls/ListRows.h"
 #include "widgets/theme/Icons.h"
 
 #include <QHBoxLayout>
@@ -20,7 +21,6 @@ namespace {
 enum MeasureColumn { measureName, measureValue };
 
 constexpr int mostMeasuresShown = 8;
-constexpr int measureRowHeight = 24; // logical pixels
 
 QString measureHelp(Measurement::Kind kind) {
   switch (kind) {
@@ -124,19 +124,16 @@ void MeasureSection::showRows(std::optional<std::size_t> inHand) {
   while (m_list->topLevelItemCount() < rows) {
     auto* item = new QTreeWidgetItem(m_list);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
-    item->setSizeHint(measureName, {0, measureRowHeight}); // marks stand clear of each other
+    item->setSizeHint(measureName, {0, listRowHeight});
     item->setTextAlignment(measureValue, Qt::AlignRight | Qt::AlignVCenter);
   }
   for (std::size_t number = 0; number < m_measured.size(); ++number)
     showRow(number);
   m_list->setCurrentItem(
       inHand && *inHand < m_measured.size() ? m_list->topLevelItem(static_cast<int>(*inHand)) : nullptr);
-  m_list->setVisible(rows > 0);
   m_delete->setVisible(rows > 0);
   m_delete->setEnabled(m_list->currentItem() != nullptr);
-  if (rows > 0)
-    m_list->setFixedHeight(2 * m_list->frameWidth() +
-                           std::min(rows, mostMeasuresShown) * m_list->sizeHintForRow(0));
+  fitToRows(*m_list, rows, mostMeasuresShown);
   setSummary(rows == 0 ? tr("none") : QString::number(rows));
 }
 

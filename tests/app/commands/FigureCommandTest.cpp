@@ -3,6 +3,7 @@
 #include "app/figures/FigureMaker.h"
 #include "io/ImageFile.h"
 #include "support/ProgramRun.h"
+#include "support/ShortVolume.h"
 #include "support/TemporaryFolder.h"
 #include "widgets/figure/FigurePainting.h"
 
@@ -297,16 +298,11 @@ TEST_F(FigureCommand, aPanelThatShowsNothingIsSaid) {
 TEST_F(FigureCommand, labelsWithCurvesOfTheirOwnStandInALegend) {
   // Two halves of a cube of one value, red and blue; the labels are called after the files of their masks.
   const auto write = [&](const std::string& name, const auto& value) {
-    std::filesystem::create_directories((folder.path() / name).parent_path());
-    std::ofstream stream(folder.path() / name);
-    stream << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\nspace "
-              "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: ascii\n\n";
-    for (int voxel = 0; voxel < 512; ++voxel)
-      stream << value(voxel % 8) << '\n';
+    test::writeShorts(folder.path() / name, 8, value);
   };
-  write("v.nrrd", [](int) { return 300; });
-  write("masks/Liver.nrrd", [](int x) { return x < 4 ? 1 : 0; });
-  write("masks/Spleen.nrrd", [](int x) { return x < 4 ? 0 : 1; });
+  write("v.nrrd", [](const glm::ivec3&) { return 300; });
+  write("masks/Liver.nrrd", [](const glm::ivec3& v) { return v.x < 4 ? 1 : 0; });
+  write("masks/Spleen.nrrd", [](const glm::ivec3& v) { return v.x < 4 ? 0 : 1; });
   const auto look = [](const std::string& color) {
     return R"({"unit_distance_mm": 1.0, "points": [{"value": 0, "color": )" + color + R"(, "opacity": 0.4},
              {"value": 900, "color": )" +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/FileBytes.h"
 #include "support/ProgramRun.h"
+#include "support/ShortVolume.h"
 #include "support/TemporaryFolder.h"
 
 #include <glm/glm.hpp>
@@ -110,12 +111,7 @@ TEST_F(SurfaceCommand, leavesNothingBehindWhereItIsInterrupted) {
 
 TEST_F(SurfaceCommand, writesAMeshOfEachLabel) {
   const auto write = [&](const std::string& name, const auto& value) {
-    std::filesystem::create_directories((folder.path() / name).parent_path());
-    std::ofstream stream(folder.path() / name);
-    stream << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 9 9 9\nspace "
-              "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: ascii\n\n";
-    for (int voxel = 0; voxel < 729; ++voxel)
-      stream << value(glm::ivec3(voxel % 9, voxel / 9 % 9, voxel / 81)) << '\n';
+    test::writeShorts(folder.path() / name, 9, value);
   };
   const auto isIn = [](const glm::ivec3& v, int from, int to) {
     return glm::all(glm::greaterThanEqual(v, glm::ivec3(from, 2, 2))) &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/picture/RegionController.h"
+#include "support/ShortVolume.h"
 #include "widgets/properties/LabelSection.h"
 #include "widgets/view/overlay/Titles.h"
 
@@ -34,16 +35,8 @@ protected:
   }
 
   template <class Value>
-  void write(const char* name, Value value) {
-    std::ofstream file(folder.path() / name, std::ios::binary);
-    file << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 40 40 40\nspace "
-            "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n";
-    for (int z = 0; z < size; ++z)
-      for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-          const int v = value(glm::ivec3(x, y, z));
-          file.put(static_cast<char>(v & 0xFF)).put(static_cast<char>(v >> 8 & 0xFF));
-        }
+  void write(const char* name, const Value& value) {
+    test::writeShorts(folder.path() / name, size, value);
   }
 
   QAction& bodyOnly() { return *window->findChild<QAction*>(QStringLiteral("bodyOnly")); }
