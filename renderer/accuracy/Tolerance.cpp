@@ -4,6 +4,7 @@
 #include "accuracy/ErrorEstimate.h"
 #include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/steps/BlockWalk.h"
 #include "scene/steps/LocalSteps.h"
 
@@ -45,6 +46,11 @@ constexpr double nearlyExact = 6.0;
 // samples rounded by another part of the 2^-(b+1) voxel at most: commonly by half of that, and the next
 // picture by all of it. Seen: 1.9 times (tests/raycaster/FilterWeightsTest.cpp).
 constexpr double safetyOfFilter = 2.0;
+
+// The same of what a grid of light adds. Light found for each sample takes long, so few pixels are compared:
+// a handful of channels lies beyond the percentile.
+constexpr Sample ofLight{1.0 / 200.0, 40.0 * 40.0};
+constexpr double safetyOfLight = 1.6;
 
 // The share of the tolerance that rays which end early may take.
 constexpr double shareOfTermination = 0.125;
@@ -218,6 +224,12 @@ double rungsToHalve(const Found& a, const Found& b) {
   return std::clamp((b.rung - a.rung) / (halvings == 0.0 ? 1e-9 : halvings), 0.5, 2.0);
 }
 
+// Whether what comes of light is looked up on a grid: the ray caster's filter has no such scenes.
+bool looksUpLight(const Scene& scene) {
+  return hasTravellingLight(scene) && !scene.quality.toleranceLevels &&
+         scene.quality.light != LightDetail::sampled;
+}
+
 // The coarsest steps that keep the bound, parts of rungs included; the finest where none do. Errors of whole
 // pictures change evenly with the steps: what is up to `near` rungs finer than a picture whose error is
 // known, or a little coarser, need not be drawn.
@@ -351,6 +363,12 @@ Message describe(const WithinTolerance& found) {
 }
 
 ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits) {
+  if (looksUpLight(scene)) {
+    Scene sampled = scene;
+    sampled.quality.light = LightDetail::sampled;
+    const glm::ivec2 compared = comparedSize(size, ofLight);
+    return scaled(imageError(draw(scene, compared), draw(sampled, compared)), safetyOfLight);
+  }
   if (filterBits >= mostFilterBits || scene.quality.ownWeights)
     return {};
   Scene own = scene;

@@ -48,7 +48,9 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
 /// smaller one, whose rays are a sample of its own, is drawn with those and with own weights. Rounding to b
 /// bits moves each sample by up to 2^-(b+1) voxel along each axis of the grid, and its gradient with it; what
 /// a picture makes of that depends on how steep the function is as much as on the data, so it is measured.
-/// All 0, and nothing drawn, for `mostFilterBits` and where voxels are weighed in floats already.
+/// All 0, and nothing drawn, for `mostFilterBits` and where voxels are weighed in floats already. Where light
+/// travels (DEFINITION section 11) and what comes of it is looked up on a grid: what that adds, from the same
+/// picture with light found for each sample.
 ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits);
 
 /// Whether a scene asks for a tolerance for which nothing has been found yet.

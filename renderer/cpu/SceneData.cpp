@@ -76,7 +76,7 @@ void setGradient(const Scene& scene, const GradientScale& scale, PictureTerms& t
   // So near 0 a logarithmic curve is a line, and so small a number no 0 yet.
   terms.curve =
       asFloat(curve.type == GradientCurve::Type::log ? std::max(curve.parameter, 1e-30) : curve.parameter);
-  const glm::dvec3 light = terms.light.lightDirection.value_or(glm::dvec3(0.0, 0.0, -1.0));
+  const glm::dvec3 light = lightTravels(terms.light, scene.camera).value_or(glm::dvec3(0.0, 0.0, -1.0));
   terms.towardsLight = towardsLightAlongAxes(light, grid);
   terms.cut = cutPlanes(grid, scene.crop);
 }
@@ -292,6 +292,12 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   setFog(scene, terms);
   terms.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
   terms.isoColor = asFloats(classify(scene.transferFunction, scene.isovalue).color);
+  if (effects.hasAny(travellingLight)) {
+    // Whether rays step over what is empty must not move the nodes.
+    const IndexBox shows = visibleBox(scene);
+    const IndexBox lit{glm::max(terms.box.lower, shows.lower), glm::min(terms.box.upper, shows.upper)};
+    terms.travel = m_light.update(scene, terms, lit, {m_threads, isCancelled, {}});
+  }
   return terms;
 }
 
@@ -299,7 +305,7 @@ double SceneData::memoryMb() const {
   if (!m_voxels || m_volume->room())
     return 0.0;
   return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_looks.ownBytes() +
-                             m_empty.distances.size()) /
+                             m_light.ownBytes() + m_empty.distances.size()) /
          1e6;
 }
 

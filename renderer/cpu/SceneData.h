@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/LightStore.h"
 #include "cpu/LookStore.h"
 #include "cpu/VoxelStore.h"
 #include "cpu/rays/PictureTerms.h"
@@ -105,6 +106,7 @@ private:
   std::optional<VoxelStore> m_voxels;
   RegionStore m_region;
   LookStore m_looks;
+  LightStore m_light;
   std::optional<double> m_steepness;
   GradientScales m_gradientScales;
   GradientScale m_gradientScale;

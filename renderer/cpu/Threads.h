@@ -21,11 +21,11 @@ struct Strip {
   std::size_t inTile = 0; ///< the place of the first in a tile that is stored row by row
 };
 
-/// Shares the pixels of `covered`, a part of `tile`, out among threads in strips. Throws as forEach does.
+/// Shares the pixels of `covered`, a part of `tile`, out among threads in strips of `width` pixels at most.
+/// Throws as forEach does.
 template <class Work>
 void forEachStrip(const PixelRect& tile, const PixelRect& covered, int threads, const Work& work,
-                  const std::function<bool()>& isCancelled) {
-  constexpr int width = 64;
+                  const std::function<bool()>& isCancelled, int width = 64) {
   const glm::ivec2 inTile = covered.topLeft - tile.topLeft;
   const int strips = (covered.size.x + width - 1) / width;
   forEach(

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/VolumeTooLarge.h"
 
+#include "scene/effects/EffectPlan.h"
+
 namespace limn {
+
+void requireLocalLight(const Scene& scene) {
+  if (hasTravellingLight(scene))
+    throw BeyondDriver(Message::tr("Shadows and occlusion cannot be drawn with OpenGL yet."));
+}
 
 void requireInMemory(const Volume& volume) {
   if (!volume.room())

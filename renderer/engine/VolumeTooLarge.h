@@ -8,12 +8,22 @@
 
 namespace limn {
 
-/// An engine has no room for the whole volume, and was told not to draw less. The driver is well: it may draw
-/// other volumes, and another engine this one.
-class VolumeTooLarge : public Error {
+/// An engine of a driver cannot draw a scene. The driver is well: it may draw others, and another engine this
+/// one.
+class BeyondDriver : public Error {
 public:
-  explicit VolumeTooLarge(const Message& sentence) : Error(Kind::openGl, sentence) {}
+  explicit BeyondDriver(const Message& sentence) : Error(Kind::openGl, sentence) {}
 };
+
+/// An engine has no room for the whole volume, and was told not to draw less.
+class VolumeTooLarge : public BeyondDriver {
+public:
+  explicit VolumeTooLarge(const Message& sentence) : BeyondDriver(sentence) {}
+};
+
+/// Throws BeyondDriver where light travels in a scene (hasTravellingLight): no shader asks how much of it
+/// comes so far.
+void requireLocalLight(const Scene& scene);
 
 /// Throws VolumeTooLarge where the volume does not lie in memory: a graphics driver would copy all of it.
 void requireInMemory(const Volume& volume);

@@ -75,6 +75,7 @@ void RayCaster::Parts::noteStepLimit(const Scene& scene) {
 
 EffectPlan RayCaster::Parts::plan(const Scene& scene) {
   requireDrawable(scene);
+  requireLocalLight(scene);
   textures.update(scene);
   noteStepLimit(scene);
   SceneFacts facts = textures.facts(scene);

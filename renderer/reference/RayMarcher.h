@@ -3,6 +3,7 @@
 
 #include "reference/CellMarch.h"
 #include "reference/CellScalars.h"
+#include "reference/LightPaths.h"
 #include "reference/RaySamples.h"
 #include "reference/SampleLighting.h"
 #include "scene/steps/BlockWalk.h"
@@ -61,7 +62,7 @@ class RayMarcher {
 public:
   RayMarcher(const PictureTerms& terms, const FieldSampler<T>& field, const FramedRay& ray,
              const RaySpan& span, double offset)
-      : m_terms(terms), m_ray(terms, field, ray, span, offset),
+      : m_terms(terms), m_field(field), m_ray(terms, field, ray, span, offset),
         m_light(lightAlong(ray.direction * terms.grid.spacingMm, terms.towardsLight)),
         m_samples(m_ray.count()) {}
 
@@ -98,6 +99,20 @@ private:
     bool operator==(const Piece&) const = default;
   };
 
+  // What comes of the light past what stands in its way.
+  Reaching reachingAt(const glm::dvec3& centredIndex, const glm::dvec3& normal) const {
+    Reaching reaching;
+    if (!m_terms.lightPaths)
+      return reaching;
+    const LightPaths<T> paths(*m_terms.lightPaths, m_field);
+    const LightingTerms& terms = m_terms.terms;
+    if (m_terms.effects.has(Effect::shadow))
+      reaching.direct = 1.0 - terms.shadow.strength * (1.0 - paths.ofLight(centredIndex));
+    if (m_terms.effects.has(Effect::occlusion))
+      reaching.ambient = 1.0 - terms.occlusion.strength * (1.0 - paths.ofSurroundings(centredIndex, normal));
+    return reaching;
+  }
+
   // The colour of a material at a place, lit and fogged.
   glm::dvec3 shaded(const glm::dvec3& material, double place, const Steepness& steepness) const {
     const LightingTerms& terms = m_terms.terms;
@@ -107,7 +122,8 @@ private:
     if (m_terms.isCut && terms.usesNormal())
       normal = normalNearCut(m_terms.cut, m_terms.grid.spacingMm, m_terms.smallestMm, m_ray.centredAt(place),
                              m_ray.ray().direction, normal);
-    const glm::dvec3 color = lit(terms, material, m_light, normal, steepness.ratio);
+    const glm::dvec3 color =
+        lit(terms, material, m_light, normal, steepness.ratio, reachingAt(m_ray.centredAt(place), normal));
     const double f = fogFactor(m_terms.scene.fog, m_ray.tAt(place) - m_ray.ray().eye);
     return f * color + (1.0 - f) * m_terms.scene.fog.color;
   }
@@ -281,6 +297,7 @@ private:
   static constexpr int mostConvergingCuts = 5;
 
   const PictureTerms& m_terms;
+  const FieldSampler<T>& m_field;
   RaySamples<T> m_ray;
   RayLight m_light;
   int m_samples;

@@ -107,7 +107,7 @@ private:
 /// What every ray of a picture shares.
 struct PictureTerms {
   const Scene& scene;
-  EffectSet effects;     ///< that the scene calls for; decides on the steps only
+  EffectSet effects;     ///< that the scene calls for; decides on the steps only, and whether light travels
   bool isByCells = true; ///< how a tolerance is kept
   LightingTerms terms = lightingTerms(scene.shading);
   const Grid& grid = scene.volume->grid();
@@ -118,8 +118,7 @@ struct PictureTerms {
   int mostSamples = limn::mostSamples; ///< of one ray
   double smallestMm = smallestSpacingMm(grid);
   glm::dvec3 centre = centreIndex(grid);
-  std::optional<glm::dvec3> towardsLight =
-      terms.lightDirection ? std::optional(towardsLightAlongAxes(*terms.lightDirection, grid)) : std::nullopt;
+  std::optional<glm::dvec3> towardsLight = limn::towardsLight(terms, scene.camera, grid);
   bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
   bool hasRegion = isRestricting(scene.keep);
   bool changesOpacity = hasRegion || hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
@@ -135,6 +134,7 @@ struct PictureTerms {
   /// Over which extinctions are told: the unit distance, of looks, which have each their own, a length.
   double unitMm = hasLooks ? smallestMm : scene.transferFunction.unitDistanceMm;
   LookSegments segments = hasLooks ? lookSegments(looks.functions) : LookSegments{};
+  const PictureTerms* lightPaths = nullptr; ///< of the paths of light that travels; null where none does
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
 

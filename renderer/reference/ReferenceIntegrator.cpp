@@ -12,7 +12,8 @@
 namespace limn {
 namespace {
 
-// Only how the ray is sampled follows the plan: pre-integrated or not, jittered or not.
+// Only how the ray is sampled follows the plan, pre-integrated or not, jittered or not; and whether light
+// travels.
 EffectSet effectsOf(const Scene& scene) {
   SceneFacts facts;
   if (readsSteepness(scene))
@@ -62,6 +63,9 @@ void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   PictureTerms terms{scene, effectsOf(scene), work.way == ToTolerance::byCells};
   terms.mostSamples = work.mostSamples;
   terms.terms.isUnlimited = work.limiting == Limiting::none;
+  std::optional<PictureTerms> paths;
+  if (terms.effects.hasAny(travellingLight))
+    terms.lightPaths = &paths.emplace(lightPathTerms(terms));
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   visitVoxels(*scene.volume, [&]<class T>(const StoredVoxels<T>& stored) {

@@ -45,16 +45,17 @@ RayLight lightAlong(const glm::dvec3& direction, const std::optional<glm::dvec3>
 }
 
 glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const RayLight& light,
-               const glm::dvec3& normal, double ratio) {
+               const glm::dvec3& normal, double ratio, const Reaching& reaching) {
   if (!terms.isLit)
     return material;
-  glm::dvec3 sum = material * terms.ambient;
+  glm::dvec3 sum = material * (terms.ambient * reaching.ambient);
   if (terms.diffuse != 0.0) {
     const double facing = glm::dot(normal, light.toLight);
-    sum += material * (terms.diffuse * std::max(0.0, terms.twoSided ? std::abs(facing) : facing));
+    sum += material *
+           (reaching.direct * terms.diffuse * std::max(0.0, terms.twoSided ? std::abs(facing) : facing));
   }
   if (terms.specular != 0.0) {
-    const double term = terms.specular * highlight(terms, light, normal, ratio);
+    const double term = reaching.direct * terms.specular * highlight(terms, light, normal, ratio);
     sum += terms.specularColor == SpecularColor::light ? glm::dvec3(term) : material * term;
   }
   if (terms.isUnlimited)

@@ -17,9 +17,15 @@ struct RayLight {
 /// The light along a ray of unit direction (grid axes). `towardsLight` absent: headlight.
 RayLight lightAlong(const glm::dvec3& direction, const std::optional<glm::dvec3>& towardsLight);
 
+/// What share of its light comes to a sample (DEFINITION section 11).
+struct Reaching {
+  double direct = 1.0;  ///< S, of what is reflected
+  double ambient = 1.0; ///< A
+};
+
 /// The colour of a lit sample (DEFINITION sections 4 and 5); the material itself where the terms are unlit.
 glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const RayLight& light,
-               const glm::dvec3& normal, double ratio);
+               const glm::dvec3& normal, double ratio, const Reaching& reaching = {});
 
 /// The factor on the colour of an object at `z` mm from the eye (DEFINITION section 6).
 double fogFactor(const Fog& fog, double z);

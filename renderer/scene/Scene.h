@@ -37,6 +37,10 @@ enum class Projection { composite, mip, minip, average, xray, isosurface, compos
 /// the function, wherever that is possible, or never.
 enum class Preintegration { automatic, always, never };
 
+/// How an engine finds what comes of light that travels (DEFINITION section 11): on a fine grid; on a coarse
+/// one, for a picture while something moves; or for each sample. A tolerance asks for the last.
+enum class LightDetail { fine, coarse, sampled };
+
 /// What the picture costs and how close it comes to the integral.
 struct Quality {
   double stepVoxels = 0.5; ///< in units of the smallest spacing, > 0
@@ -50,6 +54,7 @@ struct Quality {
   /// Whether a picture needs voxels weighed more finely than a graphics card does, which accuracy/Tolerance
   /// finds, too; nothing else draws differently with it.
   bool ownWeights = false;
+  LightDetail light = LightDetail::fine; ///< no file keeps it
   bool operator==(const Quality&) const = default;
 };
 

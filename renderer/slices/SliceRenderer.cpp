@@ -97,6 +97,10 @@ void requireSliceable(const Scene& scene) {
   if (hasLabelLooks(scene))
     throw Error(Error::Kind::usage, Message::tr("Slices cannot draw looks of labels; use --engine gl, cpu or "
                                                 "reference, or take the looks out of the scene."));
+  if (hasTravellingLight(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("Slices cannot draw shadows and occlusion; use --engine cpu or reference, or set "
+                            "their strength to 0."));
 }
 
 EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row per effect: a scene that calls for it, where the shader must agree with the reference, and where
 // leaving it out must show.
+#include "engine/VolumeTooLarge.h"
 #include "raycaster/RayCaster.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/steps/RayFrame.h"
@@ -252,6 +253,36 @@ TEST_F(Effects, everyEffectAgreesWithTheReferenceAndShows) {
     EXPECT_LE(difference.mean, 0.01);
     EXPECT_GT(difference.pixels, 300u);
   }
+}
+
+TEST_F(Effects, lightOnItsWayIsRefusedAndNeverLeftOut) {
+  RayCaster caster;
+  Scene scene = baseScene();
+  scene.shading.lightDirection = glm::dvec3(1.0, 1.0, -1.0);
+  const Image plain = caster.render(scene, pictureSize);
+  scene.shading.shadow.strength = 0.5;
+  EXPECT_THROW(caster.render(scene, pictureSize), BeyondDriver);
+  scene.shading.shadow.strength = 0.0;
+  scene.shading.occlusion.strength = 0.5;
+  EXPECT_THROW(caster.render(scene, pictureSize), BeyondDriver);
+  scene.shading.occlusion.strength = 0.0;
+  scene.shading.occlusion.reachMm = 5.0;
+  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+}
+
+TEST(EffectPlans, lightOnItsWayIsAskedForWhereItShows) {
+  Scene scene = baseScene();
+  scene.shading.shadow = {0.5, 4.0};
+  scene.shading.occlusion = {0.5, 10.0};
+  scene.shading.lightDirection.reset();
+  EXPECT_FALSE(requiredEffects(scene, {}).effects.has(Effect::shadow)); // a headlight casts none
+  EXPECT_TRUE(requiredEffects(scene, {}).effects.has(Effect::occlusion));
+  scene.shading.lightDirection = glm::dvec3(1.0, 0.0, 0.0);
+  EXPECT_TRUE(requiredEffects(scene, {}).effects.has(Effect::shadow));
+  scene.shading.ambient = 0.0;
+  EXPECT_FALSE(requiredEffects(scene, {}).effects.has(Effect::occlusion));
+  scene.shading.lightIntensity = 0.0;
+  EXPECT_FALSE(requiredEffects(scene, {}).effects.hasAny(travellingLight));
 }
 
 TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {

@@ -33,6 +33,9 @@ Scene unusualScene() {
   scene.shading.reflection = Reflection::phong;
   scene.shading.twoSided = true;
   scene.shading.lightDirection = glm::dvec3(1, -1, 0.5);
+  scene.shading.lightAxes = LightAxes::camera;
+  scene.shading.shadow = {0.85, 6.5};
+  scene.shading.occlusion = {0.4, 15.25};
   scene.gradientOpacity = GradientOpacity{{{0, 0}, {120.5, 1}}};
   scene.fog = {Fog::Mode::exp2, {0.1, 0.2, 0.3}, 0.004, 10, 900};
   scene.crop = {{0.1, 0, 0}, {1, 0.5, 0.75}};
@@ -103,6 +106,40 @@ TEST(SceneFile, aLightDirectionMayHaveAnyLengthButNone) {
   }
   scene.shading.lightDirection = glm::dvec3(0.0);
   EXPECT_NE(refusalOf(sceneToJson(scene, "v")).find("light_direction"), std::string::npos);
+}
+
+TEST(SceneFile, lightOnItsWayIsReadAsDocumentedAndLeftOutWhereItIsNeutral) {
+  const auto withShading = [](const std::string& shading) {
+    return R"({"limn_scene": 1, "volume": "v", "shading": )" + shading + "}";
+  };
+  const auto shadingOf = [&](const std::string& shading) {
+    return parseScene(withShading(shading), "test.json").scene.shading;
+  };
+  const Shading asked =
+      shadingOf(R"({"light_direction": {"camera": [0.5, -0.5, 1]}, "shadow": {"strength": 0.85},
+                                      "occlusion": {"strength": 1, "reach_mm": 7}})");
+  EXPECT_EQ(asked.lightDirection, glm::dvec3(0.5, -0.5, 1.0));
+  EXPECT_EQ(asked.lightAxes, LightAxes::camera);
+  EXPECT_EQ(asked.shadow, (Shadow{0.85, 4.0}));
+  EXPECT_EQ(asked.occlusion, (Occlusion{1.0, 7.0}));
+  EXPECT_EQ(shadingOf(R"({"light_direction": [0, 1, 0]})").lightAxes, LightAxes::world);
+  for (const auto& [shading, field] :
+       {std::pair{R"({"shadow": {"strength": 1.5}})", "shading.shadow.strength"},
+        std::pair{R"({"shadow": {"softness_deg": 46}})", "shading.shadow.softness_deg"},
+        std::pair{R"({"shadow": {"blur": 1}})", "shading.shadow.blur"},
+        std::pair{R"({"occlusion": {"strength": -0.1}})", "shading.occlusion.strength"},
+        std::pair{R"({"occlusion": {"reach_mm": 0}})", "shading.occlusion.reach_mm"},
+        std::pair{R"({"light_direction": {"camera": [0, 0, 0]}})", "shading.light_direction"},
+        std::pair{R"({"light_direction": {"patient": [0, 0, 1]}})", "shading.light_direction.patient"}})
+    EXPECT_NE(refusalOf(withShading(shading)).find(field), std::string::npos) << shading;
+  Preset preset;
+  preset.name = "from above";
+  preset.transferFunction = unusualScene().transferFunction;
+  preset.shading = unusualScene().shading;
+  EXPECT_EQ(parsePreset(presetToJson(preset), "test.json").shading, preset.shading);
+  const std::string neutral = sceneToJson(Scene{}, "v");
+  EXPECT_EQ(neutral.find("shadow"), std::string::npos);
+  EXPECT_EQ(neutral.find("occlusion"), std::string::npos);
 }
 
 TEST(SceneFile, aToleranceNeedsNoFinenessButAFinenessATolerance) {

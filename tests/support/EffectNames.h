@@ -26,6 +26,8 @@ inline const std::vector<std::string> documentedEffects{"gradient",
                                                         "two_sided",
                                                         "region",
                                                         "label_looks",
+                                                        "shadow",
+                                                        "occlusion",
                                                         "own_weights"};
 
 } // namespace limn::test

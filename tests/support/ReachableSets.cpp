@@ -93,6 +93,8 @@ const Groups others{
 
 // Refused or dropped by sliceEffects, or drawn by tests alone.
 const EffectSet notOfSlices{Effect::labelLooks,
+                            Effect::shadow,
+                            Effect::occlusion,
                             Effect::mip,
                             Effect::minip,
                             Effect::average,

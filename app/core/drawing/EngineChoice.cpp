@@ -49,6 +49,9 @@ Message trialSentence(const EngineTimes& times) {
 EngineTrial tryEngines(const Scene& scene, const std::function<bool()>& isCancelled) {
   Scene drawn = scene;
   drawn.quality = withSteps(scene.quality, std::max(scene.quality.stepVoxels, smallestStepVoxels));
+  // What one of them alone can draw says nothing of the other.
+  drawn.shading.shadow = {};
+  drawn.shading.occlusion = {};
   const PixelRect whole{{0, 0}, trialSize};
   const HeadlessContext context;
   const std::unique_ptr<DrawingEngine> openGl = makeRayCasterEngine();

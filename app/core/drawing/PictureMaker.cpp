@@ -72,6 +72,15 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
   return picture;
 }
 
+// OpenGL was asked for by name.
+void requireOpenGlMayDraw(const Scene& scene) {
+  requireOpenGlMayCopy(scene);
+  if (hasTravellingLight(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("OpenGL cannot draw shadows and occlusion yet; use --engine cpu or reference, or "
+                            "set their strength to 0."));
+}
+
 // Scenes one after another: each picture is handed on before the next is drawn.
 struct Sitting {
   const std::vector<Scene>& scenes;
@@ -115,7 +124,7 @@ void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, cons
 
 void makeWithGl(const Sitting& sitting, const MakingOptions& order, const VolumeRoom& room) {
   for (const Scene& scene : sitting.scenes)
-    requireOpenGlMayCopy(scene);
+    requireOpenGlMayDraw(scene);
   const HeadlessContext context;
   if (order.engine == Engine::slices || order.engine == Engine::slicesBackToFront) {
     SliceRenderer slices(order.engine == Engine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
@@ -245,6 +254,7 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
 Engine engineFor(const Scene& scene, const EngineMemory& memory) {
   try {
     requireInMemory(*scene.volume);
+    requireLocalLight(scene);
     return processorIsFaster(scene, memory) ? Engine::cpu : Engine::rayCaster;
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::openGl)
@@ -269,8 +279,10 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
     return makeWithGl(sitting, order, {order.textureMb, true});
   Message problem;
   try {
-    for (const Scene& scene : scenes)
+    for (const Scene& scene : scenes) {
       requireInMemory(*scene.volume);
+      requireLocalLight(scene);
+    }
     if (!processorIsFaster(scenes.front(), order.memory))
       return makeWithGl(sitting, order, {order.textureMb, false});
   } catch (const Error& error) {

@@ -11,6 +11,7 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 #include "slices/SliceRenderer.h"
 
 #include <epoxy/gl.h>
@@ -169,7 +170,7 @@ double RealRenderers::Parts::peakMb(const Scene& scene, const OperatingPoint& po
 }
 
 Engine raysAtHand(const Scene& scene) {
-  if (staysOnDisk(scene))
+  if (staysOnDisk(scene) || hasTravellingLight(scene))
     return Engine::cpu;
   try {
     const HeadlessContext context;

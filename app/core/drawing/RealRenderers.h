@@ -10,7 +10,7 @@
 namespace limn {
 
 /// What casts the rays of a scene: the ray caster where there is a context without display to be had on this
-/// thread and the voxels lie in memory, otherwise the CPU engine.
+/// thread, the voxels lie in memory and no light travels, otherwise the CPU engine.
 Engine raysAtHand(const Scene& scene);
 
 /// The program's own renderers for a sweep, with OpenGL in a context of their own. They belong to the thread

@@ -5,6 +5,7 @@
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
 #include "engine/VolumeTooLarge.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <atomic>
@@ -145,6 +146,11 @@ BrickRenderer::BrickRenderer(int threads) : m_threads(allOr(threads)), m_data(m_
 void BrickRenderer::begin(const Scene& scene, const glm::ivec2& size, const IndexBox& brick,
                           const std::function<bool()>& isCancelled) {
   m_isCancelled = isCancelled;
+  if (hasTravellingLight(scene))
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("Shadows and occlusion cannot be drawn in bricks: light crosses from one to the next. "
+                    "Draw the picture with limn, or set their strength to 0."));
   m_covered = {};
   m_data.setBrick(brick);
   m_data.update(scene, isCancelled);

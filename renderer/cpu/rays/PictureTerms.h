@@ -3,11 +3,14 @@
 
 #include "scene/effects/EffectSet.h"
 #include "scene/function/PiecewiseTable.h"
+#include "scene/light/LightGrid.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/regions/BlockLooks.h"
 #include "scene/steps/RayFrame.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -66,6 +69,27 @@ struct LookTerms {
   const FewSegments* segmentsTogether = nullptr;
 };
 
+/// As far as what stands in the way of light is looked at from a sample itself, lengths, where grids tell the
+/// rest.
+inline constexpr float nearLightLengths = 4.5f;
+
+/// How what comes of light that travels is found (DEFINITION section 11): from the nodes of a grid or, where
+/// there are none, along paths from each sample. Read where an effect needs it.
+struct TravelTerms {
+  using Directions = std::shared_ptr<const std::vector<glm::vec3>>;
+  LightNodes nodes;
+  glm::vec3 perIndex{0.0f}, shift{0.0f}; ///< from voxel indices to nodes
+  std::shared_ptr<const DirectLight> direct;
+  std::shared_ptr<const AmbientLight> ambient;
+  Directions towardsLight; ///< over the light, grid axes
+  Directions byCosine;     ///< around a normal, the third axis
+  Directions onSphere;     ///< as many
+  float from = 1.5f;       ///< δ, lengths
+  float reach = 0.0f;      ///< of occlusion, lengths
+  float step = 0.5f;       ///< along a path at most, lengths
+  float farStep = 0.5f;    ///< the same where it has left what is near
+};
+
 /// Everything that the rays of a picture share, in the units of the rays: lengths in smallest spacings,
 /// scalars normalised over the volume's range, gradients in ranges per smallest spacing. Points to what its
 /// owner (SceneData) keeps.
@@ -79,6 +103,7 @@ struct PictureTerms {
   const FewSegments* segments = nullptr;    ///< of the same function
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
+  TravelTerms travel;
   std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
   bool isExact = false;           ///< scalars and surfaces are found cell by cell, too
 

@@ -307,7 +307,7 @@ private:
       }
       material = {ofSegment(0, within, part), ofSegment(1, within, part), ofSegment(2, within, part)};
     }
-    const V3 color = m_samples.light.shaded(clamped(material, 0.0f, 1.0f), gradients, placesOf(node, part));
+    const V3 color = m_samples.shaded(clamped(material, 0.0f, 1.0f), gradients, placesOf(node, part));
     hn::Store(color.x, floats, at.color[0] + part);
     hn::Store(color.y, floats, at.color[1] + part);
     hn::Store(color.z, floats, at.color[2] + part);

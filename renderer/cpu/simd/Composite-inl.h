@@ -123,7 +123,7 @@ private:
     if (count == 0)
       return 0;
     const VF shares = taken(packed(alpha, seen));
-    const V3 lit = m_samples.light.shaded(material, gradients, step);
+    const V3 lit = m_samples.shaded(material, gradients, step);
     if (count < lanes())
       add(shares, {packed(lit.x, seen), packed(lit.y, seen), packed(lit.z, seen)}, count);
     else
@@ -215,7 +215,7 @@ private:
       color = mixed.color;
     } else if (m_changesOpacity)
       shares = taken(hn::IfThenElseZero(isQueued, changed(shares, gradients)));
-    const V3 lit = m_samples.light.shaded(color, gradients, step);
+    const V3 lit = m_samples.shaded(color, gradients, step);
     add(shares, lit, m_queued);
     m_queued = 0;
   }

@@ -21,6 +21,11 @@ struct Gradients {
   VF ratio;
 };
 
+/// What share of its light comes to each sample (DEFINITION section 11): S, of what is reflected, and A.
+struct Reaching {
+  VF direct, ambient;
+};
+
 /// How the samples of a ray are lit; what is the same for all rays of a picture decides the branches.
 class Light {
 public:
@@ -60,21 +65,24 @@ public:
     return factor;
   }
 
-  /// The colour of materials `step` steps behind sample 0 of the ray, lit and fogged.
-  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
-    V3 color = material;
-    if (m_terms.effects.has(Effect::lighting)) {
-      V3 normal = zero();
-      if (m_terms.effects.has(Effect::gradient)) {
-        const Mask hasNormal = hn::Gt(gradients.modulus, all(m_terms.flatModulus));
-        normal = {hn::IfThenElseZero(hasNormal, hn::Neg(gradients.direction.x)),
-                  hn::IfThenElseZero(hasNormal, hn::Neg(gradients.direction.y)),
-                  hn::IfThenElseZero(hasNormal, hn::Neg(gradients.direction.z))};
-      }
-      if (m_terms.effects.has(Effect::cutFaces))
-        normal = normalNearCut(step, normal);
-      color = lit(material, normal, gradients.ratio);
+  /// The normals of samples `step` steps behind sample 0 of the ray; zero where there is none.
+  HWY_INLINE V3 normalOf(const Gradients& gradients, VF step) const {
+    V3 normal = zero();
+    if (m_terms.effects.has(Effect::gradient)) {
+      const Mask hasNormal = hn::Gt(gradients.modulus, all(m_terms.flatModulus));
+      normal = {hn::IfThenElseZero(hasNormal, hn::Neg(gradients.direction.x)),
+                hn::IfThenElseZero(hasNormal, hn::Neg(gradients.direction.y)),
+                hn::IfThenElseZero(hasNormal, hn::Neg(gradients.direction.z))};
     }
+    return m_terms.effects.has(Effect::cutFaces) ? normalNearCut(step, normal) : normal;
+  }
+
+  /// The colour of materials there, lit and fogged; all light comes where `reaching` is null.
+  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step,
+                       const Reaching* reaching = nullptr) const {
+    V3 color = material;
+    if (m_terms.effects.has(Effect::lighting))
+      color = lit(material, normalOf(gradients, step), gradients.ratio, reaching);
     return m_terms.effects.hasAny(fogs) ? fogged(color, step) : color;
   }
 
@@ -113,17 +121,23 @@ private:
     return term;
   }
 
-  HWY_INLINE V3 lit(const V3& material, const V3& normal, VF ratio) const {
+  HWY_INLINE V3 lit(const V3& material, const V3& normal, VF ratio, const Reaching* reaching) const {
     const LightingTerms& light = m_terms.light;
     VF ofMaterial = all(static_cast<float>(light.ambient));
+    if (reaching)
+      ofMaterial = hn::Mul(ofMaterial, reaching->ambient);
     if (m_terms.effects.has(Effect::diffuse)) {
       VF facing = dot(normal, all(m_ray.toLight));
       facing = m_terms.effects.has(Effect::twoSided) ? hn::Abs(facing) : hn::Max(facing, hn::Zero(floats));
+      if (reaching)
+        facing = hn::Mul(facing, reaching->direct);
       ofMaterial = hn::MulAdd(all(static_cast<float>(light.diffuse)), facing, ofMaterial);
     }
     VF ofLight = hn::Zero(floats);
     if (m_terms.effects.has(Effect::specular)) {
-      const VF term = hn::Mul(all(static_cast<float>(light.specular)), highlight(normal, ratio));
+      VF term = hn::Mul(all(static_cast<float>(light.specular)), highlight(normal, ratio));
+      if (reaching)
+        term = hn::Mul(term, reaching->direct);
       (m_terms.effects.has(Effect::specularOfLight) ? ofLight : ofMaterial) =
           hn::Add(m_terms.effects.has(Effect::specularOfLight) ? ofLight : ofMaterial, term);
     }

@@ -151,7 +151,7 @@ HWY_INLINE VF minusLog1mOpacity(VF a) {
 }
 
 /// -integral of log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
-HWY_NOINLINE VF meanMinusLog1m(VF x) {
+inline HWY_NOINLINE VF meanMinusLog1m(VF x) {
   const Mask isSmall = hn::Lt(x, all(0.25f));
   VF series = all(1.0f / 110.0f);
   for (const float next : {90.0f, 72.0f, 56.0f, 42.0f, 30.0f, 20.0f, 12.0f, 6.0f, 2.0f})
@@ -162,7 +162,7 @@ HWY_NOINLINE VF meanMinusLog1m(VF x) {
 }
 
 /// -integral of s log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
-HWY_NOINLINE VF momentMinusLog1m(VF x) {
+inline HWY_NOINLINE VF momentMinusLog1m(VF x) {
   const Mask isSmall = hn::Lt(x, all(0.25f));
   VF series = all(1.0f / 120.0f);
   for (const float next : {99.0f, 80.0f, 63.0f, 48.0f, 35.0f, 24.0f, 15.0f, 8.0f, 3.0f})
@@ -174,7 +174,7 @@ HWY_NOINLINE VF momentMinusLog1m(VF x) {
   return hn::IfThenElse(isSmall, hn::Mul(x, series), closed);
 }
 
-HWY_NOINLINE VF expNeg(VF x) {
+inline HWY_NOINLINE VF expNeg(VF x) {
   return hn::Exp(floats, hn::Neg(x));
 }
 

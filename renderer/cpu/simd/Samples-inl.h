@@ -12,7 +12,9 @@
 #include "cpu/simd/Field-inl.h"
 #include "cpu/simd/Function-inl.h"
 #include "cpu/simd/Light-inl.h"
+#include "cpu/simd/LightMarch-inl.h"
 #include "cpu/simd/Looks-inl.h"
+#include "cpu/simd/NearLight-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
@@ -125,8 +127,45 @@ struct Samples {
       gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(step), lanes()).slope);
     if (effects.hasAny(opacityChanges))
       result.extinction = minusLog1mOpacity(hn::Mul(absorbed.opacity, light.opacityFactor(gradients)));
-    result.color = light.shaded(absorbed.color, gradients, step);
+    result.color = shaded(absorbed.color, gradients, step);
     return result;
+  }
+
+  /// The colour of materials, lit and fogged.
+  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
+    return HWY_LIKELY(!terms.effects.hasAny(travellingLight)) ? light.shaded(material, gradients, step)
+                                                              : shadedPast(material, gradients, step);
+  }
+
+  /// The same with what stands in the way of the light.
+  HWY_NOINLINE V3 shadedPast(const V3& material, const Gradients& gradients, VF step) const {
+    const V3 index = indexAt(step);
+    const LightMarch<kind> march(terms, field, function, light, looks);
+    const V3 normal = light.normalOf(gradients, step);
+    const bool hasShadow = terms.effects.has(Effect::shadow);
+    const bool hasOcclusion = terms.effects.has(Effect::occlusion);
+    VF direct = all(1.0f), ambient = all(1.0f);
+    if (terms.travel.nodes.count.x == 0) {
+      const SampledLight<kind> sampled(terms.travel, march);
+      if (hasShadow)
+        direct = sampled.direct(index);
+      if (hasOcclusion)
+        ambient = sampled.ambient(index, normal);
+    } else {
+      const NearLight<kind> near(terms, march, index, normal);
+      if (hasShadow)
+        direct = near.direct();
+      if (hasOcclusion)
+        ambient = near.ambient();
+    }
+    const Reaching reaching{dimmed(terms.light.shadow.strength, direct),
+                            dimmed(terms.light.occlusion.strength, ambient)};
+    return light.shaded(material, gradients, step, &reaching);
+  }
+
+  HWY_INLINE static VF dimmed(double strength, VF comes) {
+    const auto s = static_cast<float>(strength);
+    return hn::MulAdd(all(s), comes, all(1.0f - s));
   }
 
   /// A surface of the isovalue, lit.
@@ -134,7 +173,7 @@ struct Samples {
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (terms.effects.has(Effect::gradient))
       gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(all(step)), 1).slope);
-    const V3 color = light.shaded(all(terms.isoColor), gradients, all(step));
+    const V3 color = shaded(all(terms.isoColor), gradients, all(step));
     return {hn::GetLane(color.x), hn::GetLane(color.y), hn::GetLane(color.z)};
   }
 

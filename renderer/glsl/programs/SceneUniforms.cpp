@@ -103,7 +103,7 @@ void setLighting(const Setter& set, const Scene& scene) {
   set("u_knee", terms.knee.value_or(beyondAll));
   const Significance significance = terms.significance.value_or(Significance{0.0, 0.0});
   set("u_significance", glm::dvec2(significance.low, significance.high));
-  const glm::dvec3 light = terms.lightDirection.value_or(glm::dvec3(0.0, 0.0, -1.0));
+  const glm::dvec3 light = lightTravels(terms, scene.camera).value_or(glm::dvec3(0.0, 0.0, -1.0));
   set("u_lightDirection", towardsLightAlongAxes(light, scene.volume->grid()));
 }
 

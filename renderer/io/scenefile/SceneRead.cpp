@@ -59,16 +59,41 @@ GradientCurve readGradientCurve(JsonFields fields) {
 void readLightDirection(JsonFields& fields, Shading& shading) {
   if (!fields.has("light_direction"))
     return;
+  shading.lightAxes = LightAxes::world;
   if (fields.child("light_direction") == "headlight") {
     shading.lightDirection.reset();
     return;
   }
   glm::dvec3 direction(0.0);
-  fields.vector("light_direction", direction);
+  if (fields.child("light_direction").is_object()) {
+    JsonFields axes = fields.object("light_direction");
+    axes.vector("camera", direction);
+    axes.finish();
+    shading.lightAxes = LightAxes::camera;
+  } else {
+    fields.vector("light_direction", direction);
+  }
   // However short, a direction is one; the square of its length may be 0.
   if (direction == glm::dvec3(0.0))
-    fields.fail("light_direction", Message::tr("must be \"headlight\" or a direction that is not zero"));
+    fields.fail("light_direction",
+                Message::tr("must be \"headlight\", or a direction that is not zero, in world axes or as "
+                            "{\"camera\": [right, up, forward]}"));
   shading.lightDirection = direction;
+}
+
+void readTravellingLight(JsonFields& fields, Shading& shading) {
+  if (fields.has("shadow")) {
+    JsonFields shadow = fields.object("shadow");
+    shadow.number("strength", shading.shadow.strength, fraction);
+    shadow.number("softness_deg", shading.shadow.softnessDeg, {0.0, 45.0});
+    shadow.finish();
+  }
+  if (fields.has("occlusion")) {
+    JsonFields occlusion = fields.object("occlusion");
+    occlusion.number("strength", shading.occlusion.strength, fraction);
+    occlusion.number("reach_mm", shading.occlusion.reachMm, {0.0, 1e6, true});
+    occlusion.finish();
+  }
 }
 
 void readRobustFields(JsonFields& fields, Shading& shading) {
@@ -113,6 +138,7 @@ Shading readShading(JsonFields fields) {
   fields.choice("reflection", shading.reflection, reflectionWords);
   fields.boolean("two_sided", shading.twoSided);
   readLightDirection(fields, shading);
+  readTravellingLight(fields, shading);
   fields.finish();
   return shading;
 }

@@ -38,6 +38,13 @@ Json toJson(const CoefficientRange& range) {
   return Json::array({range.atFlat, range.atBoundary});
 }
 
+Json lightJson(const Shading& shading) {
+  if (!shading.lightDirection)
+    return "headlight";
+  const Json direction = toJson(*shading.lightDirection);
+  return shading.lightAxes == LightAxes::camera ? Json{{"camera", direction}} : direction;
+}
+
 Json toJson(const Shading& shading) {
   Json json = {{"model", nameOf(shading.model)},
                {"ambient", shading.ambient},
@@ -57,7 +64,12 @@ Json toJson(const Shading& shading) {
   json["specular_color"] = specularColorWords.of(shading.specularColor);
   json["reflection"] = reflectionWords.of(shading.reflection);
   json["two_sided"] = shading.twoSided;
-  json["light_direction"] = shading.lightDirection ? toJson(*shading.lightDirection) : Json("headlight");
+  json["light_direction"] = lightJson(shading);
+  // Programs that know neither read what asks for neither.
+  if (shading.shadow != Shadow{})
+    json["shadow"] = {{"strength", shading.shadow.strength}, {"softness_deg", shading.shadow.softnessDeg}};
+  if (shading.occlusion != Occlusion{})
+    json["occlusion"] = {{"strength", shading.occlusion.strength}, {"reach_mm", shading.occlusion.reachMm}};
   return json;
 }
 

@@ -70,7 +70,9 @@ void lightClauses(Plan& plan, const Scene& scene, const LightingTerms& terms, bo
               terms.usesNormal() ? Message::tr("surfaces are lit on their outer side only")
                                  : Message::tr("no light falls on surfaces"));
   plan.clause(Effect::fixedLight, terms.lightDirection.has_value(),
-              Message::tr("the light comes from a direction of its own"),
+              terms.lightAxes == LightAxes::camera
+                  ? Message::tr("the light comes from a direction of its own and turns with the viewer")
+                  : Message::tr("the light comes from a direction of its own"),
               Message::tr("the light comes from the viewer"));
   plan.clause(Effect::specularOfLight, terms.specularColor == SpecularColor::light,
               Message::tr("they take the light's colour"), Message::tr("they take the tissue's colour"));
@@ -154,6 +156,22 @@ void fogClauses(Plan& plan, const Scene& scene) {
   plan.clause(Effect::fogExp, shows && fog.mode == Fog::Mode::exp, Message::tr("exponential fog is on"), why);
   plan.clause(Effect::fogExp2, shows && fog.mode == Fog::Mode::exp2,
               Message::tr("squared exponential fog is on"), why);
+}
+
+void travelClauses(Plan& plan, const Scene& scene, const LightingTerms& terms) {
+  const Message unlit = Message::tr("the chosen model shows plain colours without light");
+  plan.clause(Effect::shadow, terms.shadow.strength > 0.0,
+              Message::tr("what stands between tissue and the light casts a shadow"),
+              !terms.isLit                             ? unlit
+              : !(scene.shading.shadow.strength > 0.0) ? Message::tr("the strength of shadows is set to 0")
+              : terms.reflects() ? Message::tr("a light that comes from the viewer casts no shadow")
+                                 : Message::tr("no light falls on surfaces"));
+  plan.clause(Effect::occlusion, terms.occlusion.strength > 0.0,
+              Message::tr("less ambient light reaches hollows and what lies close together"),
+              !terms.isLit ? unlit
+              : !(scene.shading.occlusion.strength > 0.0)
+                  ? Message::tr("the strength of occlusion is set to 0")
+                  : Message::tr("there is no ambient light"));
 }
 
 void looksClause(Plan& plan, const Scene& scene) {
@@ -317,6 +335,12 @@ bool fogShows(const Scene& scene) {
   return scene.fog.mode != Fog::Mode::none && !isThin(scene.fog) && !beginsBehindVolume(scene);
 }
 
+bool hasTravellingLight(const Scene& scene) {
+  const LightingTerms terms = lightingTerms(scene.shading);
+  const bool isLocal = classifiesOnce(scene.projection) || scene.projection == Projection::xray;
+  return !isLocal && (terms.shadow.strength > 0.0 || terms.occlusion.strength > 0.0);
+}
+
 bool isAnythingVisible(const Scene& scene) {
   const ValueRange& range = scene.volume->range();
   const std::vector<TransferFunction> functions = labelLooks(scene).functions;
@@ -347,6 +371,7 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
               Message::tr("the cuts of the crop box are lit as surfaces"),
               scene.crop == CropBox{} ? Message::tr("the crop box keeps the whole volume")
                                       : Message::tr("no light falls on the cuts"));
+  travelClauses(plan, scene, terms);
   plan.clause(Effect::region, isRestricting(scene.keep),
               isCutAway(scene.keep)                   ? Message::tr("what was cut away is hidden")
               : scene.keep.kind == Region::Kind::body ? Message::tr("what is not body is hidden")

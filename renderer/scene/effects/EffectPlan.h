@@ -56,6 +56,10 @@ bool readsSteepness(const Scene& scene);
 /// Whether fog changes any colour: it has a density, and it begins before the volume ends.
 bool fogShows(const Scene& scene);
 
+/// Whether what stands between samples and their light counts (DEFINITION section 11): there is shadow or
+/// occlusion, and the projection lights samples.
+bool hasTravellingLight(const Scene& scene);
+
 /// Whether anything of the volume could show: the transfer function is opaque somewhere in its range, or the
 /// isovalue of a picture with a surface is reached.
 bool isAnythingVisible(const Scene& scene);

@@ -68,6 +68,8 @@ const std::vector<Group>& groups() {
       {"two_sided", Message::tr("Light on both sides"), {Effect::twoSided}, Effect::twoSided},
       {"region", Message::tr("Kept region"), {Effect::region}, Effect::region},
       {"label_looks", Message::tr("Looks of labels"), {Effect::labelLooks}, Effect::labelLooks},
+      {"shadow", Message::tr("Shadows"), {Effect::shadow}, Effect::shadow},
+      {"occlusion", Message::tr("Dark hollows (occlusion)"), {Effect::occlusion}, Effect::occlusion},
       {"own_weights", Message::tr("Own weights between voxels"), {Effect::ownWeights}, Effect::ownWeights},
   };
   return all;

@@ -28,6 +28,8 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"fog_exp", "EFFECT_FOG_EXP", "exponential fog"},
     {"fog_exp2", "EFFECT_FOG_EXP2", "squared exponential fog"},
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
+    {"shadow", "EFFECT_SHADOW", "what stands between a sample and its light dims it"},
+    {"occlusion", "EFFECT_OCCLUSION", "what stands around a sample dims its ambient light"},
     {"region", "EFFECT_REGION", "a kept region takes opacity from what lies outside it"},
     {"label_looks", "EFFECT_LABEL_LOOKS", "labels have transfer functions of their own"},
     {"mip", "EFFECT_MIP", "the largest value of each ray"},
@@ -122,15 +124,19 @@ EffectSet canonical(EffectSet effects) {
   drop(has(Effect::localSteps), {Effect::preintegration, Effect::jitter});
   drop(has(Effect::localSteps) && !has(Effect::hybrid), {Effect::longRays});
   drop(has(Effect::preintegration), {Effect::jitter});
-  drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee, Effect::unlimited});
+  drop(!has(Effect::lighting),
+       {Effect::diffuse, Effect::specular, Effect::occlusion, Effect::knee, Effect::unlimited});
   drop(has(Effect::unlimited), {Effect::knee});
   drop(!has(Effect::specular), highlightChoices.with({Effect::exponentMap, Effect::significance}));
   drop(!has(Effect::exponentMap), {Effect::energyFactor});
-  drop(!has(Effect::diffuse) && !has(Effect::specular), lightChoices.with(Effect::cutFaces));
+  drop(!has(Effect::diffuse) && !has(Effect::specular), lightChoices);
+  drop(!has(Effect::fixedLight), {Effect::shadow});
+  drop(!effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion}), {Effect::cutFaces});
   drop(has(Effect::opacityMap), {Effect::opacityFactor});
   drop(!usesRatio(effects), curves);
   const bool readsGradient =
-      usesRatio(effects) || effects.hasAny({Effect::diffuse, Effect::specular, Effect::gradientOpacity});
+      usesRatio(effects) ||
+      effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion, Effect::gradientOpacity});
   return readsGradient ? effects.with(Effect::gradient) : effects.without(Effect::gradient);
 }
 
@@ -138,7 +144,7 @@ EffectSet leavingOut(EffectSet effects, EffectSet leftOut) {
   effects = effects.without(leftOut);
   if (leftOut.has(Effect::gradient))
     effects = effects.without({Effect::diffuse, Effect::specular, Effect::exponentMap, Effect::opacityMap,
-                               Effect::significance, Effect::gradientOpacity});
+                               Effect::significance, Effect::gradientOpacity, Effect::occlusion});
   return canonical(effects);
 }
 

@@ -32,6 +32,8 @@ enum class Effect : std::uint8_t {
   fogExp,
   fogExp2,
   cutFaces,
+  shadow,
+  occlusion,
   region,
   labelLooks,
   mip,
@@ -92,6 +94,9 @@ inline const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::ave
 
 /// How the gradient, or the model, changes an opacity before it becomes an extinction.
 inline const EffectSet opacityChanges{Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity};
+
+/// What asks at each sample how much light comes so far (DEFINITION section 11).
+inline const EffectSet travellingLight{Effect::shadow, Effect::occlusion};
 
 /// Of which a picture has at most one.
 inline const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};

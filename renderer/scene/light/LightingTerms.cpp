@@ -3,6 +3,7 @@
 
 #include "scene/basics/StableMath.h"
 #include "scene/light/Gradient.h"
+#include "scene/view/Camera.h"
 
 #include <algorithm>
 
@@ -17,10 +18,16 @@ LightingTerms withoutUnused(LightingTerms terms) {
     terms.reflection = Reflection::blinn;
     terms.specularColor = SpecularColor::material;
   }
-  if (!terms.usesNormal()) {
+  if (!terms.reflects()) {
     terms.twoSided = false;
     terms.lightDirection.reset();
   }
+  if (!terms.lightDirection)
+    terms.lightAxes = LightAxes::world;
+  if (!terms.lightDirection || !(terms.shadow.strength > 0.0))
+    terms.shadow = {};
+  if (terms.ambient == 0.0 || !(terms.occlusion.strength > 0.0))
+    terms.occlusion = {};
   if (terms.exponent.atFlat == terms.exponent.atBoundary)
     terms.energyFactor = false;
   const bool isGammaOne = terms.curve.type == GradientCurve::Type::gamma && terms.curve.parameter == 1.0;
@@ -30,6 +37,14 @@ LightingTerms withoutUnused(LightingTerms terms) {
   if (terms.knee && terms.ambient + terms.diffuse + terms.specular <= *terms.knee)
     terms.knee.reset();
   return terms;
+}
+
+std::optional<glm::dvec3> inWorld(const std::optional<glm::dvec3>& direction, LightAxes axes,
+                                  const Camera& camera) {
+  if (!direction || axes == LightAxes::world)
+    return direction;
+  const CameraBasis basis = basisOf(camera);
+  return direction->x * basis.right + direction->y * basis.up + direction->z * basis.forward;
 }
 
 // The weight of a term. One so large drives every channel that is not 0 to full brightness; an infinite one
@@ -53,6 +68,9 @@ LightingTerms lightingTerms(const Shading& shading) {
   terms.reflection = shading.reflection;
   terms.twoSided = shading.twoSided;
   terms.lightDirection = shading.lightDirection;
+  terms.lightAxes = shading.lightAxes;
+  terms.shadow = shading.shadow;
+  terms.occlusion = shading.occlusion;
   if (shading.model != ShadingModel::classic) {
     terms.exponent = shading.exponentRange;
     terms.opacity = shading.opacityRange;
@@ -64,6 +82,14 @@ LightingTerms lightingTerms(const Shading& shading) {
     terms.knee = shading.knee;
   }
   return withoutUnused(terms);
+}
+
+std::optional<glm::dvec3> lightTravels(const LightingTerms& terms, const Camera& camera) {
+  return inWorld(terms.lightDirection, terms.lightAxes, camera);
+}
+
+std::optional<glm::dvec3> lightTravels(const Shading& shading, const Camera& camera) {
+  return inWorld(shading.lightDirection, shading.lightAxes, camera);
 }
 
 double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus) {

@@ -5,6 +5,7 @@
 
 namespace limn {
 
+struct Camera;
 struct GradientScale;
 
 /// The numbers of the lighting model with the differences between the four models resolved: what a model does
@@ -25,19 +26,29 @@ struct LightingTerms {
   Reflection reflection = Reflection::blinn;
   bool twoSided = false;
   std::optional<glm::dvec3> lightDirection;
+  LightAxes lightAxes = LightAxes::world;
+  Shadow shadow;       ///< neutral where no light has a direction or nothing reflects it
+  Occlusion occlusion; ///< neutral where there is no ambient light
 
   bool operator==(const LightingTerms&) const = default;
 
   bool mapsExponent() const { return specular != 0.0 && exponent.atFlat != exponent.atBoundary; }
   bool mapsOpacity() const { return opacity.atFlat != opacity.atBoundary; }
 
+  /// Whether light that has a direction shows.
+  bool reflects() const { return diffuse != 0.0 || specular != 0.0; }
+
   /// Whether any term asks for the normal, for r, or for either.
-  bool usesNormal() const { return diffuse != 0.0 || specular != 0.0; }
+  bool usesNormal() const { return reflects() || occlusion.strength > 0.0; }
   bool usesRatio() const { return mapsExponent() || mapsOpacity() || significance.has_value(); }
 };
 
 /// The terms of any of the four models.
 LightingTerms lightingTerms(const Shading& shading);
+
+/// The direction in which the light travels, world; absent: headlight.
+std::optional<glm::dvec3> lightTravels(const LightingTerms& terms, const Camera& camera);
+std::optional<glm::dvec3> lightTravels(const Shading& shading, const Camera& camera);
 
 /// The normalised gradient modulus r after its curve (DEFINITION section 2).
 double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus);

@@ -59,6 +59,24 @@ struct Significance {
 enum class Reflection { blinn, phong };
 enum class SpecularColor { material, light };
 
+/// In whose axes the direction of a light is told: the world's, or right, up and forward of the camera, with
+/// which the light then turns.
+enum class LightAxes { world, camera };
+
+/// How what lies between a place and its light dims diffuse light and highlights (DEFINITION section 11).
+struct Shadow {
+  double strength = 0.0;    ///< s, 0..1
+  double softnessDeg = 4.0; ///< ρ, 0..45: the angular radius of the light
+  bool operator==(const Shadow&) const = default;
+};
+
+/// How what lies around a place dims its ambient light (DEFINITION section 11).
+struct Occlusion {
+  double strength = 0.0; ///< o, 0..1
+  double reachMm = 20.0; ///< R > 0: what lies farther away does not count
+  bool operator==(const Occlusion&) const = default;
+};
+
 /// Every number of the lighting model. Paper eq. 1–9; DEFINITION sections 4 and 5 hold formulas and limits.
 struct Shading {
   ShadingModel model = ShadingModel::classic;
@@ -78,7 +96,10 @@ struct Shading {
   SpecularColor specularColor = SpecularColor::material;
   Reflection reflection = Reflection::blinn;
   bool twoSided = false;
-  std::optional<glm::dvec3> lightDirection; ///< in which the light travels, world; absent: headlight
+  std::optional<glm::dvec3> lightDirection; ///< in which the light travels; absent: headlight
+  LightAxes lightAxes = LightAxes::world;   ///< of the direction
+  Shadow shadow;
+  Occlusion occlusion;
 
   bool operator==(const Shading&) const = default;
 };

@@ -90,6 +90,11 @@ glm::dvec3 towardsLightAlongAxes(const glm::dvec3& directionWorld, const Grid& g
   return glm::transpose(grid.direction) * -glm::dvec3(safeNormal(directionWorld));
 }
 
+std::optional<glm::dvec3> towardsLight(const LightingTerms& terms, const Camera& camera, const Grid& grid) {
+  const std::optional<glm::dvec3> travels = lightTravels(terms, camera);
+  return travels ? std::optional(towardsLightAlongAxes(*travels, grid)) : std::nullopt;
+}
+
 RaySpan spanInBox(const FramedRay& ray, const IndexBox& box) {
   RaySpan span{ray.eye, 1e300};
   for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/light/LightingTerms.h"
 
 namespace limn {
 
@@ -56,6 +57,9 @@ CutPlanes cutPlanes(const Grid& grid, const CropBox& crop);
 
 /// The unit vector towards a light that shines along `directionWorld`, along the grid's axes.
 glm::dvec3 towardsLightAlongAxes(const glm::dvec3& directionWorld, const Grid& grid);
+
+/// The same of a picture's light; absent: headlight.
+std::optional<glm::dvec3> towardsLight(const LightingTerms& terms, const Camera& camera, const Grid& grid);
 
 /// The part of a ray inside a box and not behind the eye, mm; empty unless `end > begin`.
 struct RaySpan {

@@ -52,7 +52,7 @@ void DriverRecovery::guard(const std::function<void()>& work) {
     forgetDriverErrors(); // those of Qt's painter
     work();
     requireHealthyDriver(Message::tr("drawing the picture"));
-  } catch (const VolumeTooLarge& error) {
+  } catch (const BeyondDriver& error) {
     m_sentence = translated(error);
     emit stopped();
     QTimer::singleShot(0, this, [this] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/InteractionQuality.h"
 
+#include "scene/effects/EffectPlan.h"
 #include "scene/steps/LocalSteps.h"
 
 #include <array>
@@ -65,7 +66,10 @@ Scene withStep(Scene scene, double stepVoxels) {
 }
 
 Scene withQualityLevel(const Scene& scene, const QualityLevel& level) {
-  return withStep(scene, level.stepFactor * scene.quality.stepVoxels);
+  Scene drawn = withStep(scene, level.stepFactor * scene.quality.stepVoxels);
+  if (level != QualityLevel{} && hasTravellingLight(scene))
+    drawn.quality.light = LightDetail::coarse;
+  return drawn;
 }
 
 } // namespace limn

@@ -52,7 +52,7 @@ glm::ivec2 sizeAt(const QualityLevel& level, const glm::ivec2& size);
 /// The scene drawn with another step.
 Scene withStep(Scene scene, double stepVoxels);
 
-/// The scene drawn with the step of a level.
+/// The scene drawn with the step of a level; below full quality light that travels is found coarsely.
 Scene withQualityLevel(const Scene& scene, const QualityLevel& level);
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "io/looks/dicom/SrgbProfile.h"
 #include "io/reading/ReadError.h"
+#include "scene/light/LightingTerms.h"
 
 #include <dcmtk/dcmdata/dcelem.h>
 #include <dcmtk/dcmdata/dcvrus.h>
@@ -351,7 +352,7 @@ void putShading(DcmItem& object, const Shading& shading, const Camera& camera) {
   putText(object, DCM_ShadingStyle, shading.twoSided ? "DOUBLESIDED" : "SINGLESIDED");
   putFraction(object, DCM_AmbientReflectionIntensity, shading.ambient * shading.ambientIntensity);
   // However short, a direction is one: scaled first, so that the square of its length is no 0.
-  glm::dvec3 travels = shading.lightDirection.value_or(basisOf(camera).forward);
+  glm::dvec3 travels = lightTravels(shading, camera).value_or(basisOf(camera).forward);
   travels /= std::max({std::abs(travels.x), std::abs(travels.y), std::abs(travels.z)});
   travels = glm::normalize(travels);
   putNumbers(object, DCM_LightDirection, {travels.x, travels.y, travels.z});

@@ -3,6 +3,7 @@
 
 #include "io/looks/dicom/ColourTable.h"
 #include "io/looks/dicom/GeometryModule.h"
+#include "scene/light/LightingTerms.h"
 
 namespace limn {
 namespace {
@@ -40,6 +41,13 @@ void addLight(const Scene& scene, Sentences& losses) {
                   "the camera, and towards the edges of the picture it differs.")
             : Message::tr(
                   "The headlight is written as light along the view, so it no longer follows the camera."));
+  if (shading.lightDirection && shading.lightAxes == LightAxes::camera)
+    losses.push_back(Message::tr("The light no longer turns with the camera: it stays where it is now."));
+  const LightingTerms terms = lightingTerms(shading);
+  if (terms.shadow.strength > 0.0)
+    losses.push_back(Message::tr("Shadows are not kept."));
+  if (terms.occlusion.strength > 0.0)
+    losses.push_back(Message::tr("Occlusion is not kept: ambient light reaches everything alike."));
   const double light = shading.lightIntensity;
   if (shading.ambient * shading.ambientIntensity > 1.0 || shading.diffuse * light > 1.0 ||
       shading.specular * light > 1.0)

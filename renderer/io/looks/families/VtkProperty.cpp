@@ -4,6 +4,7 @@
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/text/LookText.h"
 #include "io/reading/ReadError.h"
+#include "scene/light/LightingTerms.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,11 @@ void tellLostModel(const Shading& shading, std::vector<Message>& changes) {
              .arg(nameOf(shading.model)));
   if (shading.lightDirection)
     tell(changes, Message::tr("The light's direction was left out: it comes from the viewer there."));
+  const LightingTerms terms = lightingTerms(shading);
+  if (terms.shadow.strength > 0.0)
+    tell(changes, Message::tr("Shadows were left out."));
+  if (terms.occlusion.strength > 0.0)
+    tell(changes, Message::tr("Occlusion was left out: ambient light reaches everything alike there."));
   if (!shading.twoSided)
     tell(changes, Message::tr("Surfaces turned away from the light are lit there, too."));
 }

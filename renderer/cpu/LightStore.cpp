@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/LightStore.h"
+
+#include "cpu/Threads.h"
+#include "cpu/simd/FindLight.h"
+#include "scene/light/LightDirections.h"
+#include "scene/steps/BlockRanges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace limn::cpu {
+namespace {
+
+// Of the voxels' bytes, for the nodes of a grid.
+constexpr std::size_t shareOfVoxels = 8;
+
+// So many nodes are found while a hand moves, and within seconds of its rest.
+constexpr std::size_t mostCoarseNodes = 60'000;
+constexpr std::size_t mostFineNodes = 300'000;
+
+// How many directions are tried, and how far apart a path is looked at, lengths.
+struct Thoroughness {
+  int directions;
+  float step;
+};
+constexpr Thoroughness ofSamples{512, 0.25f};
+constexpr Thoroughness ofFineNodes{64, 1.0f};
+constexpr Thoroughness ofCoarseNodes{12, 1.5f};
+
+constexpr std::size_t mostKept = 4;
+
+using Directions = std::shared_ptr<const std::vector<glm::vec3>>;
+
+template <class Of>
+Directions directionsOf(int count, const Of& of) {
+  std::vector<glm::vec3> directions;
+  directions.reserve(static_cast<std::size_t>(count));
+  for (int n = 0; n < count; ++n)
+    directions.push_back(glm::vec3(of(spreadPoint(n))));
+  return std::make_shared<const std::vector<glm::vec3>>(std::move(directions));
+}
+
+Directions overLight(const PictureTerms& terms, int count) {
+  const double angle = terms.light.shadow.softnessDeg;
+  const glm::dmat3 axes = axesAround(terms.towardsLight);
+  return directionsOf(angle > 0.0 ? count : 1,
+                      [&](const glm::dvec2& point) { return axes * directionInCone(point, angle); });
+}
+
+std::size_t bytesOfVoxels(const Volume& volume) {
+  return visitVoxels(volume,
+                     [&]<class T>(const StoredVoxels<T>&) { return volume.voxelCount() * sizeof(T); });
+}
+
+// δ, lengths.
+float lightOffset(const Scene& scene, const PictureTerms& terms) {
+  return static_cast<float>(lightOffsetMm(scene.volume->grid()) / terms.lengthMm);
+}
+
+TravelTerms travelOf(const Scene& scene, const PictureTerms& terms, const Thoroughness& with) {
+  TravelTerms travel;
+  travel.from = lightOffset(scene, terms);
+  travel.reach = static_cast<float>(std::min(terms.light.occlusion.reachMm / terms.lengthMm, 1e6));
+  travel.step = with.step;
+  // A surface is there or not: whoever steps over it sees no part of it.
+  travel.farStep = terms.effects.has(Effect::isosurface) ? with.step : std::max(with.step, 1.0f);
+  if (terms.effects.has(Effect::shadow))
+    travel.towardsLight = overLight(terms, with.directions);
+  if (terms.effects.has(Effect::occlusion)) {
+    travel.byCosine = directionsOf(with.directions, directionByCosine);
+    travel.onSphere = directionsOf(with.directions, directionOnSphere);
+  }
+  return travel;
+}
+
+// From one node to the next, lengths; of the axes the shortest way.
+float distanceOf(const LightNodes& nodes, const PictureTerms& terms) {
+  const glm::dvec3 distance = nodes.stride * terms.spacing;
+  return static_cast<float>(std::min({distance.x, distance.y, distance.z}));
+}
+
+// The numbers of the nodes in a plane z = `plane` that places which show can be next to.
+std::vector<std::int32_t> nodesToFind(const PictureTerms& terms, const LightNodes& nodes, int plane) {
+  std::vector<std::int32_t> numbers;
+  const EmptySpace& empty = terms.empty;
+  // Places ask for nodes around where light that comes to them has been.
+  const double reach = std::max({nodes.stride.x, nodes.stride.y, nodes.stride.z}) + nearLightLengths;
+  const double farthest = reach / blockSize + 1.0;
+  const glm::dvec3 first = terms.centre + nodes.first;
+  const glm::ivec3 last = empty.first + empty.blocks - 1;
+  for (int y = 0; y < nodes.count.y; ++y)
+    for (int x = 0; x < nodes.count.x; ++x) {
+      if (empty.distances) {
+        const glm::dvec3 index = first + glm::dvec3(x, y, plane) * nodes.stride;
+        const glm::ivec3 block =
+            glm::clamp(glm::ivec3(glm::floor(index / double(blockSize))), empty.first, last) - empty.first;
+        if (empty.distances[voxelOffset(empty.blocks, block.x, block.y, block.z)] > farthest)
+          continue;
+      }
+      numbers.push_back((plane * nodes.count.y + y) * nodes.count.x + x);
+    }
+  return numbers;
+}
+
+template <class Light, class FindSome>
+std::shared_ptr<const Light> found(const PictureTerms& terms, const LightNodes& nodes, const Effort& effort,
+                                   const FindSome& findSome) {
+  constexpr std::size_t atOnce = 256;
+  std::vector<std::int32_t> numbers;
+  for (int plane = 0; plane < nodes.count.z; ++plane) {
+    const std::vector<std::int32_t> some = nodesToFind(terms, nodes, plane);
+    numbers.insert(numbers.end(), some.begin(), some.end());
+  }
+  auto light = std::make_shared<Light>(nodes.size());
+  const std::size_t pieces = (numbers.size() + atOnce - 1) / atOnce;
+  forEach(
+      static_cast<int>(pieces), effort.threads,
+      [&](int piece) {
+        const std::size_t begin = static_cast<std::size_t>(piece) * atOnce;
+        findSome(std::span(numbers).subspan(begin, std::min(atOnce, numbers.size() - begin)), light->data());
+      },
+      effort.isCancelled);
+  return light;
+}
+
+} // namespace
+
+template <class Light, class Find>
+std::shared_ptr<const Light> LightStore::of(Kept<Light>& kept, const Key& key, const Find& find) {
+  const auto there = std::ranges::find(kept, key, &Found<Light>::key);
+  const Found<Light> wanted = there != kept.end() ? *there : Found<Light>{key, find()};
+  if (there != kept.end())
+    kept.erase(there);
+  kept.push_front(wanted);
+  if (kept.size() > mostKept)
+    kept.pop_back();
+  return wanted.light;
+}
+
+LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
+                                    bool isCoarse) {
+  const std::size_t bytesEach =
+      (terms.effects.has(Effect::shadow) ? 1 : 0) + (terms.effects.has(Effect::occlusion) ? 4 : 0);
+  const std::size_t mostNodes = isCoarse ? mostCoarseNodes : mostFineNodes;
+  const std::size_t mostBytes = std::min(bytesOfVoxels(*scene.volume) / shareOfVoxels, bytesEach * mostNodes);
+  Keys keys;
+  keys.direct = {scene.volume,
+                 scene.transferFunction,
+                 scene.gradientOpacity,
+                 terms.light.opacity,
+                 terms.light.curve,
+                 usesRatio(terms.effects) ? terms.perReference : 0.0f,
+                 scene.keep,
+                 scene.crop,
+                 scene.projection,
+                 scene.isovalue,
+                 isCoarse,
+                 lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach, mostBytes)};
+  keys.ambient = keys.direct;
+  keys.ambient.size = terms.light.occlusion.reachMm;
+  keys.direct.towardsLight = terms.towardsLight;
+  keys.direct.size = terms.light.shadow.softnessDeg;
+  return keys;
+}
+
+bool LightStore::hasAll(const Keys& keys, EffectSet effects) const {
+  return (!effects.has(Effect::shadow) ||
+          std::ranges::find(m_direct, keys.direct, &Found<DirectLight>::key) != m_direct.end()) &&
+         (!effects.has(Effect::occlusion) ||
+          std::ranges::find(m_ambient, keys.ambient, &Found<AmbientLight>::key) != m_ambient.end());
+}
+
+TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
+                               const Effort& effort) {
+  const LightDetail detail = scene.quality.toleranceLevels ? LightDetail::sampled : scene.quality.light;
+  if (detail == LightDetail::sampled)
+    return travelOf(scene, terms, ofSamples);
+  Keys keys = keysOf(scene, terms, shows, false);
+  const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);
+  if (isCoarse)
+    keys = keysOf(scene, terms, shows, true);
+  const LightNodes& nodes = keys.direct.nodes;
+  PictureTerms looking = terms;
+  looking.travel = travelOf(scene, terms, isCoarse ? ofCoarseNodes : ofFineNodes);
+  looking.travel.from = 0.0f; // what stands near samples is looked at from them
+  if (isCoarse)               // what lies between nodes is not told anyway
+    looking.travel.step = looking.travel.farStep =
+        std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
+  TravelTerms travel = looking.travel;
+  travel.from = lightOffset(scene, terms);
+  travel.nodes = nodes;
+  travel.perIndex = glm::vec3(1.0 / nodes.stride);
+  travel.shift = glm::vec3(-(terms.centre + nodes.first) / nodes.stride);
+  if (terms.effects.has(Effect::shadow))
+    travel.direct = of(m_direct, keys.direct, [&] {
+      return found<DirectLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
+        findDirect(looking, nodes, some, out);
+      });
+    });
+  if (terms.effects.has(Effect::occlusion))
+    travel.ambient = of(m_ambient, keys.ambient, [&] {
+      return found<AmbientLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
+        findAmbient(looking, nodes, some, out);
+      });
+    });
+  return travel;
+}
+
+std::size_t LightStore::ownBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& one : m_direct)
+    bytes += one.light->size();
+  for (const auto& one : m_ambient)
+    bytes += 4 * one.light->size();
+  return bytes;
+}
+
+} // namespace limn::cpu

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/volume/Grid.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// Nodes over the part of a volume that shows, equally far apart in mm along all axes as far as whole numbers
+/// of them allow; the outermost lie on the faces of that part.
+struct LightNodes {
+  glm::ivec3 count{0};    ///< 2 or more along each axis; 0 where there are none
+  glm::dvec3 first{0.0};  ///< where the first is, centred index
+  glm::dvec3 stride{0.0}; ///< voxels from one to the next
+
+  std::size_t size() const { return static_cast<std::size_t>(count.x) * count.y * count.z; }
+  bool operator==(const LightNodes&) const = default;
+};
+
+/// The finest nodes of a box between two corners (centred index) that take `mostBytes` at most with
+/// `bytesEach`, and are no closer than the volume's smallest spacing; none where it is empty.
+LightNodes lightNodes(const Grid& grid, const glm::dvec3& lower, const glm::dvec3& upper,
+                      std::size_t bytesEach, std::size_t mostBytes);
+
+/// What comes of a light to the nodes, x fastest, past all that is in its way, from the node itself on: 0
+/// where nothing that shows is near or nothing of it could be seen, so that a place takes what its other
+/// nodes say; else 1 + 254 M, rounded.
+using DirectLight = std::vector<std::uint8_t>;
+
+/// What comes of ambient light to the nodes from all around: the mean of exp(-τ) over the sphere, as above,
+/// then for each axis of the grid twice the mean of exp(-τ) times the direction's share of that axis, -½..½,
+/// as 127 + 254 of it, rounded. M around a normal is the first plus the product of the others with it: exact
+/// where what is open is a half space, or everything.
+using AmbientLight = std::vector<std::array<std::uint8_t, 4>>;
+
+/// The share that a code of a node stands for; `code` > 0.
+inline double shareOfCode(std::uint8_t code) {
+  return (code - 1) / 254.0;
+}
+
+/// The code of a share of 0..1.
+inline std::uint8_t codeOfShare(double share) {
+  return static_cast<std::uint8_t>(1.5 + 254.0 * share);
+}
+
+/// Likewise of a share of an axis.
+inline double alongAxisOfCode(std::uint8_t code) {
+  return (code - 127) / 254.0;
+}
+inline std::uint8_t codeOfAlongAxis(double share) {
+  return static_cast<std::uint8_t>(127.5 + 254.0 * share);
+}
+
+} // namespace limn

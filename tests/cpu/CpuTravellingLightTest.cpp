@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light on its way drawn by the CPU engine (DEFINITION section 11): found for each sample as the reference
+// finds it, looked up on a grid, and without a trace where there is none.
+#include "accuracy/ImageError.h"
+#include "accuracy/Tolerance.h"
+#include "cpu/CpuRenderer.h"
+#include "cpu/bricks/BrickRenderer.h"
+#include "engine/VolumeTooLarge.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/light/LightDirections.h"
+#include "scene/light/LightGrid.h"
+#include "scene/light/Shading.h"
+#include "scene/steps/RayFrame.h"
+#include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleScenes.h"
+#include "support/JudgedTime.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 travelPicture{20, 18};
+
+// A head under a light from above left, behind the viewer.
+Scene shadowedHead(double spacingMm, ShadingModel model = ShadingModel::classic) {
+  Scene scene = headScene(phantomVolume({.spacingMm = spacingMm}), model);
+  scene.camera = orbited(scene.camera, 0.5, 0.3);
+  scene.shading.lightDirection = glm::dvec3(0.6, -0.7, 1.0);
+  scene.shading.lightAxes = LightAxes::camera;
+  scene.shading.shadow = {0.85, 5.0};
+  scene.shading.occlusion = {0.8, 15.0};
+  scene.quality.stepVoxels = 0.5;
+  scene.quality.preintegrated = Preintegration::never;
+  return scene;
+}
+
+Scene withoutTravel(Scene scene) {
+  scene.shading.shadow = {};
+  scene.shading.occlusion = {};
+  return scene;
+}
+
+struct TravelCase {
+  const char* what;
+  void (*apply)(Scene&);
+};
+
+const TravelCase travelCases[] = {
+    {"shadow alone", [](Scene& s) { s.shading.occlusion = {}; }},
+    {"a hard shadow alone",
+     [](Scene& s) {
+       s.shading.occlusion = {};
+       s.shading.shadow.softnessDeg = 0.0;
+     }},
+    {"occlusion alone", [](Scene& s) { s.shading.shadow = {}; }},
+    {"enhanced, with gradient opacity",
+     [](Scene& s) {
+       s.shading.model = ShadingModel::enhanced;
+       s.gradientOpacity = GradientOpacity{{{0.0, 0.3}, {60.0, 1.0}}};
+     }},
+    {"cropped, robust, in fog",
+     [](Scene& s) {
+       s.shading.model = ShadingModel::robust;
+       s.crop = {{0.1, 0.3, 0.0}, {0.9, 1.0, 0.8}};
+       s.fog = distanceFog(200.0, 900.0);
+     }},
+    {"up to a surface", [](Scene& s) { s.projection = Projection::compositeIsosurface; }},
+    {"a surface", [](Scene& s) { s.projection = Projection::isosurface; }},
+    {"a kept region",
+     [](Scene& s) {
+       s.keep = cubesRegion(s.volume->grid().dims, 7, {0.0, 1.0, 0.4});
+     }},
+    {"looks of labels",
+     [](Scene& s) {
+       s.keep = withVariedLooks(cubesRegion(s.volume->grid().dims, 9, {1.0, 1.0, 0.6}), s.transferFunction);
+     }},
+};
+
+ImageError fromReference(const Scene& scene, const glm::ivec2& size) {
+  CpuRenderer renderer;
+  return imageError(renderer.render(scene, size), toImage(renderReference(scene, size)));
+}
+
+TEST(CpuTravellingLight, foundForEachSampleItIsTheReferences) {
+  for (const TravelCase& one : travelCases) {
+    Scene scene = shadowedHead(8.0);
+    one.apply(scene);
+    scene.quality.light = LightDetail::sampled;
+    const ImageError error = fromReference(scene, travelPicture);
+    const double travel = imageError(toImage(renderReference(scene, travelPicture)),
+                                     toImage(renderReference(withoutTravel(scene), travelPicture)))
+                              .p99_9;
+    std::cout << one.what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean
+              << " levels, of " << travel << " that light on its way makes\n";
+    // What a tolerance of one level asks for. Of a surface a ray has one sample, to which light comes or does
+    // not: both stop where M changes by a thousandth or two, which is 0.3 levels.
+    const bool isSurface = scene.projection == Projection::isosurface;
+    EXPECT_LE(error.p99_9, isSurface ? 3.0 : 1.0) << one.what;
+    EXPECT_LE(error.mean, isSurface ? 0.3 : 0.1) << one.what;
+    EXPECT_GE(travel, 2.5) << one.what << " shows nothing of it";
+  }
+}
+
+TEST(CpuTravellingLight, aToleranceHasItFoundForEachSample) {
+  Scene scene = shadowedHead(8.0);
+  scene.quality.toleranceLevels = 1.0;
+  scene.quality.fineness = 4.75;
+  const ImageError error = fromReference(scene, travelPicture);
+  EXPECT_LE(error.p99_9, 1.0);
+  EXPECT_LE(error.mean, 0.1);
+}
+
+TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
+  // What it reaches on voxels of 3 mm, with a quarter to spare. They are the worst that there is: a head in
+  // 100 000 nodes.
+  struct Bound {
+    const char* what;
+    double p99_9, mean;
+  };
+  for (const Bound& bound :
+       {Bound{"shadow alone", 10.0, 0.5}, Bound{"occlusion alone", 15.5, 2.3},
+        Bound{"enhanced, with gradient opacity", 24.5, 2.6}, Bound{"looks of labels", 16.5, 2.8}}) {
+    Scene scene = shadowedHead(3.0);
+    std::ranges::find(travelCases, std::string(bound.what), &TravelCase::what)->apply(scene);
+    CpuRenderer renderer;
+    const glm::ivec2 size{72, 64};
+    scene.quality.light = LightDetail::sampled;
+    const Image sampled = renderer.render(scene, size);
+    for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse}) {
+      CpuRenderer own;
+      scene.quality.light = detail;
+      const ImageError error = imageError(own.render(scene, size), sampled);
+      const bool isFine = detail == LightDetail::fine;
+      std::cout << bound.what << (isFine ? ", fine" : ", coarse") << ": 99.9th percentile " << error.p99_9
+                << ", mean " << error.mean << " levels\n";
+      EXPECT_LE(error.p99_9, isFine ? bound.p99_9 : 2.0 * bound.p99_9) << bound.what;
+      EXPECT_LE(error.mean, isFine ? bound.mean : 2.0 * bound.mean) << bound.what;
+    }
+  }
+}
+
+TEST(CpuTravellingLight, anyNumberOfThreadsAndTilesAndLeapsGivesTheSameBits) {
+  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse, LightDetail::sampled})
+    for (const Projection projection : {Projection::composite, Projection::isosurface}) {
+      Scene scene = shadowedHead(6.0);
+      scene.projection = projection;
+      scene.quality.light = detail;
+      CpuRenderer single(1), several(3), sampling(2, CpuRenderer::EmptySpace::sampled);
+      const glm::ivec2 size{61, 53};
+      const Image expected = single.render(scene, size);
+      EXPECT_EQ(several.render(scene, size), expected);
+      EXPECT_EQ(sampling.render(scene, size), expected);
+      const PixelRect tile{{13, 7}, {31, 22}};
+      const Image part = several.draw(scene, size, tile);
+      for (int y = 0; y < tile.size.y; ++y)
+        for (int x = 0; x < tile.size.x; ++x)
+          ASSERT_EQ(part.at(x, y), expected.at(tile.topLeft.x + x, tile.topLeft.y + y));
+    }
+}
+
+TEST(CpuTravellingLight, changesNoBitAndKeepsNoByteWhereItIsNeutral) {
+  const glm::ivec2 size{96, 80};
+  for (const Projection projection : {Projection::composite, Projection::mip, Projection::xray}) {
+    Scene plain = withoutTravel(shadowedHead(4.0));
+    plain.projection = projection;
+    Scene headlight = plain;
+    headlight.shading.lightDirection.reset();
+    CpuRenderer one, other;
+    const Image expected = one.render(headlight, size);
+    headlight.shading.shadow = {1.0, 20.0};
+    EXPECT_EQ(other.render(headlight, size), expected);
+    EXPECT_EQ(other.memoryMb(), one.memoryMb());
+  }
+}
+
+TEST(CpuTravellingLight, takesAnEighthOfTheVoxelsBytesAtMost) {
+  for (const double spacing : {3.0, 5.0}) {
+    const Scene scene = shadowedHead(spacing);
+    CpuRenderer without, with;
+    without.render(withoutTravel(scene), {64, 64});
+    with.render(scene, {64, 64});
+    const double voxelMb = 2e-6 * static_cast<double>(scene.volume->voxelCount());
+    EXPECT_LE(with.memoryMb() - without.memoryMb(), voxelMb / 8.0);
+    EXPECT_GE(with.memoryMb() - without.memoryMb(), voxelMb / 16.0); // and makes use of it
+  }
+}
+
+TEST(CpuTravellingLight, nodesLieEvenlyOverWhatShows) {
+  const Grid grid = centredGrid({64, 64, 20}, {0.5, 0.5, 2.0});
+  const IndexBox box{{-20.0, -30.0, -10.0}, {20.0, 30.0, 10.0}};
+  const LightNodes nodes = lightNodes(grid, box.lower, box.upper, 5, 40000);
+  EXPECT_LE(nodes.size() * 5, 40000u);
+  EXPECT_GE(nodes.size() * 5, 30000u);
+  const glm::dvec3 mm = nodes.stride * grid.spacingMm;
+  EXPECT_LT(std::max({mm.x, mm.y, mm.z}) / std::min({mm.x, mm.y, mm.z}), 1.2);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(nodes.first[axis] + (nodes.count[axis] - 1) * nodes.stride[axis], box.upper[axis], 1e-9);
+  EXPECT_EQ(lightNodes(grid, box.lower, box.lower, 1, 1000), LightNodes{});
+  EXPECT_EQ(lightNodes(grid, box.lower, box.upper, 5, 1).count, glm::ivec3(2)); // as few as there can be
+}
+
+TEST(CpuTravellingLight, codesTellSharesToHalfOfA254th) {
+  for (double share = 0.0; share <= 1.0; share += 0.001) {
+    EXPECT_NEAR(shareOfCode(codeOfShare(share)), share, 0.5001 / 254.0);
+    EXPECT_NEAR(alongAxisOfCode(codeOfAlongAxis(share - 0.5)), share - 0.5, 0.5001 / 254.0);
+  }
+  EXPECT_GT(codeOfShare(0.0), 0);
+}
+
+TEST(CpuTravellingLight, directionsSpreadAsTheyAreTo) {
+  glm::dvec3 cone(0.0), cosine(0.0), sphere(0.0);
+  constexpr int count = 4096;
+  for (int n = 0; n < count; ++n) {
+    const glm::dvec2 point = spreadPoint(n);
+    EXPECT_LE(std::acos(std::min(1.0, directionInCone(point, 6.0).z)), glm::radians(6.0) + 1e-7);
+    cone += directionInCone(point, 60.0);
+    cosine += directionByCosine(point);
+    sphere += directionOnSphere(point);
+  }
+  // The mean height is (1 + cos 60°)/2 over a cap, 2/3 by the cosine, 0 over the sphere.
+  EXPECT_NEAR(cone.z / count, 0.75, 1e-3);
+  EXPECT_NEAR(cosine.z / count, 2.0 / 3.0, 1e-3);
+  EXPECT_NEAR(glm::length(sphere) / count, 0.0, 2e-3);
+  for (const glm::dvec3& axis :
+       {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(1, 2, -3))}) {
+    const glm::dmat3 axes = axesAround(axis);
+    EXPECT_NEAR(glm::determinant(axes), 1.0, 1e-12);
+    EXPECT_EQ(axes[2], axis);
+  }
+}
+
+TEST(CpuTravellingLight, whatTheGridAddsIsMeasured) {
+  const Scene scene = shadowedHead(4.0);
+  CpuRenderer renderer;
+  const DrawScene draw = [&](const Scene& drawn, const glm::ivec2& size) {
+    return renderer.render(drawn, size);
+  };
+  const ImageError told = errorOfFilter(scene, {128, 128}, draw, mostFilterBits);
+  Scene sampled = scene;
+  sampled.quality.light = LightDetail::sampled;
+  const ImageError found = imageError(draw(scene, {128, 128}), draw(sampled, {128, 128}));
+  EXPECT_GE(told.p99_9, found.p99_9);
+  EXPECT_GT(found.p99_9, 0.0);
+  EXPECT_EQ(errorOfFilter(sampled, {128, 128}, draw, mostFilterBits).p99_9, 0.0);
+  EXPECT_EQ(errorOfFilter(withoutTravel(scene), {128, 128}, draw, mostFilterBits).p99_9, 0.0);
+}
+
+TEST(CpuTravellingLight, whoCannotDrawItSaysSo) {
+  const Scene scene = shadowedHead(8.0);
+  EXPECT_THROW(drawInBricks(scene, {16, 16}, 2, 1), Error);
+  EXPECT_NO_THROW(drawInBricks(withoutTravel(scene), {16, 16}, 2, 1));
+  EXPECT_THROW(requireLocalLight(scene), BeyondDriver);
+  EXPECT_NO_THROW(requireLocalLight(withoutTravel(scene)));
+  Scene mip = scene;
+  mip.projection = Projection::mip;
+  EXPECT_NO_THROW(requireLocalLight(mip));
+}
+
+TEST(CpuTravellingLight, badCasesHaveFinitePictures) {
+  const auto isFinite = [](const Scene& scene) {
+    CpuRenderer renderer;
+    const Image image = renderer.render(scene, {24, 20});
+    return std::ranges::all_of(image.pixels, [](const glm::vec4& pixel) {
+      return !glm::any(glm::isnan(pixel)) && glm::all(glm::greaterThanEqual(pixel, glm::vec4(0.0f))) &&
+             glm::all(glm::lessThanEqual(pixel, glm::vec4(1.0f)));
+    });
+  };
+  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse, LightDetail::sampled}) {
+    Scene scene = shadowedHead(10.0);
+    scene.quality.light = detail;
+    scene.transferFunction = constantFunction(1.0, white);
+    EXPECT_TRUE(isFinite(scene)) << "opacity 1";
+    scene.transferFunction = {};
+    EXPECT_TRUE(isFinite(scene)) << "no curve";
+    scene = shadowedHead(10.0);
+    scene.quality.light = detail;
+    for (const glm::dvec3& travels : {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1e-300),
+                                      glm::dvec3(0.0, 1.0, 0.0)}) { // along planes of voxels, and from behind
+      scene.shading.lightAxes = LightAxes::world;
+      scene.shading.lightDirection = travels;
+      EXPECT_TRUE(isFinite(scene));
+    }
+    scene.shading.shadow.softnessDeg = 45.0;
+    scene.shading.occlusion.reachMm = 1e6;
+    EXPECT_TRUE(isFinite(scene)) << "the softest and the farthest";
+    for (const glm::ivec3& dims : {glm::ivec3(1, 1, 1), glm::ivec3(9, 1, 9), glm::ivec3(40, 2, 3)}) {
+      scene.volume = volumeOf(centredGrid(dims, {1.0, 10.0, 1.0}),
+                              [](int i, int j, int k) { return 100.0 * (i + 2 * j - k); });
+      EXPECT_TRUE(isFinite(scene)) << "few voxels of 1:10";
+    }
+  }
+}
+
+double travelMs(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST(CpuTravellingLight, isFoundWhileAHandMovesAndLookedUpAtLittleCost) {
+  Scene scene = shadowedHead(1.0);
+  std::cout << "voxels: " << scene.volume->voxelCount() << "\n";
+  const glm::ivec2 size{512, 512};
+  CpuRenderer renderer;
+  scene.quality.light = LightDetail::coarse;
+  renderer.render(withoutTravel(scene), size);
+  const double plain = travelMs([&] { renderer.render(withoutTravel(scene), size); });
+  const double first = travelMs([&] { renderer.render(scene, size); });
+  const double again = travelMs([&] { renderer.render(scene, size); });
+  test::judgeMs("a coarse grid of light", first - again, 150.0);
+  // Wanted are 1.5 times; four looks a sample, two along the light and two along the normal, take more.
+  test::judgeMs("a picture with light looked up", again, 4.0 * plain);
+  scene.quality.light = LightDetail::fine;
+  const double fine = travelMs([&] { renderer.render(scene, size); });
+  test::judgeMs("a fine grid of light", fine - again, 5000.0);
+}
+
+} // namespace
+} // namespace limn
