@@ -64,20 +64,33 @@ float highlight(Light light, vec3 normal, float r) {
 }
 #endif
 
-vec3 lit(vec3 material, Light light, vec3 normal, float r) {
+// `reaching`: the shares S and A of DEFINITION section 11, of what is reflected and of ambient light.
+vec3 lit(vec3 material, Light light, vec3 normal, float r, vec2 reaching) {
+#ifdef EFFECT_OCCLUSION
+  vec3 sum = material * (u_ambient * reaching.y);
+#else
   vec3 sum = material * u_ambient;
+#endif
 #ifdef EFFECT_DIFFUSE
   float facing = dot(normal, light.toLight);
 #ifdef EFFECT_TWO_SIDED
   facing = abs(facing);
 #endif
-  sum += material * (u_diffuse * max(0.0, facing));
+  facing = max(0.0, facing);
+#ifdef EFFECT_SHADOW
+  facing *= reaching.x;
+#endif
+  sum += material * (u_diffuse * facing);
 #endif
 #ifdef EFFECT_SPECULAR
+  float strength = u_specular * highlight(light, normal, r);
+#ifdef EFFECT_SHADOW
+  strength *= reaching.x;
+#endif
 #ifdef EFFECT_SPECULAR_OF_LIGHT
-  sum += vec3(u_specular * highlight(light, normal, r));
+  sum += vec3(strength);
 #else
-  sum += material * (u_specular * highlight(light, normal, r));
+  sum += material * strength;
 #endif
 #endif
 #ifdef EFFECT_UNLIMITED

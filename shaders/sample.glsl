@@ -55,6 +55,10 @@ float opacityFactor(float modulus, float r) {
   return factor;
 }
 
+#ifdef EFFECT_TRAVELLING_LIGHT
+vec2 reachingLight(vec3 centredIndex, vec3 normal); // travelling_light.glsl
+#endif
+
 // The colour of a material `i` steps behind sample 0, lit and fogged.
 vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
 #ifdef EFFECT_LIGHTING
@@ -65,7 +69,11 @@ vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
 #ifdef EFFECT_CUT_FACES
   normal = normalNearCut(march.firstIndex + i * march.stride, march.stride, normal);
 #endif
-  color = lit(color, march.light, normal, r);
+  vec2 reaching = vec2(1.0);
+#ifdef EFFECT_TRAVELLING_LIGHT
+  reaching = reachingLight(march.firstIndex + i * march.stride, normal);
+#endif
+  color = lit(color, march.light, normal, r, reaching);
 #endif
 #ifdef EFFECT_FOG
   color = fogged(color, march.depth + i * march.stepLength);

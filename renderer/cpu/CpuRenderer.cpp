@@ -44,7 +44,7 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
     cpu::drawRow(terms, strip.y, strip.fromX, strip.toX, &image.pixels[strip.inTile]);
   };
   // Where light is found for each sample a pixel takes milliseconds.
-  const bool isSlow = effects.hasAny(travellingLight) && terms.travel.nodes.count.x == 0;
+  const bool isSlow = effects.hasAny(travellingLight) && terms.travel.found.nodes.count.x == 0;
   cpu::forEachStrip(tile, covered, m_threads, drawStrip, isCancelled, isSlow ? 4 : 64);
   return image;
 }

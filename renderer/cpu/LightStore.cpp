@@ -122,6 +122,7 @@ std::shared_ptr<const Light> found(const PictureTerms& terms, const LightNodes& 
         findSome(std::span(numbers).subspan(begin, std::min(atOnce, numbers.size() - begin)), light->data());
       },
       effort.isCancelled);
+  complete(nodes, *light);
   return light;
 }
 
@@ -190,17 +191,18 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
         std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
   TravelTerms travel = looking.travel;
   travel.from = lightOffset(scene, terms);
-  travel.nodes = nodes;
+  travel.found.nodes = nodes;
+  travel.looksNear = detail == LightDetail::fine;
   travel.perIndex = glm::vec3(1.0 / nodes.stride);
   travel.shift = glm::vec3(-(terms.centre + nodes.first) / nodes.stride);
   if (terms.effects.has(Effect::shadow))
-    travel.direct = of(m_direct, keys.direct, [&] {
+    travel.found.direct = of(m_direct, keys.direct, [&] {
       return found<DirectLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
         findDirect(looking, nodes, some, out);
       });
     });
   if (terms.effects.has(Effect::occlusion))
-    travel.ambient = of(m_ambient, keys.ambient, [&] {
+    travel.found.ambient = of(m_ambient, keys.ambient, [&] {
       return found<AmbientLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
         findAmbient(looking, nodes, some, out);
       });

@@ -86,6 +86,10 @@ public:
   /// for it.
   virtual std::optional<StandIn> standInFor(const Scene&, const glm::ivec2& /*size*/) { return std::nullopt; }
 
+  /// Whether light that travels in a scene is still being found: what is drawn meanwhile shows what is known
+  /// of it, perhaps of the scene before. An engine that finds it while it draws is never asked twice.
+  virtual bool isFindingLight(const Scene&) { return false; }
+
   /// The whole picture whose light terms are not limited (DEFINITION section 4), to see how far they
   /// overflow.
   virtual Image drawUnlimited(const Scene& scene, const glm::ivec2& size) = 0;

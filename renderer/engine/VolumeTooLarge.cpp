@@ -5,9 +5,10 @@
 
 namespace limn {
 
-void requireLocalLight(const Scene& scene) {
-  if (hasTravellingLight(scene))
-    throw BeyondDriver(Message::tr("Shadows and occlusion cannot be drawn with OpenGL yet."));
+void requireLightOfGrid(const Scene& scene) {
+  const Quality& quality = scene.quality;
+  if ((quality.toleranceLevels || quality.light == LightDetail::sampled) && hasTravellingLight(scene))
+    throw BeyondDriver(Message::tr("The processor alone keeps a tolerance where shadows or occlusion show."));
 }
 
 void requireInMemory(const Volume& volume) {

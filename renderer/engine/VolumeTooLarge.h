@@ -21,9 +21,9 @@ public:
   explicit VolumeTooLarge(const Message& sentence) : BeyondDriver(sentence) {}
 };
 
-/// Throws BeyondDriver where light travels in a scene (hasTravellingLight): no shader asks how much of it
-/// comes so far.
-void requireLocalLight(const Scene& scene);
+/// Throws BeyondDriver where light that travels (hasTravellingLight) is to be found for each sample: shaders
+/// look it up on a grid.
+void requireLightOfGrid(const Scene& scene);
 
 /// Throws VolumeTooLarge where the volume does not lie in memory: a graphics driver would copy all of it.
 void requireInMemory(const Volume& volume);

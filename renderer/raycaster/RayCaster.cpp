@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "cpu/LightFinder.h"
 #include "engine/PixelRect.h"
 #include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
@@ -8,6 +9,7 @@
 #include "glsl/programs/FilterBits.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
+#include "glsl/textures/LightTextures.h"
 #include "glsl/textures/SceneTextures.h"
 #include "raycaster/DecisionTextures.h"
 #include "raycaster/ProgramCache.h"
@@ -37,6 +39,9 @@ struct RayCaster::Parts {
   Decisions decisions;
   SceneTextures textures;
   DecisionTextures decisionTextures;
+  LightTextures light;
+  std::optional<LightFinder> finder;
+  KnowLight knowLight;
   ProgramCache programs;
   FilterBits filter;
   GlBuffer corners;
@@ -55,6 +60,7 @@ struct RayCaster::Parts {
   void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
   Image render(const Scene& scene, Content content, const glm::ivec2& size, const Effort& effort = {});
   void noteStepLimit(const Scene& scene);
+  void updateLight(const Scene& scene, EffectSet effects);
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
@@ -75,7 +81,7 @@ void RayCaster::Parts::noteStepLimit(const Scene& scene) {
 
 EffectPlan RayCaster::Parts::plan(const Scene& scene) {
   requireDrawable(scene);
-  requireLocalLight(scene);
+  requireLightOfGrid(scene);
   textures.update(scene);
   noteStepLimit(scene);
   SceneFacts facts = textures.facts(scene);
@@ -88,6 +94,14 @@ EffectPlan RayCaster::Parts::plan(const Scene& scene) {
 void RayCaster::Parts::measure(const Scene& scene, EffectSet effects) {
   textures.measure(scene, effects);
   decisionTextures.update(scene, textures.volume(), effects);
+}
+
+void RayCaster::Parts::updateLight(const Scene& scene, EffectSet effects) {
+  if (!effects.hasAny(travellingLight))
+    return;
+  if (!knowLight && !finder)
+    finder.emplace();
+  light.update(knowLight ? knowLight(scene) : finder->find(scene));
 }
 
 EffectSet RayCaster::Parts::programFor(EffectSet needed, Content content) const {
@@ -118,6 +132,7 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
       intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), drawnBox(scene, effects), size)),
       size);
   measure(scene, needed.effects);
+  updateLight(scene, needed.effects);
   const bool isMeasured = leftOut || compilesAllEffects;
   drawWith(isMeasured ? programs.exactly(effects) : programs.programFor(effects), scene, size);
 }
@@ -136,6 +151,7 @@ void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene,
   setUniforms(shader, scene, size, textures);
   bindTextures(textures);
   decisionTextures.apply(shader);
+  light.apply(shader, scene.quality.light == LightDetail::fine);
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -182,6 +198,10 @@ RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
+void RayCaster::askForLight(KnowLight knowLight) {
+  m_parts->knowLight = std::move(knowLight);
+}
+
 void RayCaster::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile) {
   m_parts->draw(scene, Content::picture, size, tile);
 }
@@ -215,11 +235,14 @@ double RayCaster::makeReady(const Scene& scene) {
 
 void RayCaster::prepare(const Scene& scene) {
   const SavedState saved;
-  m_parts->measure(scene, m_parts->plan(scene).effects);
+  const EffectSet effects = m_parts->plan(scene).effects;
+  m_parts->measure(scene, effects);
+  m_parts->updateLight(scene, effects);
 }
 
 double RayCaster::volumeMb() const {
-  const std::size_t bytes = m_parts->textures.volume().bytes() + m_parts->decisionTextures.bytes();
+  const std::size_t bytes =
+      m_parts->textures.volume().bytes() + m_parts->decisionTextures.bytes() + m_parts->light.bytes();
   return static_cast<double>(bytes) / 1e6;
 }
 

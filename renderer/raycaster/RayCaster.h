@@ -5,7 +5,9 @@
 #include "glsl/decisions/Decisions.h"
 #include "glsl/textures/GraphicsMemory.h"
 #include "scene/Scene.h"
+#include "scene/light/LightGrid.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +39,12 @@ public:
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
+
+  /// Who tells what is known of the light that comes to a scene's places, asked before each drawing of a
+  /// scene in which light travels; without one it is found when it is first needed, which takes up to
+  /// seconds.
+  using KnowLight = std::function<LightVolumes(const Scene&)>;
+  void askForLight(KnowLight knowLight);
 
   /// Draws the pixels of `tile` of a picture of `size` pixels into the bound framebuffer as premultiplied
   /// RGBA without background; pixels outside the volume become zero. Any tiling gives the same picture bit

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCasterEngine.h"
 
+#include "cpu/LightFinder.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/CasterCosts.h"
 #include "raycaster/RayCaster.h"
+#include "scene/effects/EffectPlan.h"
 
 namespace limn {
 namespace {
@@ -13,7 +15,9 @@ class RayCasterEngine final : public DrawingEngine {
 public:
   explicit RayCasterEngine(double mostVolumeMb)
       : m_caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {},
-                 {mostVolumeMb, false}) {}
+                 {mostVolumeMb, false}) {
+    m_caster.askForLight([this](const Scene& scene) { return light().known(scene); });
+  }
 
   std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                             const IsCancelled&) override {
@@ -21,6 +25,9 @@ public:
     return std::nullopt;
   }
   double makeReady(const Scene& scene, const Effort&) override { return m_caster.makeReady(scene); }
+  bool isFindingLight(const Scene& scene) override {
+    return hasTravellingLight(scene) && light().isFinding(scene);
+  }
   Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
     return m_caster.renderUnlimited(scene, size);
   }
@@ -36,7 +43,15 @@ public:
   Message limitation() const override { return m_caster.limitation(); }
 
 private:
+  // A thread that most pictures do without.
+  LightInBackground& light() {
+    if (!m_light)
+      m_light.emplace();
+    return *m_light;
+  }
+
   RayCaster m_caster;
+  std::optional<LightInBackground> m_light;
   std::string m_name = rendererName();
 };
 

@@ -75,10 +75,11 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
 // OpenGL was asked for by name.
 void requireOpenGlMayDraw(const Scene& scene) {
   requireOpenGlMayCopy(scene);
-  if (hasTravellingLight(scene))
-    throw Error(Error::Kind::usage,
-                Message::tr("OpenGL cannot draw shadows and occlusion yet; use --engine cpu or reference, or "
-                            "set their strength to 0."));
+  if (scene.quality.toleranceLevels && hasTravellingLight(scene))
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("With OpenGL no tolerance can be kept where shadows or occlusion show; use --engine "
+                    "cpu or reference, or leave the tolerance out."));
 }
 
 // Scenes one after another: each picture is handed on before the next is drawn.
@@ -254,7 +255,7 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
 Engine engineFor(const Scene& scene, const EngineMemory& memory) {
   try {
     requireInMemory(*scene.volume);
-    requireLocalLight(scene);
+    requireLightOfGrid(scene);
     return processorIsFaster(scene, memory) ? Engine::cpu : Engine::rayCaster;
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::openGl)
@@ -281,7 +282,7 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
   try {
     for (const Scene& scene : scenes) {
       requireInMemory(*scene.volume);
-      requireLocalLight(scene);
+      requireLightOfGrid(scene);
     }
     if (!processorIsFaster(scenes.front(), order.memory))
       return makeWithGl(sitting, order, {order.textureMb, false});

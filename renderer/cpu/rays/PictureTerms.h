@@ -77,10 +77,9 @@ inline constexpr float nearLightLengths = 4.5f;
 /// there are none, along paths from each sample. Read where an effect needs it.
 struct TravelTerms {
   using Directions = std::shared_ptr<const std::vector<glm::vec3>>;
-  LightNodes nodes;
+  LightVolumes found;
   glm::vec3 perIndex{0.0f}, shift{0.0f}; ///< from voxel indices to nodes
-  std::shared_ptr<const DirectLight> direct;
-  std::shared_ptr<const AmbientLight> ambient;
+  bool looksNear = true;   ///< what stands near is looked at from each sample; else nodes alone tell
   Directions towardsLight; ///< over the light, grid axes
   Directions byCosine;     ///< around a normal, the third axis
   Directions onSphere;     ///< as many

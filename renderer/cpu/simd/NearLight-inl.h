@@ -18,7 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
 /// M at several places. Tissue is taken to change along the normal alone as far as three smallest spacings: a
-/// few looks along it serve light from all sides.
+/// few looks along it serve light from all sides. Where nothing near is looked at, it is taken to hide
+/// nothing.
 template <VoxelSource::Kind kind>
 class NearLight {
 public:
@@ -35,7 +36,7 @@ public:
     const V3 behind{hn::Add(m_index.x, all(way.x)), hn::Add(m_index.y, all(way.y)),
                     hn::Add(m_index.z, all(way.z))};
     const VF far = GridLight(travel, behind).direct();
-    if (hn::AllFalse(floats, hn::Gt(far, hn::Zero(floats))))
+    if (!travel.looksNear || hn::AllFalse(floats, hn::Gt(far, hn::Zero(floats))))
       return far;
     if (m_terms.effects.has(Effect::isosurface)) { // which is there or not, and met once by a ray
       const Mask every = hn::Ge(all(1.0f), hn::Zero(floats));
@@ -54,6 +55,13 @@ public:
   /// Of ambient light.
   HWY_NOINLINE VF ambient() const {
     const TravelTerms& travel = m_terms.travel;
+    const glm::vec3 away = layers * thickness / glm::vec3(m_terms.spacing);
+    const V3 behind{hn::MulAdd(m_normal.x, all(away.x), m_index.x),
+                    hn::MulAdd(m_normal.y, all(away.y), m_index.y),
+                    hn::MulAdd(m_normal.z, all(away.z), m_index.z)};
+    const VF far = GridLight(travel, behind).ambient(m_normal);
+    if (!travel.looksNear)
+      return far;
     // Gauss's three points over the square of the cosine.
     constexpr float squares[3] = {0.1127017f, 0.5f, 0.8872983f};
     constexpr float weights[3] = {5.0f / 18.0f, 8.0f / 18.0f, 5.0f / 18.0f};
@@ -73,13 +81,8 @@ public:
       }
       near = hn::MulAdd(expNeg(depth), all(weights[i]), near);
     }
-    const glm::vec3 away = layers * thickness / glm::vec3(m_terms.spacing);
-    const V3 behind{hn::MulAdd(m_normal.x, all(away.x), m_index.x),
-                    hn::MulAdd(m_normal.y, all(away.y), m_index.y),
-                    hn::MulAdd(m_normal.z, all(away.z), m_index.z)};
     // The grid counts from the place on, not from δ on.
     const VF alike = hn::Exp(floats, hn::Mul(hn::Min(extinction[0], all(10.0f)), all(travel.from)));
-    const VF far = GridLight(travel, behind).ambient(m_normal);
     return hn::Min(hn::Mul(hn::IfThenElse(hasNormal, near, alike), far), all(1.0f));
   }
 

@@ -145,7 +145,7 @@ struct Samples {
     const bool hasShadow = terms.effects.has(Effect::shadow);
     const bool hasOcclusion = terms.effects.has(Effect::occlusion);
     VF direct = all(1.0f), ambient = all(1.0f);
-    if (terms.travel.nodes.count.x == 0) {
+    if (terms.travel.found.nodes.count.x == 0) {
       const SampledLight<kind> sampled(terms.travel, march);
       if (hasShadow)
         direct = sampled.direct(index);

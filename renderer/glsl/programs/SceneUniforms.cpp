@@ -3,6 +3,7 @@
 
 #include "scene/basics/StableMath.h"
 #include "scene/effects/EffectPlan.h"
+#include "scene/light/LightDirections.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/LocalSteps.h"
 #include "scene/steps/RayFrame.h"
@@ -105,6 +106,10 @@ void setLighting(const Setter& set, const Scene& scene) {
   set("u_significance", glm::dvec2(significance.low, significance.high));
   const glm::dvec3 light = lightTravels(terms, scene.camera).value_or(glm::dvec3(0.0, 0.0, -1.0));
   set("u_lightDirection", towardsLightAlongAxes(light, scene.volume->grid()));
+  const Grid& grid = scene.volume->grid();
+  set("u_lightFrom", lightOffsetMm(grid) / lengthUnitMm(grid));
+  set("u_shadow", terms.shadow.strength);
+  set("u_occlusion", terms.occlusion.strength);
 }
 
 void setCut(const Setter& set, const Scene& scene) {
@@ -159,6 +164,8 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_gradientSegments", TextureUnit::gradientSegments);
   unit("u_cellLooks", TextureUnit::cellLooks);
   unit("u_labels", TextureUnit::labels);
+  unit("u_directLight", TextureUnit::directLight);
+  unit("u_ambientLight", TextureUnit::ambientLight);
 }
 
 // So many unit distances hide everything; the whole box must not have more than a float holds.
@@ -216,7 +223,9 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   // A hybrid picture marches twice, to find the surface and to gather what lies before it.
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
-  const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
+  // So does what stands in the way of light, twice along the light and twice along the normal.
+  const int lookups =
+      (scene.quality.preintegrated == Preintegration::never ? 1 : 2) + (hasTravellingLight(scene) ? 4 : 0);
   const int looks = textures.looks().isEmpty() ? 0 : 6;
   const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);

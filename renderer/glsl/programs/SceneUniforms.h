@@ -21,7 +21,9 @@ enum class TextureUnit {
   storedGradient,
   classifiedVolume,
   cellLooks,
-  labels
+  labels,
+  directLight,
+  ambientLight
 };
 
 /// Binds every texture to its unit.

@@ -23,6 +23,8 @@ std::string prelude(EffectSet effects) {
     define("EFFECT_CHANGED_OPACITY");
   if (effects.hasAny(fogs))
     define("EFFECT_FOG");
+  if (effects.hasAny(travellingLight))
+    define("EFFECT_TRAVELLING_LIGHT");
   return text;
 }
 
@@ -160,6 +162,8 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
   appendBlock(source, sampleBlock(effects));
   if (effects.hasAny({Effect::isosurface, Effect::hybrid}))
     appendBlock(source, "isosurface.glsl");
+  if (effects.hasAny(travellingLight))
+    appendBlock(source, "travelling_light.glsl");
   if (effects.has(Effect::isosurface)) {
     appendBlock(source, "first_hit.glsl");
     return source;

@@ -1,10 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/LightGrid.h"
 
+#include "scene/volume/Volume.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace limn {
+namespace {
+
+// Codes as vectors of numbers, of which the first tells whether a node is known.
+glm::ivec4 codesOf(std::uint8_t code) {
+  return {code, 0, 0, 0};
+}
+glm::ivec4 codesOf(const std::array<std::uint8_t, 4>& codes) {
+  return {codes[0], codes[1], codes[2], codes[3]};
+}
+void setCodes(std::uint8_t& code, const glm::ivec4& codes) {
+  code = static_cast<std::uint8_t>(codes.x);
+}
+void setCodes(std::array<std::uint8_t, 4>& to, const glm::ivec4& codes) {
+  for (int part = 0; part < 4; ++part)
+    to[static_cast<std::size_t>(part)] = static_cast<std::uint8_t>(codes[part]);
+}
+
+// The mean of the neighbours that are known, rounded; 0 where none is.
+template <class Light>
+glm::ivec4 meanAround(const LightNodes& nodes, const Light& light, const glm::ivec3& node) {
+  const glm::ivec3 from = glm::max(node - 1, glm::ivec3(0));
+  const glm::ivec3 to = glm::min(node + 1, nodes.count - 1);
+  glm::ivec4 sum(0);
+  int known = 0;
+  for (int z = from.z; z <= to.z; ++z)
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x)
+        if (const glm::ivec4 codes = codesOf(light[voxelOffset(nodes.count, x, y, z)]); codes.x > 0) {
+          sum += codes;
+          ++known;
+        }
+  return known > 0 ? (sum + known / 2) / known : sum;
+}
+
+template <class Light>
+void completeAll(const LightNodes& nodes, Light& light, const glm::ivec4& allComes) {
+  const Light before = light;
+  for (int z = 0; z < nodes.count.z; ++z)
+    for (int y = 0; y < nodes.count.y; ++y)
+      for (int x = 0; x < nodes.count.x; ++x) {
+        auto& node = light[voxelOffset(nodes.count, x, y, z)];
+        if (codesOf(node).x > 0)
+          continue;
+        const glm::ivec4 mean = meanAround(nodes, before, {x, y, z});
+        setCodes(node, mean.x > 0 ? mean : allComes);
+      }
+}
+
+} // namespace
+
+void complete(const LightNodes& nodes, DirectLight& light) {
+  completeAll(nodes, light, {255, 0, 0, 0});
+}
+
+void complete(const LightNodes& nodes, AmbientLight& light) {
+  completeAll(nodes, light, {255, 127, 127, 127});
+}
 
 LightNodes lightNodes(const Grid& grid, const glm::dvec3& lower, const glm::dvec3& upper,
                       std::size_t bytesEach, std::size_t mostBytes) {

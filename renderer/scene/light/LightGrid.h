@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace limn {
@@ -25,9 +26,9 @@ struct LightNodes {
 LightNodes lightNodes(const Grid& grid, const glm::dvec3& lower, const glm::dvec3& upper,
                       std::size_t bytesEach, std::size_t mostBytes);
 
-/// What comes of a light to the nodes, x fastest, past all that is in its way, from the node itself on: 0
-/// where nothing that shows is near or nothing of it could be seen, so that a place takes what its other
-/// nodes say; else 1 + 254 M, rounded.
+/// What comes of a light to the nodes, x fastest, past all that is in its way, from the node itself on:
+/// 1 + 254 M, rounded. 0 until it is known: nodes where nothing that shows is near, or nothing of it could be
+/// seen, are told by their neighbours (`complete`).
 using DirectLight = std::vector<std::uint8_t>;
 
 /// What comes of ambient light to the nodes from all around: the mean of exp(-τ) over the sphere, as above,
@@ -35,6 +36,19 @@ using DirectLight = std::vector<std::uint8_t>;
 /// as 127 + 254 of it, rounded. M around a normal is the first plus the product of the others with it: exact
 /// where what is open is a half space, or everything.
 using AmbientLight = std::vector<std::array<std::uint8_t, 4>>;
+
+/// What was found of the light that comes to a scene.
+struct LightVolumes {
+  LightNodes nodes;                            ///< none: nothing is known, and all light is taken to come
+  std::shared_ptr<const DirectLight> direct;   ///< null where no light casts shadows
+  std::shared_ptr<const AmbientLight> ambient; ///< null where nothing dims ambient light
+  bool operator==(const LightVolumes&) const = default;
+};
+
+/// Makes every node known: one that is not takes the mean of those that are among its 26 neighbours, so that
+/// every cell with a known node has eight; where there is none, all light comes.
+void complete(const LightNodes& nodes, DirectLight& light);
+void complete(const LightNodes& nodes, AmbientLight& light);
 
 /// The share that a code of a node stands for; `code` > 0.
 inline double shareOfCode(std::uint8_t code) {

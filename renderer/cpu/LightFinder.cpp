@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/LightFinder.h"
+
+#include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/light/LightingTerms.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limn {
+namespace {
+
+Scene withDetail(Scene lit, LightDetail detail) {
+  lit.quality.light = detail;
+  return lit;
+}
+
+// Pictures side by side, and what was found of each before.
+constexpr std::size_t mostWanted = 2;
+constexpr std::size_t mostKnown = 6;
+
+// A grid has two details.
+LightDetail gridDetail(const Quality& quality) {
+  return quality.light == LightDetail::coarse ? LightDetail::coarse : LightDetail::fine;
+}
+
+} // namespace
+
+Scene litPart(const Scene& scene) {
+  Scene lit = scene;
+  lit.shading.lightDirection = lightTravels(scene.shading, scene.camera);
+  lit.shading.lightAxes = LightAxes::world;
+  lit.camera = {};
+  lit.fog = {};
+  lit.image = {};
+  lit.quality = {};
+  lit.quality.light = gridDetail(scene.quality);
+  return lit;
+}
+
+LightFinder::LightFinder(int threads)
+    : m_data(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
+             true) {}
+
+LightVolumes LightFinder::find(const Scene& scene, const std::function<bool()>& isCancelled) {
+  const Scene lit = litPart(scene);
+  if (lit == m_of)
+    return m_found;
+  m_of = {};
+  m_data.update(lit, isCancelled);
+  const EffectPlan plan = requiredEffects(lit, m_data.facts(lit));
+  m_found = {};
+  if (plan.isVisible && plan.effects.hasAny(travellingLight))
+    m_found = m_data.terms(lit, {1, 1}, plan.effects, isCancelled).travel.found;
+  m_of = lit;
+  return m_found;
+}
+
+LightInBackground::LightInBackground(int threads) : m_finder(threads) {
+  m_thread = std::thread([this] { work(); });
+}
+
+LightInBackground::~LightInBackground() {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_ends = true;
+  }
+  m_changed.notify_all();
+  m_thread.join();
+}
+
+LightVolumes LightInBackground::known(const Scene& scene) {
+  const Scene lit = litPart(scene);
+  const std::lock_guard lock(m_mutex);
+  if (m_problem)
+    std::rethrow_exception(std::exchange(m_problem, nullptr));
+  std::erase_if(m_known, [&](const Known& known) { return known.of.volume != lit.volume; });
+  std::erase_if(m_wanted, [&](const Scene& wanted) { return wanted.volume != lit.volume; });
+  want(lit);
+  const Known* known = exactly(lit);
+  if (!known)
+    known = instead(lit);
+  return known ? known->light : LightVolumes();
+}
+
+bool LightInBackground::isFinding(const Scene& scene) {
+  const Scene lit = litPart(scene);
+  const std::lock_guard lock(m_mutex);
+  if (m_problem || exactly(lit))
+    return false;
+  if (!missing())
+    want(lit); // another took its turn
+  return true;
+}
+
+void LightInBackground::want(const Scene& lit) {
+  std::erase_if(m_wanted, [&](const Scene& wanted) { return wanted.shading.model == lit.shading.model; });
+  m_wanted.push_front(lit);
+  while (m_wanted.size() > mostWanted)
+    m_wanted.pop_back();
+  if (missing())
+    m_changed.notify_all();
+}
+
+// Fine light serves a picture that asks for coarse one.
+const LightInBackground::Known* LightInBackground::exactly(const Scene& lit) const {
+  const Scene fine = withDetail(lit, LightDetail::fine);
+  const auto found =
+      std::ranges::find_if(m_known, [&](const Known& known) { return known.of == lit || known.of == fine; });
+  return found == m_known.end() ? nullptr : &*found;
+}
+
+// The same more coarsely, else what is nearest to it.
+const LightInBackground::Known* LightInBackground::instead(const Scene& lit) const {
+  if (const Known* coarse = exactly(withDetail(lit, LightDetail::coarse)))
+    return coarse;
+  const auto alike = std::ranges::find_if(
+      m_known, [&](const Known& known) { return known.of.shading.model == lit.shading.model; });
+  if (alike != m_known.end())
+    return &*alike;
+  return m_known.empty() ? nullptr : &m_known.front();
+}
+
+// What is to be found next: coarse light of all before fine light of any.
+std::optional<Scene> LightInBackground::missing() const {
+  for (const Scene& wanted : m_wanted)
+    if (const Scene coarse = withDetail(wanted, LightDetail::coarse); !exactly(coarse))
+      return coarse;
+  for (const Scene& wanted : m_wanted)
+    if (!exactly(wanted))
+      return wanted;
+  return std::nullopt;
+}
+
+void LightInBackground::work() {
+  std::unique_lock lock(m_mutex);
+  for (;;) {
+    m_changed.wait(lock, [this] { return m_ends || missing(); });
+    if (m_ends)
+      return;
+    findNext(lock);
+  }
+}
+
+// Holds the lock but for the search.
+void LightInBackground::findNext(std::unique_lock<std::mutex>& lock) {
+  const Scene sought = *missing();
+  const auto isInVain = [&] {
+    const std::lock_guard inner(m_mutex);
+    const bool isFine = sought.quality.light == LightDetail::fine;
+    return m_ends || std::ranges::none_of(m_wanted, [&](const Scene& wanted) {
+             return isFine ? wanted == sought : wanted.volume == sought.volume;
+           });
+  };
+  lock.unlock();
+  LightVolumes found;
+  std::exception_ptr problem;
+  bool isFound = true;
+  try {
+    found = m_finder.find(sought, isInVain);
+  } catch (const Cancelled&) {
+    isFound = false;
+  } catch (...) {
+    problem = std::current_exception();
+  }
+  lock.lock();
+  if (!isFound)
+    return;
+  // What failed would fail again: its light is taken to be known.
+  m_known.push_front({problem ? withDetail(sought, LightDetail::fine) : sought, found});
+  if (m_known.size() > mostKnown)
+    m_known.pop_back();
+  m_problem = problem;
+}
+
+} // namespace limn

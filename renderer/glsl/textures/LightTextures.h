@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/GlObjects.h"
+#include "gl/ShaderProgram.h"
+#include "scene/light/LightGrid.h"
+#include "scene/volume/Grid.h"
+
+#include <optional>
+
+namespace limn {
+
+/// What was found of the light that comes to a scene, on the graphics card.
+class LightTextures {
+public:
+  /// Uploads what differs from the light before; changes texture bindings. Throws Error (openGl) where the
+  /// driver has no room for it.
+  void update(const LightVolumes& light);
+
+  /// Binds them and sets where nodes lie in a program in use. Where `looksNear`, what stands near a sample is
+  /// looked at from it, if anything is known.
+  void apply(const ShaderProgram& program, bool looksNear) const;
+
+  /// What they take on the card.
+  std::size_t bytes() const;
+
+private:
+  LightVolumes m_light;
+  std::optional<GlTexture> m_direct, m_ambient; ///< absent: nothing was drawn with such light yet
+};
+
+} // namespace limn

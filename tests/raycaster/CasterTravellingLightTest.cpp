@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light on its way drawn by the ray caster (DEFINITION section 11): from the nodes that the CPU engine draws
+// from, found beside drawing or before it, and without a trace where there is none.
+#include "accuracy/ImageError.h"
+#include "cpu/CpuRenderer.h"
+#include "cpu/LightFinder.h"
+#include "engine/VolumeTooLarge.h"
+#include "raycaster/RayCaster.h"
+#include "support/GlTest.h"
+#include "support/JudgedTime.h"
+#include "support/TravellingScenes.h"
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace limn {
+namespace {
+
+using test::shadowedHead;
+using test::TravelCase;
+using test::travelCases;
+using test::withoutTravel;
+
+constexpr glm::ivec2 pictureSize{96, 80};
+
+class CasterTravellingLight : public test::GlTest {};
+
+// Both look the same nodes up; what is left is what both differ by without, and an edge at which a look from
+// a sample meets tissue or not.
+TEST_F(CasterTravellingLight, everyPictureIsTheProcessors) {
+  for (const TravelCase& one : travelCases)
+    for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse}) {
+      Scene scene = shadowedHead(4.0);
+      one.apply(scene);
+      scene.quality.light = detail;
+      RayCaster caster;
+      CpuRenderer processor;
+      const Image drawn = caster.render(scene, pictureSize);
+      const ImageError error = imageError(drawn, processor.render(scene, pictureSize));
+      const double travel = imageError(drawn, caster.render(withoutTravel(scene), pictureSize)).p99_9;
+      std::cout << one.what << (detail == LightDetail::fine ? ", fine" : ", coarse") << ": 99.9th percentile "
+                << error.p99_9 << ", mean " << error.mean << " levels, of " << travel
+                << " that light on its way makes\n";
+      EXPECT_LE(error.p99_9, 1.0) << one.what;
+      EXPECT_LE(error.mean, 0.1) << one.what;
+      EXPECT_GE(travel, 2.5) << one.what << " shows nothing of it";
+    }
+}
+
+TEST_F(CasterTravellingLight, anyTilesGiveTheSameBits) {
+  const Scene scene = shadowedHead(6.0);
+  const glm::ivec2 size{300, 290};
+  RayCaster one, other;
+  const Image expected = one.render(scene, size);
+  other.render(scene, {40, 30});
+  EXPECT_EQ(other.render(scene, size), expected);
+}
+
+TEST_F(CasterTravellingLight, changesNoBitAndCompilesNothingWhereItIsNeutral) {
+  Scene plain = withoutTravel(shadowedHead(5.0));
+  plain.shading.lightDirection.reset();
+  Scene headlight = plain;
+  headlight.shading.shadow = {1.0, 20.0};
+  RayCaster caster;
+  const Image expected = caster.render(plain, pictureSize);
+  const int programs = caster.compiledPrograms();
+  const double mb = caster.volumeMb();
+  EXPECT_EQ(caster.render(headlight, pictureSize), expected);
+  EXPECT_EQ(caster.compiledPrograms(), programs);
+  EXPECT_EQ(caster.volumeMb(), mb);
+}
+
+TEST_F(CasterTravellingLight, leavesAToleranceToTheProcessor) {
+  Scene scene = shadowedHead(8.0);
+  scene.quality.toleranceLevels = 1.0;
+  RayCaster caster;
+  EXPECT_THROW(caster.render(scene, pictureSize), BeyondDriver);
+  EXPECT_NO_THROW(caster.render(withoutTravel(scene), pictureSize));
+}
+
+// Waits for the light of a scene as a view does, between its turns.
+void waitForLight(LightInBackground& light, const Scene& scene) {
+  while (light.isFinding(scene))
+    std::this_thread::yield();
+}
+
+TEST_F(CasterTravellingLight, oldLightServesUntilTheNewIsThere) {
+  Scene scene = shadowedHead(3.0);
+  LightInBackground light;
+  EXPECT_EQ(light.known(scene), LightVolumes{}); // all light comes
+  waitForLight(light, scene);
+  const LightVolumes first = light.known(scene);
+  const LightVolumes expected = LightFinder().find(scene);
+  ASSERT_TRUE(first.direct && first.ambient);
+  EXPECT_EQ(first.nodes, expected.nodes);
+  EXPECT_EQ(*first.direct, *expected.direct);
+  EXPECT_EQ(*first.ambient, *expected.ambient);
+
+  Scene edited = scene;
+  edited.transferFunction.points.back().opacity *= 0.5;
+  EXPECT_EQ(light.known(edited), first);
+  EXPECT_TRUE(light.isFinding(edited));
+  waitForLight(light, edited);
+  const LightVolumes second = light.known(edited);
+  EXPECT_NE(second.direct, first.direct);
+  EXPECT_EQ(light.known(scene), first); // side by side neither is found twice
+  EXPECT_FALSE(light.isFinding(scene));
+}
+
+TEST_F(CasterTravellingLight, aDragFasterThanTheLightSeesLight) {
+  Scene scene = shadowedHead(2.0);
+  scene.quality.light = LightDetail::coarse;
+  LightInBackground light;
+  light.known(scene);
+  int news = 0;
+  LightVolumes last;
+  const auto begin = std::chrono::steady_clock::now();
+  // Each turn of the drag asks for another light at once.
+  for (int turn = 0; news < 3 && std::chrono::steady_clock::now() - begin < std::chrono::seconds(60);
+       ++turn) {
+    scene.shading.lightDirection = glm::dvec3(0.6, -0.7 + 1e-3 * (turn % 500), 1.0);
+    const LightVolumes known = light.known(scene);
+    news += known.direct != last.direct ? 1 : 0;
+    last = known;
+    std::this_thread::yield();
+  }
+  EXPECT_GE(news, 3);
+}
+
+TEST_F(CasterTravellingLight, anotherVolumeHasNoneOfItsLight) {
+  const Scene scene = shadowedHead(5.0), other = shadowedHead(6.0);
+  LightInBackground light;
+  light.known(scene);
+  waitForLight(light, scene);
+  EXPECT_EQ(light.known(other), LightVolumes{});
+  waitForLight(light, other);
+  EXPECT_NE(light.known(other), LightVolumes{});
+}
+
+double msOf(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST_F(CasterTravellingLight, aFrameFromNodesCostsLittleMore) {
+  Scene scene = shadowedHead(1.0);
+  scene.quality.light = LightDetail::coarse;
+  const glm::ivec2 size{512, 512};
+  RayCaster caster;
+  caster.render(withoutTravel(scene), size);
+  caster.render(scene, size);
+  const double plain = msOf([&] { caster.render(withoutTravel(scene), size); });
+  const double lit = msOf([&] { caster.render(scene, size); });
+  std::cout << plain << " ms without, " << lit << " ms with light on its way\n";
+  test::judgeMs("a picture with light looked up", lit, 1.5 * plain);
+}
+
+} // namespace
+} // namespace limn
