@@ -130,7 +130,7 @@ public:
     facts.plan = renderer.plan(scene);
     facts.steepestPerMm = renderer.steepestPerMm();
     facts.takesAllSamples = renderer.limitation().empty();
-    facts.goesByCells = true;
+    facts.goesByCells = facts.findsLightOfSamples = true;
     return facts;
   }
   GradientScale gradientScale() const override { return m_last->gradientScale(); }

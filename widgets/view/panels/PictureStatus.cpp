@@ -43,6 +43,12 @@ bool isKnown(const PictureState& state) {
   return std::ranges::all_of(state.sides, [](const SideState& side) { return levelsOf(side).has_value(); });
 }
 
+bool isLightMeasured(const PictureState& state) {
+  return std::ranges::all_of(state.sides, [](const SideState& side) {
+    return side.isLightMeasured || side.measuredLevels || side.chance;
+  });
+}
+
 bool isResolved(const PictureState& state) {
   return std::ranges::all_of(state.sides, [](const SideState& side) {
     return side.isResolved || side.measuredLevels || side.chance;
@@ -65,6 +71,8 @@ QString worstText(const SideState& worst) {
 QString estimateText(const PictureState& state) {
   if (!isResolved(state))
     return QObject::tr("not resolved");
+  if (!isLightMeasured(state))
+    return QObject::tr("shadows not measured");
   if (!isKnown(state))
     return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
@@ -104,7 +112,8 @@ QString badgeText(const PictureState& state) {
     return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
   if (!state.resting)
     return QObject::tr("○ preview");
-  if (isResolved(state) && isKnown(state) && *levelsOf(worstOf(state)) <= exactLevels)
+  if (isResolved(state) && isLightMeasured(state) && isKnown(state) &&
+      *levelsOf(worstOf(state)) <= exactLevels)
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
@@ -139,6 +148,11 @@ EndText textOf(RefinementEnd end) {
   case RefinementEnd::patience:
     return {QObject::tr("smallest practical step, %1"),
             QObject::tr("The next smaller step would take too long on this machine.")};
+  case RefinementEnd::gridOfLight:
+    return {QObject::tr("step %1, light from a grid"),
+            QObject::tr(
+                "Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with "
+                "a tolerance (--tolerance) the processor finds them for each sample, in minutes.")};
   case RefinementEnd::failed:
     return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
   }
@@ -166,6 +180,10 @@ QString explanationOf(const PictureState& state) {
     return QObject::tr("Not resolved: a band of the curve is narrower than what the value changes by within "
                        "one step, so the picture may miss it and no number would be right. Pre-integrated "
                        "steps, or smaller ones, see it.");
+  if (!isLightMeasured(state))
+    return QObject::tr(
+        "OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by; the "
+        "processor can (View ▸ Draw with).");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
   if (const std::optional<double> measured = worstOf(state).measuredLevels)

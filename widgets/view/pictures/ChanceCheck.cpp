@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/ChanceCheck.h"
 
+#include "scene/effects/EffectPlan.h"
 #include "scene/volume/Volume.h"
 
 #include <QThreadPool>
@@ -38,8 +39,9 @@ std::shared_ptr<ChanceCheck::Job> ChanceCheck::begin(const SidePicture& side) co
   auto job = std::make_shared<Job>();
   job->scene = side.shownScene();
   job->image = side.picture().image;
-  // What lies on disk would be read once more, against the picture's own reading.
-  if (!job->image || !job->scene.volume || job->scene.volume->room()) {
+  // What lies on disk would be read once more, against the picture's own reading; light that travels would
+  // take many minutes.
+  if (!job->image || !job->scene.volume || job->scene.volume->room() || hasTravellingLight(job->scene)) {
     job->isDone = true;
     return job;
   }

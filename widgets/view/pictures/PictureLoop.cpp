@@ -19,7 +19,7 @@ constexpr double timeBetweenProbes = 9.0; // in times of one
 
 PictureLoop::PictureLoop(MakePictures makePictures, PictureContext context, PicturePace pace, QObject* parent)
     : QObject(parent), m_makePictures(std::move(makePictures)), m_context(std::move(context)), m_pace(pace) {
-  for (QTimer* timer : {&m_idleTimer, &m_refineTimer, &m_restTimer, &m_probeTimer}) {
+  for (QTimer* timer : {&m_idleTimer, &m_refineTimer, &m_restTimer, &m_lightTimer, &m_probeTimer}) {
     timer->setParent(this); // they go along to another thread
     timer->setSingleShot(true);
   }
@@ -27,6 +27,7 @@ PictureLoop::PictureLoop(MakePictures makePictures, PictureContext context, Pict
   connect(&m_idleTimer, &QTimer::timeout, this, &PictureLoop::refine);
   connect(&m_refineTimer, &QTimer::timeout, this, &PictureLoop::refine);
   connect(&m_restTimer, &QTimer::timeout, this, &PictureLoop::workAtRest);
+  connect(&m_lightTimer, &QTimer::timeout, this, &PictureLoop::awaitLight);
   connect(&m_probeTimer, &QTimer::timeout, this, &PictureLoop::probeError);
 }
 
@@ -85,6 +86,7 @@ void PictureLoop::stop() {
   m_idleTimer.stop();
   m_refineTimer.stop();
   m_restTimer.stop();
+  m_lightTimer.stop();
   m_probeTimer.stop();
 }
 
@@ -168,11 +170,23 @@ void PictureLoop::drawCoarsely() {
     m_isStale = true;
     QTimer::singleShot(0, this, &PictureLoop::showNeeded);
   }
+  if (m_pictures->coarseLacksLight())
+    m_lightTimer.start(waitMs);
   m_idleTimer.start();
   if (!m_probeTimer.isActive())
     m_probeTimer.start(0);
   updateState();
   tellEffects(m_pictures->effectRowsOf(m_pictures->count() - 1));
+}
+
+// A picture drawn in the light of the scene before is drawn anew in its own; at rest that follows by itself.
+void PictureLoop::awaitLight() {
+  if (!m_pictures || isPreparing() || !m_order.isSeen || state().resting)
+    return;
+  if (m_pictures->isFindingCoarseLight())
+    return m_lightTimer.start(waitMs);
+  restart();
+  emit showNeeded();
 }
 
 // What is drawn of voxels that were lost meanwhile is an error.

@@ -88,6 +88,7 @@ private:
   void tellPreparing(double fraction);
   void endPreparing();
   void drawCoarsely();
+  void awaitLight();
   void requireVolume() const;
   void refine();
   void updateState();
@@ -109,6 +110,7 @@ private:
   QTimer m_idleTimer;    ///< from the last coarse picture to the first strip
   QTimer m_refineTimer;
   QTimer m_restTimer;
+  QTimer m_lightTimer; ///< until the light of a coarse picture is found
   QTimer m_probeTimer; ///< from a coarse picture to the measure of its error
   QElapsedTimer m_sinceShown;
   QElapsedTimer m_sincePreparing; ///< valid while a volume is being got ready

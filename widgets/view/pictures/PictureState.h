@@ -26,6 +26,7 @@ enum class RefinementEnd {
   smallestStep,
   sampleLimit, ///< rays would need more samples than one may take
   patience,    ///< the next pass would take too long
+  gridOfLight, ///< smaller steps would show nothing beside what light that is looked up on a grid is off by
   failed
 };
 
@@ -46,6 +47,7 @@ struct SideState {
   bool isRough = true;                   ///< the estimate comes from small pictures
   std::optional<ErrorByChance> chance;   ///< of the error of what is shown, once it is final
   std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
+  bool isLightMeasured = true;           ///< false: what a grid of light is off by is in no figure told
   bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
 };

@@ -2,6 +2,7 @@
 #include "widgets/view/pictures/Pictures.h"
 
 #include "engine/DrawingEngine.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/Translated.h"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ void Pictures::noteShown() {
   for (int i = 0; i < m_count; ++i) {
     shown.push_back(m_sides[i].shownScene());
     m_isResolved[i] = isResolved(*m_engine, shown.back());
+    m_isLightMeasured[i] =
+        !hasTravellingLight(shown.back()) || m_engine->facts(shown.back()).findsLightOfSamples;
   }
   m_limitation = translated(m_engine->limitation());
   if (m_count > 0)
@@ -52,6 +55,9 @@ bool Pictures::probeError() {
 
 RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
   m_screen->reset();
+  if (const RestTurn turn = m_refinement.completeLight(*m_engine, sides(), budgetMs);
+      turn != RestTurn::nothing)
+    return turn;
   if (m_rest.step(*m_engine) || m_probe.step(*m_engine))
     return RestTurn::worked;
   if (!refines)
@@ -87,6 +93,7 @@ SideState Pictures::stateOf(int index) const {
     state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
   state.chance = m_chance.error(index);
   state.isResolved = m_isResolved[index];
+  state.isLightMeasured = m_isLightMeasured[index];
   return state;
 }
 
@@ -139,6 +146,17 @@ double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
     ms += m_sides[i].drawCoarsely(*m_engine, level, seen[i]);
   noteShown();
   return ms;
+}
+
+bool Pictures::coarseLacksLight() const {
+  return std::any_of(m_sides.begin(), m_sides.begin() + m_count,
+                     [](const SidePicture& side) { return side.coarseLacksLight(); });
+}
+
+bool Pictures::isFindingCoarseLight() {
+  return std::any_of(m_sides.begin(), m_sides.begin() + m_count, [this](const SidePicture& side) {
+    return m_engine->isFindingLight(side.coarseScene());
+  });
 }
 
 bool Pictures::refine(double budgetMs) {

@@ -38,6 +38,10 @@ public:
   /// Draws what is seen of every wanted picture at a level and returns the time, ms.
   double drawCoarsely(int level, const std::array<Columns, 2>& seen);
 
+  /// Whether any of those was drawn while its light was being found, and whether any's still is.
+  bool coarseLacksLight() const;
+  bool isFindingCoarseLight();
+
   /// Draws strips, alternately, until `budgetMs` is spent or all pictures are complete and read back.
   /// True when they are.
   bool refine(double budgetMs);
@@ -89,7 +93,8 @@ private:
   Refinement m_refinement;
   ChanceCheck m_chance;
   std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
-  QString m_limitation;                         ///< of the scenes at their own step
+  std::array<bool, 2> m_isLightMeasured{true, true};
+  QString m_limitation; ///< of the scenes at their own step
   int m_count = 0;
 };
 

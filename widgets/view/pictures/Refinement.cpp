@@ -5,8 +5,10 @@
 #include "accuracy/Tolerance.h"
 #include "engine/DrawingEngine.h"
 #include "scene/ProjectionFacts.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/view/pictures/ErrorProbe.h"
 #include "widgets/view/pictures/InteractionQuality.h"
+#include "widgets/view/pictures/RestWork.h"
 #include "widgets/view/pictures/StepSearch.h"
 
 #include <QThreadPool>
@@ -43,9 +45,15 @@ struct Refinement::Job {
 namespace {
 
 // Errors can be controlled where light is added up and, cell by cell, everywhere; a scene that asks for its
-// own tolerance has had its steps.
+// own tolerance has had its steps. With light that travels a tolerance takes minutes: who wants it asks for
+// it.
 bool mayControlErrors(const SidePicture& side, bool goesByCells) {
-  return (goesByCells || integrates(side.scene().projection)) && !side.scene().quality.toleranceLevels;
+  return (goesByCells || integrates(side.scene().projection)) && !side.scene().quality.toleranceLevels &&
+         !hasTravellingLight(side.scene());
+}
+
+bool haveTravellingLight(std::span<const SidePicture> sides) {
+  return std::ranges::any_of(sides, [](const SidePicture& side) { return hasTravellingLight(side.scene()); });
 }
 
 } // namespace
@@ -63,6 +71,27 @@ RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides,
     return chooseRoad(engine, sides, rough, budgetMs);
   if (!sides.front().isFiner())
     return begin(engine, sides);
+  return advance(engine, sides, budgetMs);
+}
+
+RestTurn Refinement::completeLight(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs) {
+  if (std::ranges::none_of(sides, &SidePicture::lacksLight))
+    return RestTurn::nothing;
+  if (std::ranges::any_of(sides,
+                          [&](const SidePicture& side) { return engine.isFindingLight(side.scene()); }))
+    return RestTurn::waiting;
+  if (!sides.front().isFiner()) {
+    m_road = Road::light;
+    m_sides.clear();
+    m_sides.resize(sides.size());
+    for (SidePicture& side : sides)
+      side.beginFiner(side.finishedQuality(), side.completeMs().value_or(0.0));
+    return RestTurn::worked;
+  }
+  return advance(engine, sides, budgetMs);
+}
+
+RestTurn Refinement::advance(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs) {
   if (compileOne(engine, sides) || drawStrips(engine, sides, budgetMs) || readOne(sides))
     return RestTurn::worked;
   if (!std::all_of(m_sides.begin(), m_sides.end(), [](const Side& side) { return side.job->isDone.load(); }))
@@ -112,8 +141,11 @@ void Refinement::beginSearch(DrawingEngine& engine, std::span<SidePicture> sides
                      facts.goesByCells ? StepControl::cells : StepControl::local, facts.filterBits);
 }
 
-// By small pictures, and only where the driver's weights are coarse: no smaller step mends what they add.
+// By small pictures, and only where the driver's weights or a grid of light are coarse: no smaller step mends
+// what they add.
 void Refinement::measureFilter(DrawingEngine& engine, std::span<SidePicture> sides) {
+  if (haveTravellingLight(sides) && !engine.facts(sides.front().scene()).findsLightOfSamples)
+    return;
   const DrawScene draw = [&](const Scene& scene, const glm::ivec2& size) {
     m_sheet->resize(size);
     m_sheet->draw(engine, scene, {{0, 0}, size});
@@ -154,7 +186,7 @@ RestTurn Refinement::beginHalving(DrawingEngine& engine, std::span<SidePicture> 
 std::optional<RefinementEnd> Refinement::endBefore(DrawingEngine& engine, std::span<SidePicture> sides,
                                                    double step) const {
   if (isWithinTarget(engine, sides))
-    return RefinementEnd::withinHalfALevel;
+    return haveTravellingLight(sides) ? RefinementEnd::gridOfLight : RefinementEnd::withinHalfALevel;
   if (step < smallestStepVoxels)
     return RefinementEnd::smallestStep;
   for (const SidePicture& side : sides)
@@ -166,10 +198,13 @@ std::optional<RefinementEnd> Refinement::endBefore(DrawingEngine& engine, std::s
 }
 
 bool Refinement::isWithinTarget(DrawingEngine& engine, std::span<SidePicture> sides) const {
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 + m_sides[i].ofFilter.p99_9 > halfALevel ||
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool looksUpLight = hasTravellingLight(sides[i].scene());
+    const double ofFilter = looksUpLight ? 0.0 : m_sides[i].ofFilter.p99_9;
+    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 + ofFilter > halfALevel ||
         !isResolved(engine, sides[i].shownScene()))
       return false;
+  }
   return true;
 }
 
@@ -223,6 +258,10 @@ RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
     const std::shared_ptr<Job> job = std::move(m_sides[i].job);
     if (job->problem)
       std::rethrow_exception(job->problem);
+    if (m_road == Road::light) {
+      sides[i].adoptFiner(std::move(job->picture));
+      continue;
+    }
     if (job->before) {
       m_sides[i].halvings.push_back(job->halving);
       m_sides[i].steps = errorAfterHalvings(m_sides[i].halvings);
@@ -234,6 +273,8 @@ RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
     sides[i].adoptFiner(std::move(job->picture));
   }
   m_spentMs += m_lastMs;
+  if (m_road == Road::light) // what follows begins anew
+    m_road.reset();
   return RestTurn::finished;
 }
 

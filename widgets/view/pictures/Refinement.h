@@ -40,6 +40,9 @@ public:
   RestTurn step(DrawingEngine& engine, std::span<SidePicture> sides,
                 const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs);
 
+  /// Draws sides anew that were drawn while their light was being found, once that is there, as `step` does.
+  RestTurn completeLight(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
+
   /// Looks for the road.
   bool isSearching() const { return m_search.has_value(); }
 
@@ -58,7 +61,7 @@ public:
   bool hasResolved() const { return m_road == Road::tolerance && m_end.has_value(); }
 
 private:
-  enum class Road { halving, tolerance };
+  enum class Road { light, halving, tolerance };
   // What is computed of a pass beside the event loop.
   struct Job;
   struct Side {
@@ -82,6 +85,7 @@ private:
   bool compileOne(DrawingEngine& engine, std::span<SidePicture> sides);
   bool drawStrips(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
   bool readOne(std::span<SidePicture> sides);
+  RestTurn advance(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
   RestTurn adoptAll(std::span<SidePicture> sides);
   std::optional<RefinementEnd> endBefore(DrawingEngine& engine, std::span<SidePicture> sides,
                                          double step) const;

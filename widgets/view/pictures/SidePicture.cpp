@@ -42,7 +42,7 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_pass = 0;
   m_hasMiddlePass = false;
   m_schedule = TileSchedule(size, m_stripMs);
-  m_finished = false;
+  m_finished = m_lacksLight = false;
   m_picture = {};
   m_finer.reset();
 }
@@ -60,6 +60,8 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
   const bool isFull = level == 0 && !m_standIn;
   PictureSheet& target = isFull ? *m_full : *m_coarse;
   target.resize(size);
+  m_coarseLacksLight = engine.isFindingLight(scene);
+  m_lacksLight = isFull && m_coarseLacksLight;
   // Draw one pixel first: uploads and compilation are no measure of the frames to come.
   target.draw(engine, scene, {size / 2, {1, 1}});
   const PixelRect part = level == 0 ? PixelRect{{0, 0}, size} : seenPart(size, seen);
@@ -84,6 +86,7 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
   const glm::ivec2 size = sizeAt(quality, m_size);
   const Scene scene = m_pass == 0 ? withQualityLevel(m_scene, quality) : passScene(engine, quality, size);
   target.resize(size);
+  m_lacksLight = m_lacksLight || (m_pass == 0 && engine.isFindingLight(scene));
   m_schedule.finished(timedMs([&] { target.draw(engine, scene, m_schedule.next()); }));
   if (!m_schedule.complete())
     return;
@@ -173,6 +176,7 @@ void SidePicture::adoptFiner(FinishedPicture picture) {
   m_completeMs = m_finer->schedule.spentMs();
   m_finishedRowMs = m_finer->schedule.rowMs();
   m_finer.reset();
+  m_lacksLight = false;
 }
 
 std::optional<double> SidePicture::contrast() const {

@@ -39,6 +39,12 @@ public:
   void finish();
   bool finished() const { return m_finished; }
 
+  /// Whether the coarse picture, or part of the full one, was drawn while its light was being found.
+  bool coarseLacksLight() const { return m_coarseLacksLight; }
+  bool lacksLight() const { return m_lacksLight; }
+  /// The scene of the coarse picture, all of its voxels.
+  Scene coarseScene() const { return withQualityLevel(m_scene, m_coarseQuality); }
+
   /// Begins to draw the finished picture anew with a better quality, which is expected to take `expectedMs`;
   /// until it is adopted, everything told of the finished picture stays.
   void beginFiner(const Quality& quality, double expectedMs);
@@ -102,6 +108,7 @@ private:
   GradientScale m_gradientScale;
   std::optional<double> m_completeMs;
   bool m_finished = false;
+  bool m_coarseLacksLight = false, m_lacksLight = false;
   std::unique_ptr<PictureSheet> m_coarse, m_middle, m_full;
   std::unique_ptr<FinishedSheet> m_finishedSheet;
   double m_stripMs;
