@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What share of its light comes to a sample (DEFINITION section 11), as the CPU engine finds it (cpu/simd/NearLight):
-// nodes of a grid tell what comes from afar, and looks from the sample itself what stands near.
+// nodes of a grid tell what comes from afar, and looks from the sample what stands near towards the light.
 
 uniform sampler3D u_directLight; // codes of scene/light/LightGrid.h
 uniform sampler3D u_ambientLight;
 uniform vec3 u_nodesScale; // texture coordinates per voxel
 uniform vec3 u_nodesOffset; // of the box's centre
 uniform float u_lightFrom; // from here on light is stopped, lengths
-uniform float u_looksNear; // 1; 0: nodes alone tell
+uniform float u_looksNear; // 1: what stands nearer towards the light is looked at; 0: nodes alone tell
 uniform float u_shadow; // strengths
 uniform float u_occlusion;
-
-const float nearLength = 4.5; // lengths, along the light
-const float thickness = 1.5; // of the two layers along the normal that are taken to be alike
+uniform float u_directAway; // so far towards the light nodes are asked, lengths
+uniform float u_ambientAway; // and along the normal
 
 vec4 nodesAt(sampler3D nodes, vec3 centredIndex) {
   return textureLod(nodes, centredIndex * u_nodesScale + u_nodesOffset, 0.0) * 255.0;
 }
 
+#ifdef EFFECT_SHADOW
 // The extinction per length at a place; of a surface, and behind it, more than anything shines through.
 float extinctionAt(vec3 centredIndex) {
   if (any(lessThan(centredIndex, u_boxLower)) || any(greaterThanEqual(centredIndex, u_boxUpper)))
@@ -48,16 +48,16 @@ float extinctionAt(vec3 centredIndex) {
 #endif
 }
 
-#ifdef EFFECT_SHADOW
 float nearTransmittance(vec3 centredIndex, vec3 perLength) {
 #ifdef EFFECT_ISOSURFACE
-  // It is there or not, and met once by a ray.
-  for (float at = u_lightFrom + 0.125; at < nearLength; at += 0.25)
-    if (extinctionAt(centredIndex + at * perLength) > 0.0)
+  // It is there or not, and met once by a ray: a path may begin behind it, or meet it in any quarter of a length.
+  int steps = int(ceil(4.0 * (u_directAway - u_lightFrom)));
+  for (int i = 0; i <= steps; ++i)
+    if (extinctionAt(centredIndex + (u_lightFrom + max(0.0, 0.25 * (float(i) - 0.5))) * perLength) > 0.0)
       return 0.0;
   return 1.0;
 #else
-  float part = 0.5 * (nearLength - u_lightFrom);
+  float part = 0.5 * (u_directAway - u_lightFrom);
   float before = extinctionAt(centredIndex + (u_lightFrom + 0.5 * part) * perLength);
   float behind = extinctionAt(centredIndex + (u_lightFrom + 1.5 * part) * perLength);
   return exp(-part * (before + behind));
@@ -66,33 +66,15 @@ float nearTransmittance(vec3 centredIndex, vec3 perLength) {
 
 float directLight(vec3 centredIndex) {
   vec3 perLength = u_lightDirection / u_spacing;
-  float far = (nodesAt(u_directLight, centredIndex + nearLength * perLength).r - 1.0) / 254.0;
+  float far = (nodesAt(u_directLight, centredIndex + u_directAway * perLength).r - 1.0) / 254.0;
   return u_looksNear > 0.5 ? far * nearTransmittance(centredIndex, perLength) : far;
 }
 #endif
 
 #ifdef EFFECT_OCCLUSION
-// exp(-depth) of both layers towards a direction of this cosine, of which what lies nearer than u_lightFrom counts not.
-float throughLayers(vec2 extinctions, float cosine) {
-  vec2 ends = vec2(thickness, 2.0 * thickness);
-  vec2 lengths = clamp(ends - u_lightFrom * cosine, 0.0, thickness) / cosine;
-  return exp(-dot(extinctions, lengths));
-}
-
 float ambientLight(vec3 centredIndex, vec3 normal) {
-  vec3 perLength = normal / u_spacing;
-  vec4 codes = nodesAt(u_ambientLight, centredIndex + 2.0 * thickness * perLength);
-  float far = clamp((codes.x - 1.0 + dot(codes.yzw - 127.0, normal)) / 254.0, 0.0, 1.0);
-  if (u_looksNear < 0.5)
-    return far;
-  vec2 extinctions = vec2(extinctionAt(centredIndex + 0.5 * thickness * perLength),
-                          extinctionAt(centredIndex + 1.5 * thickness * perLength));
-  // Gauss's three points over the square of the cosine.
-  float near = (5.0 * throughLayers(extinctions, sqrt(0.1127017)) + 8.0 * throughLayers(extinctions, sqrt(0.5)) +
-                5.0 * throughLayers(extinctions, sqrt(0.8872983))) / 18.0;
-  // Without a normal all is taken to be as it is here; the grid counts from the place on.
-  float alike = exp(min(extinctions.x, 10.0) * u_lightFrom);
-  return min(1.0, far * (dot(normal, normal) > 0.25 ? near : alike));
+  vec4 codes = nodesAt(u_ambientLight, centredIndex + u_ambientAway * normal / u_spacing);
+  return clamp((codes.x - 1.0 + dot(codes.yzw - 127.0, normal)) / 254.0, 0.0, 1.0);
 }
 #endif
 

@@ -86,7 +86,8 @@ std::vector<std::int32_t> nodesToFind(const PictureTerms& terms, const LightNode
   std::vector<std::int32_t> numbers;
   const EmptySpace& empty = terms.empty;
   // Places ask for nodes around where light that comes to them has been.
-  const double reach = std::max({nodes.stride.x, nodes.stride.y, nodes.stride.z}) + nearLightLengths;
+  const double stride = std::max({nodes.stride.x, nodes.stride.y, nodes.stride.z});
+  const double reach = stride + std::max(LightLook::farthest, 0.5 * stride);
   const double farthest = reach / blockSize + 1.0;
   const glm::dvec3 first = terms.centre + nodes.first;
   const glm::ivec3 last = empty.first + empty.blocks - 1;
@@ -192,7 +193,7 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   TravelTerms travel = looking.travel;
   travel.from = lightOffset(scene, terms);
   travel.found.nodes = nodes;
-  travel.looksNear = detail == LightDetail::fine;
+  travel.look = lightLook(nodes, scene.volume->grid(), detail == LightDetail::fine);
   travel.perIndex = glm::vec3(1.0 / nodes.stride);
   travel.shift = glm::vec3(-(terms.centre + nodes.first) / nodes.stride);
   if (terms.effects.has(Effect::shadow))

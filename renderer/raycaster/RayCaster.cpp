@@ -151,7 +151,7 @@ void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene,
   setUniforms(shader, scene, size, textures);
   bindTextures(textures);
   decisionTextures.apply(shader);
-  light.apply(shader, scene.quality.light == LightDetail::fine);
+  light.apply(shader, scene.volume->grid(), scene.quality.light == LightDetail::fine);
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -69,17 +69,13 @@ struct LookTerms {
   const FewSegments* segmentsTogether = nullptr;
 };
 
-/// As far as what stands in the way of light is looked at from a sample itself, lengths, where grids tell the
-/// rest.
-inline constexpr float nearLightLengths = 4.5f;
-
 /// How what comes of light that travels is found (DEFINITION section 11): from the nodes of a grid or, where
 /// there are none, along paths from each sample. Read where an effect needs it.
 struct TravelTerms {
   using Directions = std::shared_ptr<const std::vector<glm::vec3>>;
   LightVolumes found;
   glm::vec3 perIndex{0.0f}, shift{0.0f}; ///< from voxel indices to nodes
-  bool looksNear = true;   ///< what stands near is looked at from each sample; else nodes alone tell
+  LightLook look;
   Directions towardsLight; ///< over the light, grid axes
   Directions byCosine;     ///< around a normal, the third axis
   Directions onSphere;     ///< as many

@@ -152,11 +152,11 @@ struct Samples {
       if (hasOcclusion)
         ambient = sampled.ambient(index, normal);
     } else {
-      const NearLight<kind> near(terms, march, index, normal);
+      const NearLight<kind> near(terms, march, index);
       if (hasShadow)
         direct = near.direct();
       if (hasOcclusion)
-        ambient = near.ambient();
+        ambient = near.ambient(normal);
     }
     const Reaching reaching{dimmed(terms.light.shadow.strength, direct),
                             dimmed(terms.light.occlusion.strength, ambient)};

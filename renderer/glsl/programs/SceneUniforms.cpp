@@ -223,9 +223,9 @@ int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   // A hybrid picture marches twice, to find the surface and to gather what lies before it.
   const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
   // A pre-integrated step looks up both its ends.
-  // So does what stands in the way of light, twice along the light and twice along the normal.
+  // So does what stands in the way of light, twice.
   const int lookups =
-      (scene.quality.preintegrated == Preintegration::never ? 1 : 2) + (hasTravellingLight(scene) ? 4 : 0);
+      (scene.quality.preintegrated == Preintegration::never ? 1 : 2) + (hasTravellingLight(scene) ? 2 : 0);
   const int looks = textures.looks().isEmpty() ? 0 : 6;
   const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps() + looks;
   return mostSamples / (marches + steps);

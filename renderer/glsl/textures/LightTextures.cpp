@@ -57,7 +57,7 @@ void LightTextures::update(const LightVolumes& light) {
   m_light = light;
 }
 
-void LightTextures::apply(const ShaderProgram& program, bool looksNear) const {
+void LightTextures::apply(const ShaderProgram& program, const Grid& grid, bool isFine) const {
   if (!m_direct)
     return;
   const LightNodes& nodes = m_light.nodes;
@@ -67,7 +67,10 @@ void LightTextures::apply(const ShaderProgram& program, bool looksNear) const {
   const glm::dvec3 perVoxel = isKnown ? 1.0 / (nodes.stride * count) : glm::dvec3(0.0);
   program.set("u_nodesScale", glm::vec3(perVoxel));
   program.set("u_nodesOffset", glm::vec3(0.5 / count - nodes.first * perVoxel));
-  program.set("u_looksNear", looksNear && isKnown ? 1.0f : 0.0f);
+  const LightLook look = isKnown ? lightLook(nodes, grid, isFine) : LightLook();
+  program.set("u_directAway", static_cast<float>(look.directAway));
+  program.set("u_ambientAway", static_cast<float>(look.ambientAway));
+  program.set("u_looksNear", look.looksNear ? 1.0f : 0.0f);
   bindNodes(TextureUnit::directLight, m_direct->name());
   bindNodes(TextureUnit::ambientLight, m_ambient->name());
 }

@@ -17,9 +17,8 @@ public:
   /// driver has no room for it.
   void update(const LightVolumes& light);
 
-  /// Binds them and sets where nodes lie in a program in use. Where `looksNear`, what stands near a sample is
-  /// looked at from it, if anything is known.
-  void apply(const ShaderProgram& program, bool looksNear) const;
+  /// Binds them and sets, in a program in use, where nodes lie on a grid and how samples ask them.
+  void apply(const ShaderProgram& program, const Grid& grid, bool isFine) const;
 
   /// What they take on the card.
   std::size_t bytes() const;

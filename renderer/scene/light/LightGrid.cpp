@@ -57,6 +57,14 @@ void completeAll(const LightNodes& nodes, Light& light, const glm::ivec4& allCom
 
 } // namespace
 
+LightLook lightLook(const LightNodes& nodes, const Grid& grid, bool isFine) {
+  if (isFine)
+    return {LightLook::farthest, 1.5, true};
+  const glm::dvec3 mm = nodes.stride * grid.spacingMm;
+  const double half = 0.5 * std::min({mm.x, mm.y, mm.z}) / smallestSpacingMm(grid);
+  return {std::max(1.75, half), std::max(1.5, half), false};
+}
+
 void complete(const LightNodes& nodes, DirectLight& light) {
   completeAll(nodes, light, {255, 0, 0, 0});
 }

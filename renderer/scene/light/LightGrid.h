@@ -45,6 +45,24 @@ struct LightVolumes {
   bool operator==(const LightVolumes&) const = default;
 };
 
+/// How a sample asks nodes, which stand for what is some way off. Lengths are smallest spacings.
+struct LightLook {
+  /// The farthest that nodes are asked away from a sample where nodes lie as near as samples look.
+  static constexpr double farthest = 4.5;
+
+  double directAway = 0.0;  ///< so far towards the light
+  double ambientAway = 0.0; ///< so far along the normal
+  bool looksNear = false;   ///< what stands nearer towards the light is looked at from the sample
+
+  bool operator==(const LightLook&) const = default;
+};
+
+/// Of a picture of fine light, or of one whose light must be found quickly. Between nodes that tissue hides
+/// and others M is mixed: nodes that lie far from each other are asked farther away. The lengths are those
+/// that came nearest to light found for each sample, over four volumes (`limn_cpu_tests
+/// --gtest_filter=CpuTravellingLight.lookedUp*` for one).
+LightLook lightLook(const LightNodes& nodes, const Grid& grid, bool isFine);
+
 /// Makes every node known: one that is not takes the mean of those that are among its 26 neighbours, so that
 /// every cell with a known node has eight; where there is none, all light comes.
 void complete(const LightNodes& nodes, DirectLight& light);
