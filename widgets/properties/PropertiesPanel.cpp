@@ -96,8 +96,8 @@ ValueSlider* QualitySection::addNumber(ValueSlider* slider, double Quality::*mem
 
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : SectionPanel(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
-      m_sections({m_model, new GradientSection, new LightSection}), m_use(m_sections.size()),
-      m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection),
+      m_light(new LightSection), m_sections({m_model, new GradientSection, m_light}),
+      m_use(m_sections.size()), m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection),
       m_measures(new MeasureSection), m_fog(new FogSection), m_quality(new QualitySection) {
   stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_cuts, m_labels, m_measures,
          m_fog, m_quality});
@@ -132,6 +132,7 @@ void PropertiesPanel::setScene(const Scene& scene) {
   const bool otherProjection = scene.projection != m_scene.projection;
   m_scene = scene;
   widget()->setEnabled(scene.volume != nullptr); // of nothing there is nothing to set
+  m_light->setCamera(scene.camera);
   setShading(scene.shading);
   setQuality(scene.quality);
   m_projection->setScene(scene);

@@ -14,6 +14,7 @@ class CropSection;
 class CutSection;
 class FogSection;
 class LabelSection;
+class LightSection;
 class MeasureSection;
 class ModelSection;
 class ProjectionSection;
@@ -90,6 +91,7 @@ private:
   std::vector<ShadingModel> m_models{ShadingModel::classic};
   ProjectionSection* m_projection;
   ModelSection* m_model;
+  LightSection* m_light;
   std::vector<ShadingSection*> m_sections; ///< the model's first
   /// Of a section of light.
   struct Use {

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/view/Camera.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <glm/glm.hpp>
 
+#include <functional>
+
 namespace limn {
 
-/// Where a fixed light stands, seen from the patient.
+class LightBall;
+
+/// Where a light stands that does not come from the viewer: around what it lights, seen from the patient, or
+/// of one that turns with the view, from the viewer.
 struct LightAngles {
-  double azimuthDeg = 0.0;   ///< -180..180: 0 in front (anterior), 90 at the patient's left
-  double elevationDeg = 0.0; ///< -90..90: 90 above the head
+  double azimuthDeg = 0.0;   ///< -180..180: 0 in front (anterior), 90 at the patient's left; to the right
+  double elevationDeg = 0.0; ///< -90..90: 90 above the head; above
 };
 
-/// The direction in which the light travels, unit length, patient space (LPS).
-glm::dvec3 travelDirection(const LightAngles& angles);
+/// The direction in which the light travels, unit length, in patient space (LPS), or right, up and forward.
+glm::dvec3 travelDirection(const LightAngles& angles, LightAxes axes = LightAxes::world);
 
 /// The angles of a direction of travel; the front for the zero vector.
-LightAngles lightAngles(const glm::dvec3& travelDirection);
+LightAngles lightAngles(const glm::dvec3& travelDirection, LightAxes axes = LightAxes::world);
 
-/// How bright the light is, where it comes from, and how tissue answers it.
+/// Where the light comes from and how bright it is, what it casts shadows of, and how tissue answers it.
 class LightSection : public ShadingSection {
   Q_OBJECT
 
@@ -28,14 +34,31 @@ public:
 
   QString unusedBecause() const override;
 
+  /// From where the pictures are seen.
+  void setCamera(const Camera& camera);
+
 protected:
   void showShading() override;
 
 private:
-  void addStrengths();
+  void addPresets();
   void addDirection();
+  void addTravel();
+  void addStrengths();
   void addReflection();
+  ValueSlider* addPercent(const QString& label, const QString& help, double initial,
+                          const std::function<double&(Shading&)>& number);
+  void placeLamp(int place, const Gesture& gesture);
   void showDirection();
+  void showTravel();
+
+  Camera m_camera;
+  ChoiceRow* m_preset = nullptr;
+  LightBall* m_ball = nullptr;
+  ValueSlider* m_shadow = nullptr;
+  ValueSlider* m_softness = nullptr;
+  ValueSlider* m_occlusion = nullptr;
+  ValueSlider* m_reach = nullptr;
 
   std::vector<std::pair<ValueSlider*, double Shading::*>> m_numbers;
   ChoiceRow* m_place = nullptr;

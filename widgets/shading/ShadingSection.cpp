@@ -19,6 +19,12 @@ void ShadingSection::setModelsShown(const std::vector<ShadingModel>& models) {
   showShading();
 }
 
+void ShadingSection::editAll(const Shading& shading, const Gesture& gesture) {
+  m_shading = shading;
+  showShading();
+  emit shadingEdited(m_shading, gesture);
+}
+
 bool ShadingSection::shows(std::initializer_list<ShadingModel> models) const {
   return std::find_first_of(m_models.begin(), m_models.end(), models.begin(), models.end()) != m_models.end();
 }

@@ -49,6 +49,9 @@ protected:
     emit shadingEdited(m_shading, gesture);
   }
 
+  /// Changes several things at once.
+  void editAll(const Shading& shading, const Gesture& gesture);
+
   /// A row that chooses among the values of an enumeration, in their order.
   template <class Choice>
   ChoiceRow* addChoice(ChoiceRow* row, Choice Shading::*member) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/light/Shading.h"
+
+#include <array>
+#include <optional>
+
+namespace limn {
+
+struct Camera;
+
+/// Lights that are chosen in one go.
+enum class LightPreset { headlight, studio, softStudio, overcast };
+inline constexpr std::array lightPresets{LightPreset::headlight, LightPreset::studio, LightPreset::softStudio,
+                                         LightPreset::overcast};
+
+/// A shading with a preset's light: where it comes from, its strengths Ia and Id, shadow and occlusion; how
+/// tissue answers it stays. The strengths are such that pictures keep their mean brightness: that of
+/// heads, tissue and an engine differs by a few per cent (tests/cpu/CpuLightPresetsTest.cpp).
+Shading withLight(Shading shading, LightPreset preset);
+
+/// The preset whose light a shading has; absent where it is a light of one's own.
+std::optional<LightPreset> lightPresetOf(const Shading& shading);
+
+/// Where a light stands that turns with the camera, as seen from the viewer: unit vector to the right,
+/// upwards, and towards the viewer.
+glm::dvec3 seenFromViewer(const Shading& shading, const Camera& camera);
+
+/// The same light seen there: told in the axes that the shading's is told in. A headlight becomes one that
+/// turns with the camera.
+Shading withLightSeenAt(Shading shading, const glm::dvec3& place, const Camera& camera);
+
+} // namespace limn
