@@ -24,11 +24,11 @@ Light lightOf(LightPreset preset) {
   case LightPreset::headlight:
     break;
   case LightPreset::studio:
-    return {aboveLeft, 0.36, 1.25, {0.85, 4.0}, {0.8, 15.0}};
+    return {aboveLeft, 0.35, 1.21, {0.85, 4.0}, {0.8, 15.0}};
   case LightPreset::softStudio:
-    return {aboveLeft, 0.42, 1.15, {0.75, 20.0}, {0.8, 15.0}};
+    return {aboveLeft, 0.38, 1.05, {0.75, 20.0}, {0.8, 15.0}};
   case LightPreset::overcast:
-    return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 0.85, 0.55, {0.8, 45.0}, {1.0, 30.0}};
+    return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 0.75, 0.48, {0.8, 45.0}, {1.0, 30.0}};
   }
   const Shading initial;
   return {std::nullopt, initial.ambientIntensity, initial.lightIntensity, {}, {}};

@@ -16,8 +16,9 @@ inline constexpr std::array lightPresets{LightPreset::headlight, LightPreset::st
                                          LightPreset::overcast};
 
 /// A shading with a preset's light: where it comes from, its strengths Ia and Id, shadow and occlusion; how
-/// tissue answers it stays. The strengths are such that pictures keep their mean brightness: that of
-/// heads, tissue and an engine differs by a few per cent (tests/cpu/CpuLightPresetsTest.cpp).
+/// tissue answers it stays. The strengths are such that pictures keep their brightness: over the shared
+/// volumes the mean of what shows changes by at most 11 % of heads, bone and brain, 21 % of an engine block
+/// and 42 % of a bonsai, which shines through.
 Shading withLight(Shading shading, LightPreset preset);
 
 /// The preset whose light a shading has; absent where it is a light of one's own.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lights that are chosen in one go, on pictures.
+#include "cpu/CpuRenderer.h"
+#include "scene/light/LightPresets.h"
+#include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace limn {
+namespace {
+
+// The mean of what shows, of its alpha.
+double brightnessOf(const Scene& scene) {
+  double sum = 0.0, alpha = 0.0;
+  for (const glm::vec4& pixel : CpuRenderer().render(scene, {96, 96}).pixels) {
+    sum += pixel.r + pixel.g + pixel.b;
+    alpha += 3.0 * pixel.a;
+  }
+  return sum / alpha;
+}
+
+TEST(CpuLightPresets, keepTheBrightnessOfAHead) {
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
+    Scene scene = headScene(phantomVolume({.spacingMm = 2.0}), model);
+    scene.shading.specular = 0.2; // as the built-in presets have it
+    const double headlight = brightnessOf(scene);
+    for (const LightPreset preset : lightPresets) {
+      Scene lit = scene;
+      lit.shading = withLight(scene.shading, preset);
+      EXPECT_EQ(lightPresetOf(lit.shading), preset);
+      const double ratio = brightnessOf(lit) / headlight;
+      std::cout << nameOf(model) << ", light " << static_cast<int>(preset) << ": " << ratio << "\n";
+      // What heads of the shared volumes reach (LightPresets.h), and as much again.
+      EXPECT_NEAR(ratio, 1.0, 0.22);
+    }
+  }
+}
+
+TEST(CpuLightPresets, theHeadlightIsTodaysLight) {
+  EXPECT_EQ(withLight(Shading(), LightPreset::headlight), Shading());
+}
+
+} // namespace
+} // namespace limn
