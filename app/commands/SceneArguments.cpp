@@ -6,6 +6,7 @@
 #include "app/core/sources/KeptRegion.h"
 #include "app/presets/PresetStore.h"
 #include "scene/framing/Framing.h"
+#include "scene/light/LightPresets.h"
 #include "scene/light/Shading.h"
 
 namespace limn {
@@ -45,6 +46,13 @@ Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
   return found.region;
 }
 
+std::map<std::string, LightPreset> lights() {
+  std::map<std::string, LightPreset> words;
+  for (const LightPreset preset : lightPresets)
+    words.emplace(nameOf(preset), preset);
+  return words;
+}
+
 } // namespace
 
 std::vector<std::string> modelWords() {
@@ -59,6 +67,10 @@ std::vector<std::string> modelWordsAndCompare() {
   std::vector<std::string> words = modelWords();
   words.emplace_back("compare");
   return words;
+}
+
+std::vector<std::string> lightWords() {
+  return wordsOf(lights());
 }
 
 std::vector<std::string> viewWords() {
@@ -103,6 +115,8 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   if (!arguments.preset.empty())
     scene = withPreset(scene, presetAskedFor(arguments.preset, *scene.volume, arguments.source.quiet),
                        !arguments.model.empty() || !namesLookFile(arguments.preset));
+  if (!arguments.light.empty())
+    scene.shading = withLight(scene.shading, chosen(lights(), arguments.light, "--light"));
   if (!arguments.keep.empty())
     scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
   if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
@@ -155,6 +169,12 @@ void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
               "fitting one")
       .words(presetWords)
       .file(lookEndings());
+  command
+      .option("--light", arguments.light,
+              "headlight, studio (a lamp above and to the left that turns with the view, with shadows), "
+              "soft-studio, "
+              "or overcast")
+      .words(lightWords);
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior")
       .words(viewWords);
   command.option("--turn", arguments.turn,

@@ -16,6 +16,7 @@ struct SceneArguments {
   std::string size;
   std::string model;
   std::string preset;
+  std::string light;
   std::string view;
   std::string turn; ///< "I/N": after I of N parts of a turn about the patient
   std::string keep;
@@ -29,10 +30,11 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
 /// Adds those of the options that change how a scene looks, but for its model.
 void addLookOptions(CommandSyntax& command, SceneArguments& arguments);
 
-// What completions offer: names of shading models, standard views, what is kept of a volume, built-in
+// What completions offer: names of shading models, lights, standard views, what is kept of a volume, built-in
 // presets, and endings of files with looks.
 std::vector<std::string> modelWords();
 std::vector<std::string> modelWordsAndCompare();
+std::vector<std::string> lightWords();
 std::vector<std::string> viewWords();
 std::vector<std::string> keepWords();
 std::vector<std::string> presetWords();

@@ -5,14 +5,15 @@
 #include "scene/view/Camera.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
 
-// All that a preset sets.
+// All that a preset sets, and by what it raises Ia and Id over those of a headlight.
 struct Light {
   std::optional<glm::dvec3> direction; // travels, in the camera's axes
-  double ambient, lamp;                // Ia, Id
+  double ambientGain = 1.0, lampGain = 1.0;
   Shadow shadow;
   Occlusion occlusion;
 };
@@ -24,33 +25,49 @@ Light lightOf(LightPreset preset) {
   case LightPreset::headlight:
     break;
   case LightPreset::studio:
-    return {aboveLeft, 0.35, 1.21, {0.85, 4.0}, {0.8, 15.0}};
+    return {aboveLeft, 1.4, 1.61, {0.85, 4.0}, {0.8, 15.0}};
   case LightPreset::softStudio:
-    return {aboveLeft, 0.38, 1.05, {0.75, 20.0}, {0.8, 15.0}};
+    return {aboveLeft, 1.52, 1.4, {0.75, 20.0}, {0.8, 15.0}};
   case LightPreset::overcast:
-    return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 0.75, 0.48, {0.8, 45.0}, {1.0, 30.0}};
+    return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 3.0, 0.64, {0.8, 45.0}, {1.0, 30.0}};
   }
-  const Shading initial;
-  return {std::nullopt, initial.ambientIntensity, initial.lightIntensity, {}, {}};
+  return {};
+}
+
+// What came of a product of such gains and was none before is none again.
+double withoutRounding(double strength) {
+  return std::round(1e6 * strength) / 1e6;
 }
 
 } // namespace
 
 Shading withLight(Shading shading, LightPreset preset) {
   const Light light = lightOf(preset);
+  const Light before = lightOf(lightPresetOf(shading).value_or(LightPreset::headlight));
+  shading.ambientIntensity =
+      withoutRounding(shading.ambientIntensity * light.ambientGain / before.ambientGain);
+  shading.lightIntensity = withoutRounding(shading.lightIntensity * light.lampGain / before.lampGain);
   shading.lightDirection = light.direction;
   shading.lightAxes = light.direction ? LightAxes::camera : LightAxes::world;
-  shading.ambientIntensity = light.ambient;
-  shading.lightIntensity = light.lamp;
   shading.shadow = light.shadow;
   shading.occlusion = light.occlusion;
   return shading;
 }
 
 std::optional<LightPreset> lightPresetOf(const Shading& shading) {
-  const auto found = std::ranges::find_if(
-      lightPresets, [&](LightPreset preset) { return withLight(shading, preset) == shading; });
+  const auto isOf = [&](LightPreset preset) {
+    const Light light = lightOf(preset);
+    return shading.lightDirection == light.direction && shading.shadow == light.shadow &&
+           shading.occlusion == light.occlusion &&
+           (!light.direction || shading.lightAxes == LightAxes::camera);
+  };
+  const auto found = std::ranges::find_if(lightPresets, isOf);
   return found == lightPresets.end() ? std::nullopt : std::optional(*found);
+}
+
+const char* nameOf(LightPreset preset) {
+  constexpr std::array names{"headlight", "studio", "soft-studio", "overcast"};
+  return names[static_cast<std::size_t>(preset)];
 }
 
 glm::dvec3 seenFromViewer(const Shading& shading, const Camera& camera) {
@@ -67,10 +84,9 @@ Shading withLightSeenAt(Shading shading, const glm::dvec3& place, const Camera& 
   if (!shading.lightDirection)
     shading.lightAxes = LightAxes::camera;
   const CameraBasis basis = basisOf(camera);
-  shading.lightDirection =
-      shading.lightAxes == LightAxes::camera
-          ? travels
-          : travels.x * basis.right + travels.y * basis.up + travels.z * basis.forward;
+  shading.lightDirection = shading.lightAxes == LightAxes::camera
+                               ? travels
+                               : travels.x * basis.right + travels.y * basis.up + travels.z * basis.forward;
   return shading;
 }
 

@@ -15,14 +15,17 @@ enum class LightPreset { headlight, studio, softStudio, overcast };
 inline constexpr std::array lightPresets{LightPreset::headlight, LightPreset::studio, LightPreset::softStudio,
                                          LightPreset::overcast};
 
-/// A shading with a preset's light: where it comes from, its strengths Ia and Id, shadow and occlusion; how
-/// tissue answers it stays. The strengths are such that pictures keep their brightness: over the shared
-/// volumes the mean of what shows changes by at most 11 % of heads, bone and brain, 21 % of an engine block
-/// and 42 % of a bonsai, which shines through.
+/// A shading with a preset's light: where it comes from, shadow and occlusion; how tissue answers it stays.
+/// The strengths Ia and Id are raised or lowered so that pictures keep their brightness, and come back with
+/// the headlight: over the shared volumes the mean of what shows changes by at most 11 % of heads, bone and
+/// brain, 21 % of an engine block and 42 % of a bonsai, which shines through.
 Shading withLight(Shading shading, LightPreset preset);
 
-/// The preset whose light a shading has; absent where it is a light of one's own.
+/// The preset whose light a shading has, however strong; absent where it is a light of one's own.
 std::optional<LightPreset> lightPresetOf(const Shading& shading);
+
+/// The word for a preset on the command line.
+const char* nameOf(LightPreset preset);
 
 /// Where a light stands that turns with the camera, as seen from the viewer: unit vector to the right,
 /// upwards, and towards the viewer.
