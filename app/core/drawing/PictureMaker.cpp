@@ -45,6 +45,11 @@ Message filterNote(const MadePicture& picture, int filterBits) {
       .arg(levels(added), levels(*tolerance));
 }
 
+// OpenGL has nothing to compare a grid of light with.
+bool leavesLightUnmeasured(const Scene& scene, const Drawer& by) {
+  return by.engine == Engine::rayCaster && hasTravellingLight(scene);
+}
+
 // Draws a scene with the steps that keep its tolerance.
 MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
                        const Drawer& by) {
@@ -55,13 +60,18 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                        by.name,
                        {},
                        false,
-                       errorOfFilter(drawn, size, draw, by.filterBits),
+                       leavesLightUnmeasured(drawn, by) ? ImageError()
+                                                        : errorOfFilter(drawn, size, draw, by.filterBits),
                        {}};
   };
   if (!needsSteps(scene)) {
     MadePicture picture = made(scene);
     if (const Message note = filterNote(picture, by.filterBits); !note.empty())
       picture.notes.push_back(note);
+    if (leavesLightUnmeasured(scene, by))
+      picture.notes.push_back(
+          Message::tr("OpenGL looks shadows and occlusion up on a grid; how far they are off is "
+                      "told with --engine cpu alone."));
     return picture;
   }
   const WithinTolerance found = withinTolerance(scene, size, draw, control, by.filterBits);

@@ -11,7 +11,7 @@
 namespace limn {
 namespace {
 
-const PlotTransform plot{QRectF(50.0, 20.0, 800.0, 200.0), {-1000.0, 3000.0}};
+const PlotTransform plotted{QRectF(50.0, 20.0, 800.0, 200.0), {-1000.0, 3000.0}};
 
 TEST(PlotTransform, pixelsAndValuesAreInverse) {
   for (const AxisScale scale : {AxisScale::linear, AxisScale::cubeRoot}) {
@@ -47,9 +47,9 @@ TEST(PlotTransform, aLogarithmicAxisGivesEveryDecadeTheSameLength) {
 
 TEST(PlotTransform, zoomAndPanStayWithinTheFullRange) {
   const ValueRange full{-1000.0, 3000.0};
-  EXPECT_EQ(zoomedAtX(plot, 300.0, 0.5, full), full);
+  EXPECT_EQ(zoomedAtX(plotted, 300.0, 0.5, full), full);
   PlotTransform zoomed = plot;
-  zoomed.visible = zoomedAtX(plot, 450.0, 4.0, full);
+  zoomed.visible = zoomedAtX(plotted, 450.0, 4.0, full);
   EXPECT_NEAR(zoomed.visible.highest - zoomed.visible.lowest, 1000.0, 1e-9);
   EXPECT_DOUBLE_EQ(pannedBy(zoomed, 1e6, full).highest, 3000.0);
   EXPECT_DOUBLE_EQ(pannedBy(zoomed, -1e6, full).lowest, -1000.0);

@@ -4,6 +4,7 @@
 #include "accuracy/Tolerance.h"
 #include "engine/DrawingEngine.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/RestWork.h"
 
@@ -15,7 +16,7 @@ namespace {
 // What was estimated of one scene tells something of the other.
 bool areAkin(const Scene& one, const Scene& other) {
   return one.volume == other.volume && one.projection == other.projection &&
-         one.shading.model == other.shading.model;
+         one.shading.model == other.shading.model && hasTravellingLight(one) == hasTravellingLight(other);
 }
 
 } // namespace
@@ -37,6 +38,9 @@ bool ErrorProbe::step(DrawingEngine& engine) {
     if (!side.isDue)
       continue;
     side.isDue = false;
+    // What a grid of light is off by takes seconds to tell, and steps alone would tell too little: at rest.
+    if (hasTravellingLight(side.scene))
+      continue;
     const double step = side.scene.quality.stepVoxels;
     bool isReady = true;
     for (const double part : {0.5, 0.25})
