@@ -159,6 +159,7 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_gradientSegments", TextureUnit::gradientSegments);
   unit("u_cellLooks", TextureUnit::cellLooks);
   unit("u_labels", TextureUnit::labels);
+  unit("u_smoothedVolume", TextureUnit::smoothedVolume);
 }
 
 // So many unit distances hide everything; the whole box must not have more than a float holds.
@@ -210,6 +211,8 @@ void bindTextures(const SceneTextures& textures) {
     bind(TextureUnit::cellLooks, GL_TEXTURE_3D, textures.looks().cells());
     bind(TextureUnit::labels, GL_TEXTURE_3D, textures.looks().labels());
   }
+  if (textures.smoothed().name() != 0)
+    bind(TextureUnit::smoothedVolume, GL_TEXTURE_3D, textures.smoothed().name());
 }
 
 int sampleLimit(const Scene& scene, const SceneTextures& textures) {

@@ -21,7 +21,8 @@ enum class TextureUnit {
   storedGradient,
   classifiedVolume,
   cellLooks,
-  labels
+  labels,
+  smoothedVolume
 };
 
 /// Binds every texture to its unit.
