@@ -195,6 +195,7 @@ void ComparisonController::compareModels() {
 void ComparisonController::takeSnapshot() {
   const bool isCompared = m_look && m_look->name == snapshotName;
   m_snapshot = presetOf(m_context.session.scene(), snapshotName);
+  m_snapshot->isWhole = true;
   if (isCompared)
     m_look = m_snapshot;
   show();

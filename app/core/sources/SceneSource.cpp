@@ -9,6 +9,7 @@
 #include "io/scenefile/ForeignJson.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/framing/Framing.h"
+#include "scene/light/GradientSmoothing.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/view/FirstView.h"
 #include "scene/volume/Orientation.h"
@@ -387,6 +388,8 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
   loaded.scene = withPreset(loaded.scene, preset);
   loaded.preset = preset.name;
+  if (options.smoothsSlices)
+    loaded.scene.shading.gradientSmoothing = smoothingOfSlices(grid);
   if (options.hidesTable && !imageNormalAxis(grid))
     loaded.scene.keep = sureBodyOf(*opened.volume, progress);
   return loaded;

@@ -100,6 +100,14 @@ bool smoothsAnything(double sigmaMm, const Grid& grid) {
   return false;
 }
 
+double smoothingOfSlices(const Grid& grid) {
+  std::array<double, 3> spacings{grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z};
+  std::ranges::sort(spacings);
+  if (spacings[2] < 1.25 * spacings[1] || imageNormalAxis(grid))
+    return 0.0;
+  return std::min(0.7 * spacings[2], mostGradientSmoothing);
+}
+
 glm::dvec3 smoothedGradientAt(const Volume& volume, double sigmaMm, const glm::dvec3& index) {
   const Grid& grid = volume.grid();
   const glm::dvec3 place = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(grid.dims - 1));
