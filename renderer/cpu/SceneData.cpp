@@ -176,6 +176,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_volume.reset(); // should the new one be refused
   m_empty = {};
   m_gradients = {};
+  m_gradientScale = {};
   m_voxels.emplace(scene.volume, part, effort);
   m_volume = scene.volume;
   m_steepness.reset();

@@ -6,7 +6,7 @@
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/MeanMaterial.h"
 #include "scene/light/Gradient.h"
-#include "scene/light/GradientSmoothing.h"
+#include "scene/light/GradientField.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/BlockWalk.h"
 #include "scene/steps/CellRule.h"
@@ -135,8 +135,8 @@ struct PictureTerms {
   /// Over which extinctions are told: the unit distance, of looks, which have each their own, a length.
   double unitMm = hasLooks ? smallestMm : scene.transferFunction.unitDistanceMm;
   LookSegments segments = hasLooks ? lookSegments(looks.functions) : LookSegments{};
-  double smoothingMm = smoothsNormals(scene) ? scene.shading.gradientSmoothing : 0.0;
-  /// Of the smoothed field; null: its gradients are found from what lies around each place.
+  /// Of the field whose gradients smooth normals follow; null: they follow that in `scale`, or none is
+  /// smooth.
   const FieldSampler<double>* smoothed = nullptr;
   const PictureTerms* lightPaths = nullptr; ///< of the paths of light that travels; null where none does
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
@@ -302,11 +302,11 @@ public:
 private:
   // Along the grid's axes, value/mm; of the smoothed field where normals are smooth.
   glm::dvec3 gradientAt(double place) const {
-    if (!(m_terms.smoothingMm > 0.0))
-      return m_field.gradientAt(cellAt(place));
     if (m_terms.smoothed)
       return m_terms.smoothed->gradientAt(cellAt(place));
-    return smoothedGradientAt(*m_terms.scene.volume, m_terms.smoothingMm, centredAt(place) + m_terms.centre);
+    return m_terms.scale.smoothed
+               ? followedGradientAt(m_terms.scene, m_terms.scale, centredAt(place) + m_terms.centre)
+               : m_field.gradientAt(cellAt(place));
   }
 
   // What the looks of the voxels around a place absorb together (DEFINITION section 10), each opacity times

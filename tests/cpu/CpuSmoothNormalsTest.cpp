@@ -3,7 +3,6 @@
 // trace where there are none.
 #include "cpu/CpuRenderer.h"
 #include "cpu/bricks/BrickRenderer.h"
-#include "engine/MemoryBudget.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/light/Shading.h"
 #include "scene/steps/RayFrame.h"

@@ -242,6 +242,7 @@ void SceneTextures::beginVolume(const Scene& scene) {
   m_gradientOpacityShown.reset();
   m_steepness.reset();
   m_gradients = {};
+  m_gradientScale = {};
   m_smoothed = {};
   m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_room);
   m_volume = scene.volume;

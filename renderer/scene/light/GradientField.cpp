@@ -26,11 +26,19 @@ double GradientField::more(const Scene& scene, const Effort& effort) {
 }
 
 GradientScale GradientField::scale(const Scene& scene, bool usesRatio, const Effort& effort) {
-  return (m_isAskedFor ? m_ofSmoothed : m_plain).of(scene.shading, usesRatio, effort);
+  GradientScale scale = (m_isAskedFor ? m_ofSmoothed : m_plain).of(scene.shading, usesRatio, effort);
+  scale.smoothed = smoothed();
+  return scale;
 }
 
 std::size_t GradientField::ownBytes() const {
   return m_smoothing ? m_volume->voxelCount() * sizeof(float) : 0;
+}
+
+glm::dvec3 followedGradientAt(const Scene& scene, const GradientScale& scale, const glm::dvec3& index) {
+  const Grid& grid = scene.volume->grid();
+  const bool isThere = scale.smoothed && scale.smoothed->grid() == grid && smoothsNormals(scene);
+  return glm::transpose(grid.direction) * gradientAt(isThere ? *scale.smoothed : *scene.volume, index);
 }
 
 } // namespace limn

@@ -29,8 +29,8 @@ public:
     return m_isAskedFor ? m_smoothing->smoothed() : std::shared_ptr<const Volume>();
   }
 
-  /// Of the gradients of the last scene, whose smoothing is done: as limn::gradientScale of them; where
-  /// nothing reads the ratio of moduli, a percentile is not measured for it.
+  /// Of the gradients of the last scene, whose smoothing is done: as limn::gradientScale of them, with the
+  /// smoothed field; where nothing reads the ratio of moduli, a percentile is not measured for it.
   GradientScale scale(const Scene& scene, bool usesRatio, const Effort& effort = {});
 
   /// Of the volume's own gradients, as GradientScales::know.
@@ -45,5 +45,10 @@ private:
   std::optional<Smoothing> m_smoothing;
   bool m_isAskedFor = false;
 };
+
+/// The gradient that light and boundaries of a scene follow at a continuous index, along the grid's axes,
+/// value/mm. Where normals are smooth it is that of the field in `scale`, which is an engine's; before an
+/// engine has one for this volume, the volume's own.
+glm::dvec3 followedGradientAt(const Scene& scene, const GradientScale& scale, const glm::dvec3& index);
 
 } // namespace limn

@@ -32,30 +32,6 @@ std::vector<float> weightsInFloats(const std::vector<double>& weights) {
   return {weights.begin(), weights.end()};
 }
 
-// Numbers along one axis of an array, whose axes before it are as long as `before` together and those behind
-// as `behind`, smoothed at the places from `first` to before `end`. The array begins at place `origin`, and
-// the axis has `count` places.
-std::vector<double> smoothedAlong(const std::vector<double>& numbers, std::size_t before, std::size_t behind,
-                                  int origin, int count, int first, int end,
-                                  const std::vector<double>& weights) {
-  const auto length = static_cast<std::size_t>(end - first);
-  const std::size_t had = numbers.size() / before / behind;
-  std::vector<double> result(before * length * behind);
-  for (std::size_t slow = 0; slow < behind; ++slow)
-    for (int at = first; at < end; ++at)
-      for (std::size_t fast = 0; fast < before; ++fast) {
-        const auto numberAt = [&](int place) {
-          const auto inside = static_cast<std::size_t>(std::clamp(place, 0, count - 1) - origin);
-          return numbers[(slow * had + inside) * before + fast];
-        };
-        double sum = weights[0] * numberAt(at);
-        for (int n = 1; n < static_cast<int>(weights.size()); ++n)
-          sum += weights[static_cast<std::size_t>(n)] * (numberAt(at - n) + numberAt(at + n));
-        result[(slow * length + static_cast<std::size_t>(at - first)) * before + fast] = sum;
-      }
-  return result;
-}
-
 // Adds what `weights` make of the neighbours' differences from each of `count` numbers, so that what is
 // constant stays so to the last bit. Those `n` places behind lie in `rowAt(n)`, those before in `rowAt(-n)`.
 template <class RowAt>
@@ -106,47 +82,6 @@ double smoothingOfSlices(const Grid& grid) {
   if (spacings[2] < 1.25 * spacings[1] || imageNormalAxis(grid))
     return 0.0;
   return std::min(0.7 * spacings[2], mostGradientSmoothing);
-}
-
-glm::dvec3 smoothedGradientAt(const Volume& volume, double sigmaMm, const glm::dvec3& index) {
-  const Grid& grid = volume.grid();
-  const glm::dvec3 place = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(grid.dims - 1));
-  const glm::ivec3 low = glm::min(glm::ivec3(place), glm::max(grid.dims - 2, 0));
-
-  // The voxels whose gradients are interpolated and their neighbours, and all that smoothing reaches from
-  // there.
-  const VoxelBox read{glm::max(low - 1, 0), glm::min(low + 3, grid.dims)};
-  std::array<std::vector<double>, 3> weights;
-  VoxelBox reached = read;
-  for (int axis = 0; axis < 3; ++axis) {
-    weights[static_cast<std::size_t>(axis)] =
-        smoothingWeights(sigmaMm, grid.spacingMm[axis], grid.dims[axis]);
-    const int neighbours = static_cast<int>(weights[static_cast<std::size_t>(axis)].size()) - 1;
-    reached.lower[axis] = std::max(reached.lower[axis] - neighbours, 0);
-    reached.upper[axis] = std::min(reached.upper[axis] + neighbours, grid.dims[axis]);
-  }
-  glm::ivec3 size = reached.upper - reached.lower;
-  std::vector<double> scalars;
-  scalars.reserve(static_cast<std::size_t>(size.x) * size.y * size.z);
-  visitVoxels(volume, [&](const auto& stored) {
-    for (int k = reached.lower.z; k < reached.upper.z; ++k)
-      for (int j = reached.lower.y; j < reached.upper.y; ++j)
-        for (int i = reached.lower.x; i < reached.upper.x; ++i)
-          scalars.push_back(volume.rescale().slope *
-                                static_cast<double>(stored[voxelOffset(grid.dims, i, j, k)]) +
-                            volume.rescale().intercept);
-  });
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto before = static_cast<std::size_t>(axis > 0 ? size.x : 1) * (axis > 1 ? size.y : 1);
-    const auto behind = static_cast<std::size_t>(axis < 1 ? size.y : 1) * (axis < 2 ? size.z : 1);
-    scalars = smoothedAlong(scalars, before, behind, reached.lower[axis], grid.dims[axis], read.lower[axis],
-                            read.upper[axis], weights[static_cast<std::size_t>(axis)]);
-    size[axis] = read.upper[axis] - read.lower[axis];
-  }
-  // At the ends of this small field gradients are the whole's, which ends there, too, or are not asked for.
-  const Volume around({size, grid.spacingMm, glm::dvec3(0.0), glm::dmat3(1.0)},
-                      StoredVoxels<double>(std::move(scalars)), {}, std::nullopt, {}, {1, {}, {}});
-  return gradientAt(around, place - glm::dvec3(read.lower));
 }
 
 Smoothing::Smoothing(std::shared_ptr<const Volume> volume, double sigmaMm)

@@ -19,14 +19,10 @@ std::vector<double> smoothingWeights(double sigmaMm, double spacingMm, int count
 /// Whether smoothing reaches beyond a voxel along any axis. Where not, the smoothed field is the field.
 bool smoothsAnything(double sigmaMm, const Grid& grid);
 
-/// What takes the terraces of thick slices out of the light, mm: 0.7 of the distance between slices where that
-/// is larger by a quarter at least than the next largest spacing of the grid, at most what may be asked for;
-/// else, and of a single image, 0.
+/// What takes the terraces of thick slices out of the light, mm: 0.7 of the distance between slices where
+/// that is larger by a quarter at least than the next largest spacing of the grid, at most what may be asked
+/// for; else, and of a single image, 0.
 double smoothingOfSlices(const Grid& grid);
-
-/// The gradient at a continuous index of the field smoothed by a Gaussian (DEFINITION section 2), along the
-/// grid's axes, value/mm. In double, from the voxels around alone: for single places.
-glm::dvec3 smoothedGradientAt(const Volume& volume, double sigmaMm, const glm::dvec3& index);
 
 /// Smooths the scalars of a volume at its voxels by a Gaussian of σ mm along each axis, edges clamped, in
 /// pieces of work. It takes one float for each voxel, in the volume's room, and keeps the volume.

@@ -44,7 +44,7 @@ protected:
     return rest();
   }
 
-  ValueSlider& slider() { return *test::rowNamed<ValueSlider>(*window, "Smooth normals"); }
+  ValueSlider& slider() { return *rowNamed<ValueSlider>(*window, "Smooth normals"); }
   double smoothing() const { return scene().shading.gradientSmoothing; }
   QImage picture() { return view().grab().toImage(); }
 

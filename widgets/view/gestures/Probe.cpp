@@ -3,8 +3,7 @@
 
 #include "scene/LabelLooks.h"
 #include "scene/basics/StableMath.h"
-#include "scene/effects/EffectPlan.h"
-#include "scene/light/GradientSmoothing.h"
+#include "scene/light/GradientField.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/RayFrame.h"
 
@@ -25,8 +24,7 @@ class SampleExtinction {
 public:
   SampleExtinction(const Scene& scene, const GradientScale& scale)
       : m_scene(scene), m_scale(scale), m_terms(lightingTerms(scene.shading)),
-        m_isRestricted(isRestricting(scene.keep)), m_isSmoothed(smoothsNormals(scene)),
-        m_looks(labelLooks(scene)) {}
+        m_isRestricted(isRestricting(scene.keep)), m_looks(labelLooks(scene)) {}
 
   // Whether projections of extremes and surfaces take a sample.
   bool isKept(const glm::dvec3& index) const {
@@ -64,9 +62,7 @@ private:
   double factorAt(const glm::dvec3& index) const {
     if (!m_terms.mapsOpacity() && !m_scene.gradientOpacity)
       return m_terms.opacity.atFlat;
-    const double modulus = glm::length(
-        m_isSmoothed ? smoothedGradientAt(*m_scene.volume, m_scene.shading.gradientSmoothing, index)
-                     : gradientAt(*m_scene.volume, index));
+    const double modulus = glm::length(followedGradientAt(m_scene, m_scale, index));
     const double boundary =
         mapped(gradientRatio(m_terms, m_scale, modulus), m_terms.opacity.atFlat, m_terms.opacity.atBoundary);
     const double curve = m_scene.gradientOpacity ? gradientOpacityAt(*m_scene.gradientOpacity, modulus) : 1.0;
@@ -77,7 +73,6 @@ private:
   GradientScale m_scale;
   LightingTerms m_terms;
   bool m_isRestricted;
-  bool m_isSmoothed;
   LabelLooks m_looks;
 };
 
