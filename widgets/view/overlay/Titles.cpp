@@ -40,7 +40,8 @@ QString lightingText(const Shading& shading) {
   const QString model = modelText(shading);
   return model.isEmpty() || !(shading.gradientSmoothing > 0.0)
              ? model
-             : QObject::tr("%1 · normals smoothed by %2 mm").arg(model, number(shading.gradientSmoothing));
+             : QObject::tr("%1 · normals smoothed by %2 mm")
+                   .arg(model, digitsNumber(shading.gradientSmoothing, 3));
 }
 
 // Without the numbers of the last picture at rest, which is not the one that is seen.
