@@ -220,8 +220,8 @@ void RayCaster::prepare(const Scene& scene) {
 
 double RayCaster::volumeMb() const {
   const SceneTextures& textures = m_parts->textures;
-  const std::size_t smoothed = textures.smoothed().name() != 0 ? textures.smoothed().bytes() : 0;
-  const std::size_t bytes = textures.volume().bytes() + smoothed + m_parts->decisionTextures.bytes();
+  const std::size_t bytes =
+      textures.volume().bytes() + textures.smoothed().bytes() + m_parts->decisionTextures.bytes();
   return static_cast<double>(bytes) / 1e6;
 }
 

@@ -176,6 +176,11 @@ TEST(CpuSmoothNormals, leaveNoTraceWhereThereAreNone) {
   mip.projection = Projection::mip;
   EXPECT_EQ(renderer.render(scene, smoothSize), CpuRenderer().render(mip, smoothSize));
   EXPECT_EQ(renderer.render(without, smoothSize), plain);
+  // What was made stays for pictures that take turns, and goes with its volume.
+  EXPECT_GT(renderer.memoryMb(), mb);
+  EXPECT_EQ(
+      renderer.render(smoothed(phantomVolume({.spacingMm = 4.0}), ShadingModel::enhanced, 0.0), smoothSize),
+      plain);
   EXPECT_EQ(renderer.memoryMb(), mb);
 }
 

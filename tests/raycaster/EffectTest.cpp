@@ -306,6 +306,10 @@ TEST_F(Effects, smoothNormalsLeaveNoTraceWhereThereAreNone) {
   EXPECT_NEAR(caster.volumeMb(), 2.0 * volumeMb, 1e-9); // both in floats
   scene.shading.gradientSmoothing = 0.0;
   EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  // It stays for pictures that take turns, and goes with its volume.
+  EXPECT_NEAR(caster.volumeMb(), 2.0 * volumeMb, 1e-9);
+  scene.volume = phantomVolume({.spacingMm = 4.0});
+  EXPECT_EQ(caster.render(scene, pictureSize), plain);
   EXPECT_EQ(caster.volumeMb(), volumeMb);
 }
 

@@ -227,6 +227,8 @@ double SceneTextures::uploadVolume(const Scene& scene) {
     return ofVolume * uploaded;
   if (const double smoothed = m_gradients.more(scene); smoothed < 1.0)
     return ofVolume + (0.9 - ofVolume) * smoothed;
+  if (!m_gradients.smoothed())
+    return 1.0;
   const double there = m_smoothed.uploadMore(m_gradients.smoothed(), *m_volumeTexture, m_room);
   return there < 1.0 ? 0.9 + 0.1 * there : 1.0;
 }

@@ -28,11 +28,9 @@ double SmoothedTexture::uploadMore(const std::shared_ptr<const Volume>& smoothed
   if (m_smoothed != smoothed) {
     m_texture.reset();
     m_smoothed.reset();
-    if (!smoothed)
-      return 1.0;
     m_size = volume.size();
     m_planesDone = 0;
-    requireRoom(static_cast<double>(bytes() + volume.bytes()) <= 1e6 * room.mostMb);
+    requireRoom(static_cast<double>(bytesOfFloats(m_size) + volume.bytes()) <= 1e6 * room.mostMb);
     m_texture.emplace();
     glBindTexture(GL_TEXTURE_3D, m_texture->name());
     forgetDriverErrors();
@@ -47,7 +45,7 @@ double SmoothedTexture::uploadMore(const std::shared_ptr<const Volume>& smoothed
       glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
     m_smoothed = smoothed;
   }
-  if (!smoothed || m_planesDone == m_size.z)
+  if (m_planesDone == m_size.z)
     return 1.0;
   const std::size_t plane = static_cast<std::size_t>(m_size.x) * m_size.y;
   const int end = std::min(m_planesDone + std::max(1, static_cast<int>(smoothedAtATime / plane)), m_size.z);
@@ -58,10 +56,6 @@ double SmoothedTexture::uploadMore(const std::shared_ptr<const Volume>& smoothed
                   GL_FLOAT, texels.data());
   m_planesDone = end;
   return static_cast<double>(m_planesDone) / m_size.z;
-}
-
-std::size_t SmoothedTexture::bytes() const {
-  return sizeof(float) * static_cast<std::size_t>(m_size.x) * m_size.y * m_size.z;
 }
 
 } // namespace limn

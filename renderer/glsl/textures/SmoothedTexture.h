@@ -14,7 +14,7 @@ namespace limn {
 class SmoothedTexture {
 public:
   /// Goes on uploading `smoothed` beside `volume`; the share that is there, 1 once all is. What it had of
-  /// another is let go; null: all. Changes texture bindings. Throws VolumeTooLarge where both take more than
+  /// another is let go. Changes texture bindings. Throws VolumeTooLarge where both take more than
   /// they may, or the driver has no room for it.
   double uploadMore(const std::shared_ptr<const Volume>& smoothed, const VolumeTexture& volume,
                     const VolumeRoom& room);
@@ -22,9 +22,14 @@ public:
   /// What texture coordinates of the volume read it from; 0 where there is none.
   unsigned name() const { return m_texture ? m_texture->name() : 0; }
 
-  std::size_t bytes() const;
+  /// What its texels take on the graphics card.
+  std::size_t bytes() const { return m_texture ? bytesOfFloats(m_size) : 0; }
 
 private:
+  static std::size_t bytesOfFloats(const glm::ivec3& size) {
+    return sizeof(float) * static_cast<std::size_t>(size.x) * size.y * size.z;
+  }
+
   std::shared_ptr<const Volume> m_smoothed;
   std::optional<GlTexture> m_texture;
   glm::ivec3 m_size{0};

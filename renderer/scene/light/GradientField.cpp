@@ -10,7 +10,8 @@ double GradientField::more(const Scene& scene, const Effort& effort) {
   m_plain.setVolume(m_volume);
   m_isAskedFor = false;
   const double sigma = scene.shading.gradientSmoothing;
-  if (m_smoothing && (m_smoothing->volume() != m_volume || m_smoothing->sigmaMm() != sigma)) {
+  const bool isOther = m_smoothing && sigma > 0.0 && m_smoothing->sigmaMm() != sigma;
+  if (m_smoothing && (isOther || m_smoothing->volume() != m_volume)) {
     m_smoothing.reset();
     m_ofSmoothed.setVolume(nullptr);
   }

@@ -10,8 +10,8 @@
 namespace limn {
 
 /// The field whose gradient light and boundaries of a scene follow: that of the volume, or a smoothed one
-/// (DEFINITION section 2), and the gradient scales of either. What was made is kept while volume and σ stay;
-/// a scene that asks for no smoothing lets it go.
+/// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume, or
+/// another σ, takes its place: pictures with and without it may take turns.
 class GradientField {
 public:
   /// Goes on smoothing for a scene, where it asks for that (smoothsNormals), for some ten ms; the share that
