@@ -53,6 +53,11 @@ IndexBox withinBrick(const IndexBox& box, const IndexBox& brick) {
   return {glm::max(box.lower, brick.lower - margin), glm::min(box.upper, brick.upper + margin)};
 }
 
+// Of normals, mm; 0 where none is smooth.
+double smoothingAskedFor(const Scene& scene) {
+  return smoothsNormals(scene) ? scene.shading.gradientSmoothing : 0.0;
+}
+
 // A range of one value has no unit: scalars are differences from it.
 double rangeUnit(const ValueRange& range) {
   const double width = range.highest - range.lowest;
@@ -151,7 +156,7 @@ void SceneData::makeReady(const Scene& scene, const Effort& effort) {
   const bool smooths = smoothsNormals(scene);
   const Effort all{m_threads, effort.isCancelled, effort.report};
   updateVolume(scene, smooths ? limn::partOf(all, 0.0, 0.5) : all);
-  m_gradients.update(scene, limn::partOf(all, 0.5, 1.0));
+  m_gradients.update(scene.volume, smoothingAskedFor(scene), limn::partOf(all, 0.5, 1.0));
 }
 
 BlockBox SceneData::partOf(const Scene& scene) const {
@@ -291,10 +296,10 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
     terms.perUnitDistance = unitsPer(scene.transferFunction.unitDistanceMm);
   terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
   if (effects.has(Effect::gradient)) {
-    m_gradients.update(scene, {m_threads, isCancelled, {}});
+    m_gradients.update(scene.volume, smoothingAskedFor(scene), {m_threads, isCancelled, {}});
     if (m_whole)
       m_gradients.know(m_whole->moduli, m_whole->percent);
-    m_gradientScale = m_gradients.scale(scene, usesRatio(effects), {m_threads, isCancelled, {}});
+    m_gradientScale = m_gradients.scale(scene.shading, usesRatio(effects), {m_threads, isCancelled, {}});
   }
   if (effects.has(Effect::smoothNormals))
     terms.smoothed =

@@ -305,7 +305,7 @@ private:
     if (m_terms.smoothed)
       return m_terms.smoothed->gradientAt(cellAt(place));
     return m_terms.scale.smoothed
-               ? followedGradientAt(m_terms.scene, m_terms.scale, centredAt(place) + m_terms.centre)
+               ? followedGradientAt(*m_terms.scene.volume, m_terms.scale, centredAt(place) + m_terms.centre)
                : m_field.gradientAt(cellAt(place));
   }
 

@@ -142,8 +142,8 @@ TEST(SmoothNormals, ofOneRayAreThoseOfThePicture) {
   scene.quality.earlyTermination = 1.0;
   const auto picture = renderReference(scene, smoothPicture);
   GradientField field;
-  field.update(scene);
-  const GradientScale scale = field.scale(scene, true);
+  field.update(scene.volume, scene.shading.gradientSmoothing);
+  const GradientScale scale = field.scale(scene.shading, true);
   const glm::ivec2 pixel{20, 18};
   const auto profile =
       profileAlong(scene, scale, rayThroughPixel(scene.camera, pixel.x, pixel.y, smoothPicture));

@@ -222,10 +222,11 @@ double SceneTextures::uploadVolume(const Scene& scene) {
     m_volume = volume;
   }
   const double uploaded = m_volumeTexture->uploadedShare();
-  const double ofVolume = smoothsNormals(scene) ? 0.4 : 1.0;
+  const double smoothingMm = smoothsNormals(scene) ? scene.shading.gradientSmoothing : 0.0;
+  const double ofVolume = smoothingMm > 0.0 ? 0.4 : 1.0;
   if (uploaded < 1.0)
     return ofVolume * uploaded;
-  if (const double smoothed = m_gradients.more(scene); smoothed < 1.0)
+  if (const double smoothed = m_gradients.more(m_volume, smoothingMm); smoothed < 1.0)
     return ofVolume + (0.9 - ofVolume) * smoothed;
   if (!m_gradients.smoothed())
     return 1.0;
@@ -252,7 +253,7 @@ void SceneTextures::beginVolume(const Scene& scene) {
 
 void SceneTextures::measure(const Scene& scene, EffectSet effects) {
   if (effects.has(Effect::gradient))
-    m_gradientScale = m_gradients.scale(scene, usesRatio(effects));
+    m_gradientScale = m_gradients.scale(scene.shading, usesRatio(effects));
 }
 
 void SceneTextures::updateEmptySpace(const Scene& scene) {

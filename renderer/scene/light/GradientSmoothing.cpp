@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/GradientSmoothing.h"
 
-#include "scene/function/PiecewiseTable.h"
 #include "scene/light/Gradient.h"
 
 #include <algorithm>
@@ -147,11 +146,12 @@ void Smoothing::smoothAcross(int piece) {
   visitVoxels(*m_volume, [&](const auto& stored) {
     const Rescale& rescale = m_volume->rescale();
     const ValueRange& range = m_volume->range();
+    const double span = range.highest > range.lowest ? range.highest - range.lowest : 1.0;
     for (int j = from; j < to; ++j) {
       const auto* voxels = &stored[voxelOffset(m_dims, 0, j, k)];
       for (int i = 0; i < m_dims.x; ++i)
         inner[i] = static_cast<float>(
-            normalisedValue(range, rescale.slope * static_cast<double>(voxels[i]) + rescale.intercept));
+            (rescale.slope * static_cast<double>(voxels[i]) + rescale.intercept - range.lowest) / span);
       std::fill(padded.data(), inner, inner[0]);
       std::fill(inner + m_dims.x, padded.data() + padded.size(), inner[m_dims.x - 1]);
       addNeighbours(
