@@ -195,7 +195,6 @@ void ComparisonController::compareModels() {
 void ComparisonController::takeSnapshot() {
   const bool isCompared = m_look && m_look->name == snapshotName;
   m_snapshot = presetOf(m_context.session.scene(), snapshotName);
-  m_snapshot->isWhole = true;
   if (isCompared)
     m_look = m_snapshot;
   show();
@@ -206,8 +205,11 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
   if (!m_look)
     return std::nullopt;
   const auto text = [](const QString& name) { return name.toStdString(); };
-  if (m_look->name == snapshotName)
-    return ComparedLook{*m_look, {text(tr("Before")), text(tr("Now"))}};
+  if (m_look->name == snapshotName) {
+    ComparedLook before{*m_look, {text(tr("Before")), text(tr("Now"))}};
+    before.shown.isWhole = true;
+    return before;
+  }
   const OpenDocument::PresetInUse own = m_context.document.presetInUse();
   const QString name = QString::fromStdString(own.name);
   return ComparedLook{*m_look,
