@@ -147,6 +147,7 @@ void EarlierLook::follow(const Scene& scene) {
   if (scene.volume) {
     m_present = {presetOf(scene, tr("Earlier look").toStdString()), looksLikeHounsfield(*scene.volume)};
     m_present->look.landmarks = landmarks;
+    m_present->look.shading->gradientSmoothing = 0.0; // it is of this volume's slices
   }
   m_use->setEnabled(m_earlier && scene.volume);
 }

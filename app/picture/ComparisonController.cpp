@@ -205,8 +205,11 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
   if (!m_look)
     return std::nullopt;
   const auto text = [](const QString& name) { return name.toStdString(); };
-  if (m_look->name == snapshotName)
-    return ComparedLook{*m_look, {text(tr("Before")), text(tr("Now"))}};
+  if (m_look->name == snapshotName) {
+    ComparedLook before{*m_look, {text(tr("Before")), text(tr("Now"))}};
+    before.shown.isWhole = true;
+    return before;
+  }
   const OpenDocument::PresetInUse own = m_context.document.presetInUse();
   const QString name = QString::fromStdString(own.name);
   return ComparedLook{*m_look,

@@ -154,6 +154,7 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
                  terms.light.opacity,
                  terms.light.curve,
                  usesRatio(terms.effects) ? terms.perReference : 0.0f,
+                 terms.effects.has(Effect::smoothNormals) ? scene.shading.gradientSmoothing : 0.0,
                  scene.keep,
                  scene.crop,
                  scene.projection,

@@ -32,6 +32,7 @@ private:
     CoefficientRange opacity;
     GradientCurve curve;
     float perReference = 0.0f;
+    double smoothingMm = 0.0; // of gradients
     Region keep;
     CropBox crop;
     Projection projection = Projection::composite;

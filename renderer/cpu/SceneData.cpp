@@ -53,6 +53,11 @@ IndexBox withinBrick(const IndexBox& box, const IndexBox& brick) {
   return {glm::max(box.lower, brick.lower - margin), glm::min(box.upper, brick.upper + margin)};
 }
 
+// Of normals, mm; 0 where none is smooth.
+double smoothingAskedFor(const Scene& scene) {
+  return smoothsNormals(scene) ? scene.shading.gradientSmoothing : 0.0;
+}
+
 // A range of one value has no unit: scalars are differences from it.
 double rangeUnit(const ValueRange& range) {
   const double width = range.highest - range.lowest;
@@ -69,7 +74,9 @@ void setFog(const Scene& scene, PictureTerms& terms) {
 void setGradient(const Scene& scene, const GradientScale& scale, PictureTerms& terms) {
   const Grid& grid = scene.volume->grid();
   const double unitPerMm = rangeUnit(scene.volume->range()) / terms.lengthMm;
-  terms.gradientScale = asFloats(double(terms.voxels.scale) * terms.lengthMm / (2.0 * grid.spacingMm));
+  const bool isSmoothed = terms.effects.has(Effect::smoothNormals);
+  const double perStored = isSmoothed ? terms.smoothed.scale : terms.voxels.scale;
+  terms.gradientScale = asFloats(perStored * terms.lengthMm / (2.0 * grid.spacingMm));
   terms.flatModulus = asFloat(std::ldexp(scale.largest / unitPerMm, -20));
   terms.perReference = scale.reference > 0.0 ? asFloat(unitPerMm / scale.reference) : 0.0f;
   const GradientCurve& curve = terms.light.curve;
@@ -146,7 +153,10 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
 
 void SceneData::makeReady(const Scene& scene, const Effort& effort) {
   requireDrawable(scene);
-  updateVolume(scene, {m_threads, effort.isCancelled, effort.report});
+  const bool smooths = smoothsNormals(scene);
+  const Effort all{m_threads, effort.isCancelled, effort.report};
+  updateVolume(scene, smooths ? limn::partOf(all, 0.0, 0.5) : all);
+  m_gradients.update(scene.volume, smoothingAskedFor(scene), limn::partOf(all, 0.5, 1.0));
 }
 
 BlockBox SceneData::partOf(const Scene& scene) const {
@@ -170,10 +180,11 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_voxels.reset();
   m_volume.reset(); // should the new one be refused
   m_empty = {};
+  m_gradients = {};
+  m_gradientScale = {};
   m_voxels.emplace(scene.volume, part, effort);
   m_volume = scene.volume;
   m_steepness.reset();
-  m_gradientScales.setVolume(m_volume);
   m_functionKept.reset();
   m_gradientOpacityKept.reset();
   m_emptySpaceKept.reset();
@@ -284,10 +295,16 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   if (!effects.has(Effect::labelLooks))
     terms.perUnitDistance = unitsPer(scene.transferFunction.unitDistanceMm);
   terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
-  if (effects.has(Effect::gradient) && m_whole)
-    m_gradientScales.know(m_whole->moduli, m_whole->percent);
-  if (effects.has(Effect::gradient))
-    m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects), {m_threads, isCancelled, {}});
+  if (effects.has(Effect::gradient)) {
+    m_gradients.update(scene.volume, smoothingAskedFor(scene), {m_threads, isCancelled, {}});
+    if (m_whole)
+      m_gradients.know(m_whole->moduli, m_whole->percent);
+    m_gradientScale = m_gradients.scale(scene.shading, usesRatio(effects), {m_threads, isCancelled, {}});
+  }
+  if (effects.has(Effect::smoothNormals))
+    terms.smoothed =
+        sourceOf(VoxelSource::Kind::single, std::get<StoredVoxels<float>>(m_gradients.smoothed()->stored()),
+                 grid.dims, 1.0f);
   setGradient(scene, m_gradientScale, terms);
   setFog(scene, terms);
   terms.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
@@ -305,7 +322,7 @@ double SceneData::memoryMb() const {
   if (!m_voxels || m_volume->room())
     return 0.0;
   return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_looks.ownBytes() +
-                             m_light.ownBytes() + m_empty.distances.size()) /
+                             m_light.ownBytes() + m_gradients.ownBytes() + m_empty.distances.size()) /
          1e6;
 }
 

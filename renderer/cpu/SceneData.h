@@ -6,7 +6,7 @@
 #include "cpu/VoxelStore.h"
 #include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
-#include "scene/light/GradientScales.h"
+#include "scene/light/GradientField.h"
 #include "scene/regions/BlockWeights.h"
 #include "scene/steps/EmptySpace.h"
 
@@ -64,7 +64,8 @@ public:
   /// which may be empty, at least every 10 ms. Throws Error; Cancelled, and then goes on from where it was.
   void update(const Scene& scene, const std::function<bool()>& isCancelled = {});
 
-  /// Reads the volume alone, and tells how far it is. Throws Cancelled.
+  /// Reads the volume alone, smooths it where the scene asks for that, and tells how far it is. Throws
+  /// Cancelled.
   void makeReady(const Scene& scene, const Effort& effort);
 
   /// Facts on which the effects of the scene of the last update depend.
@@ -108,7 +109,7 @@ private:
   LookStore m_looks;
   LightStore m_light;
   std::optional<double> m_steepness;
-  GradientScales m_gradientScales;
+  GradientField m_gradients;
   GradientScale m_gradientScale;
 
   std::optional<TransferFunction> m_functionKept;

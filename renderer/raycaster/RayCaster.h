@@ -73,8 +73,8 @@ public:
   /// account; false when nothing is left to do.
   bool warmUp(const Scene& scene, const glm::ivec2& size);
 
-  /// Uploads a piece of the scene's volume, some ten ms long, where it is not there yet; the share that is, 1
-  /// once it is whole.
+  /// Uploads a piece of what the scene needs of its volume, some ten ms long, where it is not there yet; the
+  /// share that is, 1 once it is whole.
   double makeReady(const Scene& scene);
 
   /// Uploads and measures what a picture of the scene needs, without drawing: to time it.

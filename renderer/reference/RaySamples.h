@@ -6,6 +6,7 @@
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/MeanMaterial.h"
 #include "scene/light/Gradient.h"
+#include "scene/light/GradientField.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/BlockWalk.h"
 #include "scene/steps/CellRule.h"
@@ -134,6 +135,9 @@ struct PictureTerms {
   /// Over which extinctions are told: the unit distance, of looks, which have each their own, a length.
   double unitMm = hasLooks ? smallestMm : scene.transferFunction.unitDistanceMm;
   LookSegments segments = hasLooks ? lookSegments(looks.functions) : LookSegments{};
+  /// Of the field whose gradients smooth normals follow; null: they follow that in `scale`, or none is
+  /// smooth.
+  const FieldSampler<double>* smoothed = nullptr;
   const PictureTerms* lightPaths = nullptr; ///< of the paths of light that travels; null where none does
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
@@ -233,7 +237,7 @@ public:
   Steepness steepnessAt(double place) const {
     if (!m_terms.readsGradient)
       return {};
-    const glm::dvec4 gradient = safeNormal(m_field.gradientAt(cellAt(place)));
+    const glm::dvec4 gradient = safeNormal(gradientAt(place));
     return {gradient, gradientRatio(m_terms.terms, m_terms.scale, gradient.w)};
   }
 
@@ -296,6 +300,15 @@ public:
   }
 
 private:
+  // Along the grid's axes, value/mm; of the smoothed field where normals are smooth.
+  glm::dvec3 gradientAt(double place) const {
+    if (m_terms.smoothed)
+      return m_terms.smoothed->gradientAt(cellAt(place));
+    return m_terms.scale.smoothed
+               ? followedGradientAt(*m_terms.scene.volume, m_terms.scale, centredAt(place) + m_terms.centre)
+               : m_field.gradientAt(cellAt(place));
+  }
+
   // What the looks of the voxels around a place absorb together (DEFINITION section 10), each opacity times
   // `factor`.
   Absorbed mixedAt(double place, double scalar, const std::optional<std::size_t>& gap, double factor) const {

@@ -2,6 +2,7 @@
 #include "reference/ReferenceIntegrator.h"
 
 #include "reference/RayMarcher.h"
+#include "reference/SmoothedField.h"
 #include "scene/basics/Error.h"
 
 #include <atomic>
@@ -56,21 +57,43 @@ struct Work {
   ToTolerance way = ToTolerance::byCells;
 };
 
+// The field whose gradients smooth normals follow.
+struct Smoothed {
+  Smoothed(const Scene& scene, const Effort& effort)
+      : volume(smoothedField(*scene.volume, scene.shading.gradientSmoothing, effort)),
+        sampler(volume, std::get<StoredVoxels<double>>(volume.stored())),
+        scale(gradientScale(volume, scene.shading, effort)) {}
+
+  Volume volume;
+  FieldSampler<double> sampler;
+  GradientScale scale;
+};
+
 void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
   const glm::ivec2 size = picture.size;
   const PixelRect tile = work.tile.value_or(PixelRect{{0, 0}, size});
-  PictureTerms terms{scene, effectsOf(scene), work.way == ToTolerance::byCells};
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int threads = work.threads > 0 ? work.threads : cores;
+  std::optional<Smoothed> smoothed;
+  if (smoothsNormals(scene))
+    smoothed.emplace(scene, Effort{threads, work.isCancelled, {}});
+  const bool isByCells = work.way == ToTolerance::byCells;
+  PictureTerms terms = smoothed ? PictureTerms{.scene = scene,
+                                               .effects = effectsOf(scene),
+                                               .isByCells = isByCells,
+                                               .smoothed = &smoothed->sampler,
+                                               .scale = smoothed->scale}
+                                : PictureTerms{scene, effectsOf(scene), isByCells};
   terms.mostSamples = work.mostSamples;
   terms.terms.isUnlimited = work.limiting == Limiting::none;
   std::optional<PictureTerms> paths;
   if (terms.effects.hasAny(travellingLight))
     terms.lightPaths = &paths.emplace(lightPathTerms(terms));
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   visitVoxels(*scene.volume, [&]<class T>(const StoredVoxels<T>& stored) {
     const FieldSampler<T> field(*scene.volume, stored);
-    forEachRow(tile.size.y, work.threads > 0 ? work.threads : cores, work.isCancelled, [&](int row) {
+    forEachRow(tile.size.y, threads, work.isCancelled, [&](int row) {
       const int y = tile.topLeft.y + row;
       for (int x = tile.topLeft.x; x < tile.topLeft.x + tile.size.x; ++x) {
         const auto pixel = static_cast<std::size_t>(y) * size.x + x;

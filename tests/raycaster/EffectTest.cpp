@@ -101,6 +101,29 @@ const Row rows[] = {
        s.transferFunction = withPointAdded(s.transferFunction, 402.0, 0.9);
        s.transferFunction = withPointAdded(s.transferFunction, 402.0, 0.1);
      }},
+    {"smooth normals", Effect::smoothNormals, [](Scene& s) { s.shading.gradientSmoothing = 6.0; }},
+    {"smooth normals of classic light in pre-integrated steps", Effect::smoothNormals,
+     [](Scene& s) {
+       s.shading.model = ShadingModel::classic;
+       s.shading.gradientSmoothing = 4.0;
+       s.quality.preintegrated = Preintegration::always;
+     }},
+    {"gradient opacity of a smoothed field, unlit", Effect::smoothNormals,
+     [](Scene& s) {
+       s.shading.model = ShadingModel::none;
+       s.shading.gradientSmoothing = 5.0;
+       s.gradientOpacity = GradientOpacity{{{0.0, 0.0}, {50.0, 0.3}, {50.0, 0.6}, {200.0, 1.0}}};
+     }},
+    {"smooth normals of an isosurface", Effect::smoothNormals,
+     [](Scene& s) {
+       s.projection = Projection::isosurface;
+       s.shading.gradientSmoothing = 6.0;
+     }},
+    {"smooth normals by own weights", Effect::smoothNormals,
+     [](Scene& s) {
+       s.shading.gradientSmoothing = 6.0;
+       s.quality.ownWeights = true;
+     }},
     {"maximum", Effect::mip, [](Scene& s) { s.projection = Projection::mip; }},
     {"minimum", Effect::minip,
      [](Scene& s) {
@@ -268,6 +291,57 @@ TEST_F(Effects, lightOnItsWayIsRefusedAndNeverLeftOut) {
   scene.shading.occlusion.strength = 0.0;
   scene.shading.occlusion.reachMm = 5.0;
   EXPECT_EQ(caster.render(scene, pictureSize), plain);
+}
+
+TEST_F(Effects, smoothNormalsLeaveNoTraceWhereThereAreNone) {
+  RayCaster caster;
+  Scene scene = baseScene();
+  const Image plain = caster.render(scene, pictureSize);
+  const double volumeMb = caster.volumeMb();
+  scene.shading.gradientSmoothing = 1.3; // 3σ is less than a voxel
+  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  EXPECT_EQ(caster.volumeMb(), volumeMb);
+  scene.shading.gradientSmoothing = 6.0;
+  EXPECT_NE(caster.render(scene, pictureSize), plain);
+  EXPECT_NEAR(caster.volumeMb(), 2.0 * volumeMb, 1e-9); // both in floats
+  scene.shading.gradientSmoothing = 0.0;
+  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  // It stays for pictures that take turns, and goes with its volume.
+  EXPECT_NEAR(caster.volumeMb(), 2.0 * volumeMb, 1e-9);
+  scene.volume = phantomVolume({.spacingMm = 4.0});
+  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  EXPECT_EQ(caster.volumeMb(), volumeMb);
+}
+
+TEST_F(Effects, smoothNormalsAreMadeReadyInPiecesThatAddUp) {
+  RayCaster caster;
+  Scene scene = baseScene();
+  scene.shading.gradientSmoothing = 6.0;
+  double last = 0.0;
+  int pieces = 0;
+  while (last < 1.0) {
+    const double there = caster.makeReady(scene);
+    EXPECT_GT(there, last);
+    last = there;
+    ++pieces;
+  }
+  EXPECT_GE(pieces, 3); // of the volume, of smoothing, of its texture
+  EXPECT_EQ(caster.makeReady(scene), 1.0);
+}
+
+TEST_F(Effects, whereTheCardHasNoRoomForASmoothedVolumeItIsRefused) {
+  const Scene plain = baseScene();
+  const double needed =
+      1e-6 * 4.0 *
+      static_cast<double>((plain.volume->grid().dims.x + 2) * (plain.volume->grid().dims.y + 2) *
+                          (plain.volume->grid().dims.z + 2));
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {},
+                   {1.5 * needed, false});
+  Scene smooth = plain;
+  smooth.shading.gradientSmoothing = 6.0;
+  EXPECT_NO_THROW(caster.render(plain, pictureSize));
+  EXPECT_THROW(caster.render(smooth, pictureSize), VolumeTooLarge);
+  EXPECT_NO_THROW(caster.render(plain, pictureSize));
 }
 
 TEST(EffectPlans, lightOnItsWayIsAskedForWhereItShows) {

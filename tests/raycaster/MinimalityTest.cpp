@@ -108,6 +108,14 @@ TEST(Minimality, aSampleWithAGradientFetchesSixMoreAndOnlyIfVisible) {
   }
 }
 
+TEST(Minimality, smoothNormalsFetchTheSmoothedVolumeInsteadAndNobodyElseDoes) {
+  const auto smooth = functionsFor(lit.with(Effect::smoothNormals));
+  EXPECT_EQ(volumeFetches(smooth, "gradientAt"), 0);
+  EXPECT_EQ(occurrences(smooth.at("smoothedAt"), "filtered(u_smoothedVolume"), 1);
+  EXPECT_EQ(occurrences(smooth.at("gradientAt"), "smoothedAt("), 6);
+  EXPECT_FALSE(functionsFor(lit).contains("smoothedAt"));
+}
+
 TEST(Minimality, aPreintegratedStepFetchesOneScalarMoreInAll) {
   // The value at a step's end is that at the next one's start; a search, before the first run of visible
   // steps and behind each, looks again where it lands.

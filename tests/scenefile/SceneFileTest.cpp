@@ -34,6 +34,7 @@ Scene unusualScene() {
   scene.shading.twoSided = true;
   scene.shading.lightDirection = glm::dvec3(1, -1, 0.5);
   scene.shading.lightAxes = LightAxes::camera;
+  scene.shading.gradientSmoothing = 3.75;
   scene.shading.shadow = {0.85, 6.5};
   scene.shading.occlusion = {0.4, 15.25};
   scene.gradientOpacity = GradientOpacity{{{0, 0}, {120.5, 1}}};
@@ -140,6 +141,24 @@ TEST(SceneFile, lightOnItsWayIsReadAsDocumentedAndLeftOutWhereItIsNeutral) {
   const std::string neutral = sceneToJson(Scene{}, "v");
   EXPECT_EQ(neutral.find("shadow"), std::string::npos);
   EXPECT_EQ(neutral.find("occlusion"), std::string::npos);
+}
+
+TEST(SceneFile, theSmoothingOfNormalsIsReadAsDocumentedAndLeftOutWhereItIsNeutral) {
+  const auto withSmoothing = [](const std::string& number) {
+    return R"({"limn_scene": 1, "volume": "v", "shading": {"gradient_smoothing_mm": )" + number + "}}";
+  };
+  EXPECT_EQ(parseScene(withSmoothing("3.5"), "test.json").scene.shading.gradientSmoothing, 3.5);
+  EXPECT_EQ(parseScene(withSmoothing("20"), "test.json").scene.shading.gradientSmoothing, 20.0);
+  for (const char* number : {"-0.1", "20.1", "\"much\""})
+    EXPECT_NE(refusalOf(withSmoothing(number)).find("shading.gradient_smoothing_mm"), std::string::npos)
+        << number;
+  EXPECT_NE(refusalOf(withSmoothing("21")).find("20"), std::string::npos); // the range is told
+  Preset preset;
+  preset.name = "smooth";
+  preset.transferFunction = unusualScene().transferFunction;
+  preset.shading = unusualScene().shading;
+  EXPECT_EQ(parsePreset(presetToJson(preset), "test.json").shading->gradientSmoothing, 3.75);
+  EXPECT_EQ(sceneToJson(Scene{}, "v").find("gradient_smoothing_mm"), std::string::npos);
 }
 
 TEST(SceneFile, aToleranceNeedsNoFinenessButAFinenessATolerance) {

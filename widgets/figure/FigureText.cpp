@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/figure/FigureText.h"
 
+#include "scene/effects/EffectPlan.h"
 #include "widgets/ValueText.h"
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/properties/ProjectionSection.h"
@@ -44,9 +45,9 @@ QString accuracyNote(const Figure& figure) {
       .arg(isOne ? errors.front() : told.join(QStringLiteral(", ")));
 }
 
-// What hides parts of the volume in a panel's picture; a slice shows all of it, with a line around what is
-// kept.
-QStringList hidingIn(const FigurePanel& panel) {
+// What hides parts of the volume in a panel's picture, or smooths its light; a slice shows all of it, with a
+// line around what is kept.
+QStringList remarksOn(const FigurePanel& panel) {
   if (panel.plane)
     return panel.planes.outlinesRegion && isRestricting(panel.scene.keep)
                ? QStringList{QObject::tr("The line is around what is kept")}
@@ -54,6 +55,9 @@ QStringList hidingIn(const FigurePanel& panel) {
   QStringList texts{regionText(panel.scene.keep)};
   if (panel.scene.crop != CropBox())
     texts << QObject::tr("Cropped");
+  if (smoothsNormals(panel.scene))
+    texts << QObject::tr("Normals smoothed by %1 mm")
+                 .arg(digitsNumber(panel.scene.shading.gradientSmoothing, 3));
   texts.removeAll(QString());
   return texts;
 }
@@ -61,9 +65,9 @@ QStringList hidingIn(const FigurePanel& panel) {
 QStringList regionNotes(const Figure& figure) {
   QStringList notes;
   for (const FigurePanel& panel : figure.panels)
-    for (const QString& text : hidingIn(panel)) {
+    for (const QString& text : remarksOn(panel)) {
       const QString where =
-          lettersWhere(figure, [&](const FigurePanel& other) { return hidingIn(other).contains(text); });
+          lettersWhere(figure, [&](const FigurePanel& other) { return remarksOn(other).contains(text); });
       const QString note =
           where.isEmpty() ? QObject::tr("%1.").arg(text) : QObject::tr("%1 (%2).").arg(text, where);
       if (!notes.contains(note))

@@ -28,6 +28,16 @@ NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
           .decimals = 1};
 }
 
+NumberSpec smoothingSpec() {
+  return {.label = LightSection::tr("Smooth normals"),
+          .help = LightSection::tr("Takes the terraces of thick slices out of the light; about 0.7 of the "
+                                   "distance between slices is a good start. No surface moves."),
+          .unit = QStringLiteral("mm"),
+          .scale = {0.0, 6.0, false},
+          .highest = mostGradientSmoothing,
+          .decimals = 1};
+}
+
 QLabel* headingOf(const QString& text) {
   auto* heading = new QLabel(text);
   heading->setForegroundRole(QPalette::PlaceholderText);
@@ -227,6 +237,8 @@ void LightSection::addReflection() {
   m_twoSidedHelp = tr("<p>Lights the far side of thin walls too, so that cut or hollow parts do not turn "
                       "black.</p><p>On or off, default off.</p>");
   m_twoSided = addSwitch(tr("Light both sides"), m_twoSidedHelp, &Shading::twoSided);
+  m_numbers.emplace_back(addNumber(smoothingSpec(), &Shading::gradientSmoothing),
+                         &Shading::gradientSmoothing);
 }
 
 void LightSection::showDirection() {

@@ -8,7 +8,9 @@
 #include "io/ImageFile.h"
 #include "io/scenefile/ForeignJson.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/framing/Framing.h"
+#include "scene/light/GradientSmoothing.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/view/FirstView.h"
 #include "scene/volume/Orientation.h"
@@ -343,17 +345,20 @@ std::string absoluteSource(const std::string& source) {
 }
 
 // Why surfaces of such a volume show bands; no look can take them away. An image has no other slice.
-static Message thickSlices(const Grid& grid) {
+static Message thickSlices(const Grid& grid, bool isSmoothed) {
   constexpr double muchThicker = 4.0;
   const double thickest = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
   const double ratio = thickest / smallestSpacingMm(grid);
   if (ratio < muchThicker || imageNormalAxis(grid))
     return {};
-  return Message::
-      tr("The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for "
-         "each slice.")
-          .arg(Message::rounded(thickest, 2))
-          .arg(Message::fixed(ratio, 0));
+  return (isSmoothed
+              ? Message::tr("The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces "
+                            "show a band for each slice, though smooth normals take most of it out of the "
+                            "light.")
+              : Message::tr("The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces "
+                            "show a band for each slice."))
+      .arg(Message::rounded(thickest, 2))
+      .arg(Message::fixed(ratio, 0));
 }
 
 static LoadedScene loadUnframed(const std::string& source, const SourceOptions& options,
@@ -387,6 +392,8 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
   loaded.scene = withPreset(loaded.scene, preset);
   loaded.preset = preset.name;
+  if (options.smoothsSlices)
+    loaded.scene.shading.gradientSmoothing = smoothingOfSlices(grid);
   if (options.hidesTable && !imageNormalAxis(grid))
     loaded.scene.keep = sureBodyOf(*opened.volume, progress);
   return loaded;
@@ -414,7 +421,8 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   LoadedScene loaded = loadUnframed(source, options, progress);
   if (options.wantsVolumeAlone)
     return loaded;
-  if (const Message remark = thickSlices(loaded.scene.volume->grid()); !remark.empty())
+  if (const Message remark = thickSlices(loaded.scene.volume->grid(), smoothsNormals(loaded.scene));
+      !remark.empty())
     loaded.notes.push_back(remark);
   const ImageSettings& image = loaded.scene.image;
   if (!loaded.hasOwnCamera)

@@ -99,9 +99,12 @@ void addLooks(std::vector<PanelSource>& sources, const FigureIngredients& from) 
 }
 
 void addRemembered(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  if (from.remembered)
-    sources.push_back(withLook(QObject::tr("Remembered: %1"), withPreset(from.scene, *from.remembered),
-                               QObject::tr("Before")));
+  if (!from.remembered)
+    return;
+  Preset before = *from.remembered;
+  before.isWhole = true;
+  sources.push_back(
+      withLook(QObject::tr("Remembered: %1"), withPreset(from.scene, before), QObject::tr("Before")));
 }
 
 void addScenes(std::vector<PanelSource>& sources, const FigureIngredients& from) {

@@ -258,6 +258,7 @@ void OpeningController::start(const Request& request, const QString& what) {
   known.knownVolumes = m_context.settings.knownVolumes();
   known.references = m_context.settings.references();
   known.hidesTable = true;
+  known.smoothsSlices = true;
   if (!known.read.memory)
     known.read.memory = m_context.memory;
   m_context.view.setLoading(-1.0, what);

@@ -6,6 +6,7 @@
 #include "scene/basics/Error.h"
 #include "scene/framing/KeptVoxels.h"
 #include "scene/light/GradientHistogram.h"
+#include "scene/light/GradientSmoothing.h"
 #include "widgets/Translated.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
@@ -186,6 +187,8 @@ void CurveController::showScene(const Scene& scene) {
   showLabels(scene);
   m_panel.valueEditor()->setTransferFunction(curveOf(scene, m_label));
   m_histograms.showScene(scene, m_label);
+  m_smoothing = scene.shading.gradientSmoothing;
+  measureGradients();
   m_panel.gradientEditor()->setGradientOpacity(scene.gradientOpacity);
   m_panel.setGradientState(!scene.gradientOpacity                  ? CurvePanel::GradientState::off
                            : usesGradientOpacity(scene.projection) ? CurvePanel::GradientState::on
@@ -211,17 +214,22 @@ void CurveController::showVolume(const std::shared_ptr<const Volume>& volume, co
 void CurveController::measureGradients() {
   GradientOpacityEditor* editor = m_panel.gradientEditor();
   editor->setUnit(m_volume ? QString::fromStdString(m_volume->info().unit) : QString());
-  if (m_counted == m_volume)
+  if (m_counted == m_volume && m_countedSmoothing == m_smoothing)
     return;
   editor->setHistogram(std::nullopt);
   const bool begins = m_volume && m_panel.gradientIsShown();
   editor->setMeasuring(begins);
   m_counted = begins ? m_volume : nullptr;
+  m_countedSmoothing = m_smoothing;
   m_counting.cancel();
   if (!m_counted)
     return;
-  m_counting.start([this, volume = m_counted](const Effort& effort) -> BackgroundWork::Deliver {
-    Histogram gradients = gradientHistogram(*volume, 1024, {0, effort.isCancelled, {}});
+  m_counting.start([this, volume = m_counted,
+                    smoothing = m_smoothing](const Effort& effort) -> BackgroundWork::Deliver {
+    const Effort all{0, effort.isCancelled, {}};
+    const bool isSmoothed = smoothsAnything(smoothing, volume->grid());
+    Histogram gradients =
+        gradientHistogram(isSmoothed ? *smoothedVolume(volume, smoothing, all) : *volume, 1024, all);
     return [this, gradients = std::move(gradients)] { m_panel.gradientEditor()->setHistogram(gradients); };
   });
 }

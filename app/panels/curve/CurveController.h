@@ -104,6 +104,8 @@ private:
   std::shared_ptr<const Volume> m_volume;
   std::optional<std::size_t> m_label;      ///< whose curve is in hand
   std::shared_ptr<const Volume> m_counted; ///< whose gradients were asked for last; null: of none
+  double m_smoothing = 0.0;                ///< of gradients, mm
+  double m_countedSmoothing = 0.0;         ///< of those that were asked for
   BackgroundWork m_counting;
 };
 

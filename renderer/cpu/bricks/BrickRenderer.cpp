@@ -151,6 +151,11 @@ void BrickRenderer::begin(const Scene& scene, const glm::ivec2& size, const Inde
         Error::Kind::usage,
         Message::tr("Shadows and occlusion cannot be drawn in bricks: light crosses from one to the next. "
                     "Draw the picture with limn, or set their strength to 0."));
+  if (smoothsNormals(scene))
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("Smooth normals cannot be drawn in bricks: smoothing reaches beyond each of them. "
+                    "Draw the picture with limn, or set the smoothing to 0."));
   m_covered = {};
   m_data.setBrick(brick);
   m_data.update(scene, isCancelled);

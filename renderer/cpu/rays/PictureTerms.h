@@ -91,7 +91,8 @@ struct TravelTerms {
 struct PictureTerms {
   EffectSet effects;
   VoxelSource voxels;
-  VoxelSource region; ///< weights of the kept region, bytes or halves; read where an effect needs it
+  VoxelSource smoothed; ///< normalised; whose gradients count where an effect smooths normals
+  VoxelSource region;   ///< weights of the kept region, bytes or halves; read where an effect needs it
   EmptySpace empty;
   LookTerms looks;                          ///< read where an effect needs them
   const PiecewiseTable* function = nullptr; ///< the scene's, or where labels have looks, of all together
@@ -114,7 +115,7 @@ struct PictureTerms {
   float perUnitDistance = 1.0f; ///< unit distances in a length; 1 where labels have looks with their own
   float lastTransmittance = 0.0f;
 
-  glm::vec3 gradientScale{0.0f}; ///< from a difference of voxels over two of them to the unit
+  glm::vec3 gradientScale{0.0f}; ///< from a difference of voxels, or of smoothed ones, over two to the unit
   float flatModulus = 0.0f;
   float perReference = 0.0f; ///< 1/gref, 0 where gref is 0
   float curve = 0.0f;        ///< gamma or b

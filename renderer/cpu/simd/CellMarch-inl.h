@@ -218,7 +218,7 @@ private:
       for (int lane = here; lane < lanes(); ++lane)
         wanted[done + lane] = wanted[done];
       const V3 index = m_samples.indexAt(hn::LoadU(floats, wanted + done));
-      const V3 slope = m_samples.field.voxelAndSlopeAt(index, here).slope;
+      const V3 slope = slopeAt(m_terms, m_samples.field, index, here);
       HWY_ALIGN float found[3][HWY_MAX_BYTES / 4];
       hn::Store(slope.x, floats, found[0]);
       hn::Store(slope.y, floats, found[1]);

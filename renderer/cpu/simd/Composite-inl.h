@@ -93,8 +93,8 @@ private:
     light();
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
-    const VoxelAndSlope found =
-        m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), std::min(lanes(), m_ray.ownTo - i));
+    const VoxelAndSlope found = voxelAndSlopeAt(m_terms, m_samples.field, m_samples.indexAt(step),
+                                                std::min(lanes(), m_ray.ownTo - i));
     const VF scalar = m_samples.field.normalised(found.voxel);
     if (m_samples.looks.areAny()) {
       const Gradients gradients = m_samples.light.gradientsOf(found.slope);
@@ -203,7 +203,8 @@ private:
     V3 color{hn::Load(floats, m_reds), hn::Load(floats, m_greens), hn::Load(floats, m_blues)};
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (m_hasGradient) {
-      const VoxelAndSlope found = m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), m_queued);
+      const VoxelAndSlope found =
+          voxelAndSlopeAt(m_terms, m_samples.field, m_samples.indexAt(step), m_queued);
       if (!m_queuesColors && !m_mixesLate)
         color = m_samples.function.colorAt(m_samples.field.normalised(found.voxel), isQueued);
       gradients = m_samples.light.gradientsOf(found.slope);

@@ -50,14 +50,17 @@ public:
   }
 
   /// Normalised scalars at continuous voxel indices.
-  HWY_NOINLINE VF scalarAt(const V3& index) const {
+  HWY_NOINLINE VF scalarAt(const V3& index) const { return normalised(voxelAt(index)); }
+
+  /// The same as voxels are stored.
+  HWY_INLINE VF voxelAt(const V3& index) const {
     const Cells cells = cellsAt(index);
     VF first[4], second[4];
     cornersOf(cells, first, second);
     // In the order of VoxelRows-inl.h: both give the same bits.
     const V3& w = cells.weight;
-    return normalised(mix(mix(mix(first[0], first[2], w.z), mix(first[1], first[3], w.z), w.y),
-                          mix(mix(second[0], second[2], w.z), mix(second[1], second[3], w.z), w.y), w.x));
+    return mix(mix(mix(first[0], first[2], w.z), mix(first[1], first[3], w.z), w.y),
+               mix(mix(second[0], second[2], w.z), mix(second[1], second[3], w.z), w.y), w.x);
   }
 
   /// The normalised voxels at the eight corners of the cells around continuous voxel indices, and what share
@@ -311,6 +314,24 @@ private:
   std::int32_t m_rowsAhead;   // to the last row of a cell
   std::int32_t m_lastSafeRow; // from any place in it four bytes are voxels
 };
+
+/// What the field whose gradients count gains over two voxels along each axis at the first `count` of some
+/// places (DEFINITION section 2).
+template <VoxelSource::Kind kind>
+HWY_INLINE V3 slopeAt(const PictureTerms& terms, const Field<kind>& field, const V3& index, int count) {
+  if (HWY_LIKELY(!terms.effects.has(Effect::smoothNormals)))
+    return field.voxelAndSlopeAt(index, count).slope;
+  return Field<VoxelSource::Kind::single>(terms.smoothed).voxelAndSlopeAt(index, count).slope;
+}
+
+/// The same with the voxels there, which stay.
+template <VoxelSource::Kind kind>
+HWY_INLINE VoxelAndSlope voxelAndSlopeAt(const PictureTerms& terms, const Field<kind>& field, const V3& index,
+                                         int count) {
+  if (HWY_LIKELY(!terms.effects.has(Effect::smoothNormals)))
+    return field.voxelAndSlopeAt(index, count);
+  return {field.voxelAt(index), slopeAt(terms, field, index, count)};
+}
 
 } // namespace limn::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -219,7 +219,7 @@ private:
   }
 
   HWY_INLINE VF factorAt(const V3& index) const {
-    return m_light.opacityFactor(m_light.gradientsOf(m_field.voxelAndSlopeAt(index, lanes()).slope));
+    return m_light.opacityFactor(m_light.gradientsOf(slopeAt(m_terms, m_field, index, lanes())));
   }
 
   static constexpr int most = HWY_MAX_BYTES / 4;

@@ -124,7 +124,7 @@ struct Samples {
       return result;
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (effects.has(Effect::gradient))
-      gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(step), lanes()).slope);
+      gradients = light.gradientsOf(slopeAt(terms, field, indexAt(step), lanes()));
     if (effects.hasAny(opacityChanges))
       result.extinction = minusLog1mOpacity(hn::Mul(absorbed.opacity, light.opacityFactor(gradients)));
     result.color = shaded(absorbed.color, gradients, step);
@@ -172,7 +172,7 @@ struct Samples {
   HWY_NOINLINE glm::vec3 surfaceAt(float step) const {
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (terms.effects.has(Effect::gradient))
-      gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(all(step)), 1).slope);
+      gradients = light.gradientsOf(slopeAt(terms, field, indexAt(all(step)), 1));
     const V3 color = shaded(all(terms.isoColor), gradients, all(step));
     return {hn::GetLane(color.x), hn::GetLane(color.y), hn::GetLane(color.z)};
   }

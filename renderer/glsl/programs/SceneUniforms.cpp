@@ -164,8 +164,12 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_gradientSegments", TextureUnit::gradientSegments);
   unit("u_cellLooks", TextureUnit::cellLooks);
   unit("u_labels", TextureUnit::labels);
+<<<<<<< HEAD
   unit("u_directLight", TextureUnit::directLight);
   unit("u_ambientLight", TextureUnit::ambientLight);
+=======
+  unit("u_smoothedVolume", TextureUnit::smoothedVolume);
+>>>>>>> smooth
 }
 
 // So many unit distances hide everything; the whole box must not have more than a float holds.
@@ -217,6 +221,8 @@ void bindTextures(const SceneTextures& textures) {
     bind(TextureUnit::cellLooks, GL_TEXTURE_3D, textures.looks().cells());
     bind(TextureUnit::labels, GL_TEXTURE_3D, textures.looks().labels());
   }
+  if (textures.smoothed().name() != 0)
+    bind(TextureUnit::smoothedVolume, GL_TEXTURE_3D, textures.smoothed().name());
 }
 
 int sampleLimit(const Scene& scene, const SceneTextures& textures) {

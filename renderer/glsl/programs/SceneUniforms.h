@@ -22,8 +22,12 @@ enum class TextureUnit {
   classifiedVolume,
   cellLooks,
   labels,
+<<<<<<< HEAD
   directLight,
   ambientLight
+=======
+  smoothedVolume
+>>>>>>> smooth
 };
 
 /// Binds every texture to its unit.

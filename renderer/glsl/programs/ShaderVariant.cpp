@@ -50,7 +50,10 @@ const char* jitterBlock(const Decisions& decisions) {
   return decisions.place == SamplePlace::middle ? "jitter.glsl" : "front_of_step.glsl";
 }
 
-const char* gradientBlock(const Decisions& decisions) {
+// How gradients are found concerns those of the volume.
+const char* gradientBlock(EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::smoothNormals))
+    return "smoothed_gradient.glsl";
   switch (decisions.gradients) {
   case GradientFormat::onTheFly:
     return "gradient.glsl";
@@ -102,7 +105,7 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions&
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
   blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
   blockIf(effects.has(Effect::jitter), jitterBlock(decisions));
-  blockIf(effects.has(Effect::gradient), gradientBlock(decisions));
+  blockIf(effects.has(Effect::gradient), gradientBlock(effects, decisions));
   blockIf(usesRatio(effects), "gradient_ratio.glsl");
   blockIf(effects.has(Effect::gradientOpacity), "gradient_opacity.glsl");
   blockIf(effects.has(Effect::cutFaces), "cut_faces.glsl");

@@ -221,7 +221,17 @@ double SceneTextures::uploadVolume(const Scene& scene) {
     m_volumeTexture->uploadMore(*volume);
     m_volume = volume;
   }
-  return m_volumeTexture->uploadedShare();
+  const double uploaded = m_volumeTexture->uploadedShare();
+  const double smoothingMm = smoothsNormals(scene) ? scene.shading.gradientSmoothing : 0.0;
+  const double ofVolume = smoothingMm > 0.0 ? 0.4 : 1.0;
+  if (uploaded < 1.0)
+    return ofVolume * uploaded;
+  if (const double smoothed = m_gradients.more(m_volume, smoothingMm); smoothed < 1.0)
+    return ofVolume + (0.9 - ofVolume) * smoothed;
+  if (!m_gradients.smoothed())
+    return 1.0;
+  const double there = m_smoothed.uploadMore(m_gradients.smoothed(), *m_volumeTexture, m_room);
+  return there < 1.0 ? 0.9 + 0.1 * there : 1.0;
 }
 
 void SceneTextures::beginVolume(const Scene& scene) {
@@ -234,15 +244,16 @@ void SceneTextures::beginVolume(const Scene& scene) {
   m_emptySpaceShown.reset();
   m_gradientOpacityShown.reset();
   m_steepness.reset();
-  m_gradientScales.setVolume(nullptr);
+  m_gradients = {};
+  m_gradientScale = {};
+  m_smoothed = {};
   m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_room);
   m_volume = scene.volume;
-  m_gradientScales.setVolume(m_volume);
 }
 
 void SceneTextures::measure(const Scene& scene, EffectSet effects) {
   if (effects.has(Effect::gradient))
-    m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects));
+    m_gradientScale = m_gradients.scale(scene.shading, usesRatio(effects));
 }
 
 void SceneTextures::updateEmptySpace(const Scene& scene) {

@@ -4,12 +4,13 @@
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
 #include "glsl/textures/LookTextures.h"
+#include "glsl/textures/SmoothedTexture.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/LabelLooks.h"
 #include "scene/Scene.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/PiecewiseTable.h"
-#include "scene/light/GradientScales.h"
+#include "scene/light/GradientField.h"
 #include "scene/regions/BlockWeights.h"
 #include "scene/steps/BlockSteps.h"
 #include "scene/steps/EmptySpace.h"
@@ -112,7 +113,8 @@ public:
   explicit SceneTextures(const Decisions& decisions = {}, const VolumeRoom& room = {})
       : m_decisions(decisions), m_room(room) {}
 
-  /// Uploads a piece of the scene's volume, where it is not there yet; the share that is, 1 once it is whole.
+  /// Uploads a piece of the scene's volume, where it is not there yet, then smooths and uploads a piece of
+  /// what its normals are found from, where the scene asks for that; the share that is there, 1 once all is.
   /// Changes texture bindings.
   double uploadVolume(const Scene& scene);
 
@@ -130,6 +132,7 @@ public:
 
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
+  const SmoothedTexture& smoothed() const { return m_smoothed; }
   const RegionTexture& region() const { return m_region; }
   const LookTextures& looks() const { return m_looks; }
 
@@ -180,7 +183,8 @@ private:
   FunctionTexture m_gradientCurve;
   GradientScale m_gradientScale;
   std::optional<double> m_steepness;
-  GradientScales m_gradientScales;
+  GradientField m_gradients;
+  SmoothedTexture m_smoothed;
 };
 
 } // namespace limn

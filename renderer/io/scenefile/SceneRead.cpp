@@ -133,6 +133,7 @@ Shading readShading(JsonFields fields) {
     shading.gradientReference = readGradientReference(fields);
   if (fields.has("gradient_curve"))
     shading.gradientCurve = readGradientCurve(fields.object("gradient_curve"));
+  fields.number("gradient_smoothing_mm", shading.gradientSmoothing, {0.0, mostGradientSmoothing});
   readRobustFields(fields, shading);
   fields.choice("specular_color", shading.specularColor, specularColorWords);
   fields.choice("reflection", shading.reflection, reflectionWords);

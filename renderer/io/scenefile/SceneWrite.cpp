@@ -65,6 +65,8 @@ Json toJson(const Shading& shading) {
   json["reflection"] = reflectionWords.of(shading.reflection);
   json["two_sided"] = shading.twoSided;
   json["light_direction"] = lightJson(shading);
+  if (shading.gradientSmoothing > 0.0)
+    json["gradient_smoothing_mm"] = shading.gradientSmoothing;
   // Programs that know neither read what asks for neither.
   if (shading.shadow != Shadow{})
     json["shadow"] = {{"strength", shading.shadow.strength}, {"softness_deg", shading.shadow.softnessDeg}};

@@ -6,6 +6,7 @@
 #include "scene/basics/Error.h"
 #include "scene/basics/StableMath.h"
 #include "scene/function/FunctionDetail.h"
+#include "scene/light/GradientSmoothing.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/LocalSteps.h"
 #include "scene/steps/RayFrame.h"
@@ -172,6 +173,17 @@ void travelClauses(Plan& plan, const Scene& scene, const LightingTerms& terms) {
               : !(scene.shading.occlusion.strength > 0.0)
                   ? Message::tr("the strength of occlusion is set to 0")
                   : Message::tr("there is no ambient light"));
+}
+
+void smoothingClause(Plan& plan, const Scene& scene) {
+  const double sigma = scene.shading.gradientSmoothing;
+  plan.clause(
+      Effect::smoothNormals, smoothsNormals(scene),
+      Message::tr("terraces of thick slices are taken out of the light"),
+      !(sigma > 0.0)                                  ? Message::tr("the smoothing is set to 0 mm")
+      : !smoothsAnything(sigma, scene.volume->grid()) ? Message::tr("the smoothing is finer than the voxels")
+      : isConstant(*scene.volume) ? Message::tr("every voxel has the same value, so there are no boundaries")
+                                  : Message::tr("nothing in this picture depends on boundaries"));
 }
 
 void looksClause(Plan& plan, const Scene& scene) {
@@ -341,6 +353,15 @@ bool hasTravellingLight(const Scene& scene) {
   return !isLocal && (terms.shadow.strength > 0.0 || terms.occlusion.strength > 0.0);
 }
 
+bool smoothsNormals(const Scene& scene) {
+  const LightingTerms terms = lightingTerms(scene.shading);
+  const bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
+  const bool marches = !classifiesOnce(scene.projection) && scene.projection != Projection::xray;
+  return scene.shading.gradientSmoothing > 0.0 && marches && !isConstant(*scene.volume) &&
+         (hasGradientOpacity || terms.usesNormal() || terms.usesRatio()) &&
+         smoothsAnything(scene.shading.gradientSmoothing, scene.volume->grid());
+}
+
 bool isAnythingVisible(const Scene& scene) {
   const ValueRange& range = scene.volume->range();
   const std::vector<TransferFunction> functions = labelLooks(scene).functions;
@@ -372,6 +393,7 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
               scene.crop == CropBox{} ? Message::tr("the crop box keeps the whole volume")
                                       : Message::tr("no light falls on the cuts"));
   travelClauses(plan, scene, terms);
+  smoothingClause(plan, scene);
   plan.clause(Effect::region, isRestricting(scene.keep),
               isCutAway(scene.keep)                   ? Message::tr("what was cut away is hidden")
               : scene.keep.kind == Region::Kind::body ? Message::tr("what is not body is hidden")

@@ -60,6 +60,10 @@ bool fogShows(const Scene& scene);
 /// occlusion, and the projection lights samples.
 bool hasTravellingLight(const Scene& scene);
 
+/// Whether light or boundaries follow the gradient of the smoothed field (DEFINITION section 2): smoothing
+/// reaches beyond a voxel, and something of the picture reads the gradient.
+bool smoothsNormals(const Scene& scene);
+
 /// Whether anything of the volume could show: the transfer function is opaque somewhere in its range, or the
 /// isovalue of a picture with a surface is reached.
 bool isAnythingVisible(const Scene& scene);

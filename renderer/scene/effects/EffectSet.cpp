@@ -30,6 +30,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
     {"shadow", "EFFECT_SHADOW", "what stands between a sample and its light dims it"},
     {"occlusion", "EFFECT_OCCLUSION", "what stands around a sample dims its ambient light"},
+    {"smooth_normals", "EFFECT_SMOOTH_NORMALS", "the gradient is that of the smoothed field"},
     {"region", "EFFECT_REGION", "a kept region takes opacity from what lies outside it"},
     {"label_looks", "EFFECT_LABEL_LOOKS", "labels have transfer functions of their own"},
     {"mip", "EFFECT_MIP", "the largest value of each ray"},
@@ -137,6 +138,7 @@ EffectSet canonical(EffectSet effects) {
   const bool readsGradient =
       usesRatio(effects) ||
       effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion, Effect::gradientOpacity});
+  drop(!readsGradient, {Effect::smoothNormals});
   return readsGradient ? effects.with(Effect::gradient) : effects.without(Effect::gradient);
 }
 

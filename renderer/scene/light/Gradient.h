@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -126,10 +127,11 @@ LatticeModuli joined(const LatticeModuli& a, const LatticeModuli& b);
 /// The steepness of all voxels, of which these are the moduli in any order.
 double steepness(const Volume& volume, LatticeModuli lattice);
 
-/// The moduli that lighting needs: the largest, and the one that maps to r = 1.
+/// The moduli that lighting needs: the largest, and the one that maps to r = 1; and whose gradients they are.
 struct GradientScale {
   double largest = 0.0;
   double reference = 0.0;
+  std::shared_ptr<const Volume> smoothed{}; ///< of smooth normals the smoothed volume; null: the volume's own
   bool operator==(const GradientScale&) const = default;
 };
 

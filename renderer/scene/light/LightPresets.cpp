@@ -25,11 +25,11 @@ Light lightOf(LightPreset preset) {
   case LightPreset::headlight:
     break;
   case LightPreset::studio:
-    return {aboveLeft, 1.4, 1.61, {0.85, 4.0}, {0.8, 15.0}};
+    return {aboveLeft, 1.7, 1.25, {0.85, 4.0}, {0.8, 15.0}};
   case LightPreset::softStudio:
-    return {aboveLeft, 1.52, 1.4, {0.75, 20.0}, {0.8, 15.0}};
+    return {aboveLeft, 1.75, 1.15, {0.75, 20.0}, {0.8, 15.0}};
   case LightPreset::overcast:
-    return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 3.0, 0.64, {0.8, 45.0}, {1.0, 30.0}};
+    return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 2.7, 0.6, {0.8, 45.0}, {1.0, 30.0}};
   }
   return {};
 }
@@ -43,10 +43,12 @@ double withoutRounding(double strength) {
 
 Shading withLight(Shading shading, LightPreset preset) {
   const Light light = lightOf(preset);
-  const Light before = lightOf(lightPresetOf(shading).value_or(LightPreset::headlight));
-  shading.ambientIntensity =
-      withoutRounding(shading.ambientIntensity * light.ambientGain / before.ambientGain);
-  shading.lightIntensity = withoutRounding(shading.lightIntensity * light.lampGain / before.lampGain);
+  const std::optional<LightPreset> known = lightPresetOf(shading);
+  const Light before = lightOf(known.value_or(LightPreset::headlight));
+  const double ambient = known ? shading.ambientIntensity : Shading().ambientIntensity;
+  const double lamp = known ? shading.lightIntensity : Shading().lightIntensity;
+  shading.ambientIntensity = withoutRounding(ambient * light.ambientGain / before.ambientGain);
+  shading.lightIntensity = withoutRounding(lamp * light.lampGain / before.lampGain);
   shading.lightDirection = light.direction;
   shading.lightAxes = light.direction ? LightAxes::camera : LightAxes::world;
   shading.shadow = light.shadow;

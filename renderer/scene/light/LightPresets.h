@@ -17,8 +17,9 @@ inline constexpr std::array lightPresets{LightPreset::headlight, LightPreset::st
 
 /// A shading with a preset's light: where it comes from, shadow and occlusion; how tissue answers it stays.
 /// The strengths Ia and Id are raised or lowered so that pictures keep their brightness, and come back with
-/// the headlight: over the shared volumes the mean of what shows changes by at most 11 % of heads, bone and
-/// brain, 21 % of an engine block and 42 % of a bonsai, which shines through.
+/// the headlight; of a light of one's own they are set anew. Over the shared volumes the mean of what shows
+/// changes by at most 11 % of heads, bone and brain, 21 % of an engine block and 42 % of a bonsai, which
+/// shines through.
 Shading withLight(Shading shading, LightPreset preset);
 
 /// The preset whose light a shading has, however strong; absent where it is a light of one's own.

@@ -77,6 +77,9 @@ struct Occlusion {
   bool operator==(const Occlusion&) const = default;
 };
 
+/// The widest Gaussian by which a field is smoothed before its gradient is taken, mm.
+inline constexpr double mostGradientSmoothing = 20.0;
+
 /// Every number of the lighting model. Paper eq. 1–9; DEFINITION sections 4 and 5 hold formulas and limits.
 struct Shading {
   ShadingModel model = ShadingModel::classic;
@@ -90,6 +93,7 @@ struct Shading {
   CoefficientRange opacityRange{0.0, 3.0};   ///< Omin..Omax of enhanced and robust, 0..8
   GradientReference gradientReference;
   GradientCurve gradientCurve;
+  double gradientSmoothing = 0.0;                           ///< σ, mm, 0..mostGradientSmoothing; 0: none
   bool energyFactor = true;                                 ///< robust: specular × (SP+8)/(SPmax+8)
   std::optional<Significance> significance{Significance{}}; ///< robust; absent: weight 1
   std::optional<double> knee = 0.8;                         ///< robust; absent: clamp to [0,1]

@@ -81,6 +81,8 @@ Scene withPreset(const Scene& scene, const Preset& preset, bool keepModel) {
   shown.gradientOpacity = preset.gradientOpacity;
   if (preset.shading)
     shown.shading = *preset.shading;
+  if (!preset.isWhole && !(shown.shading.gradientSmoothing > 0.0))
+    shown.shading.gradientSmoothing = scene.shading.gradientSmoothing;
   if (keepModel)
     shown.shading.model = scene.shading.model;
   if (preset.projection)

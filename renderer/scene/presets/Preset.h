@@ -46,6 +46,9 @@ struct Preset {
   std::optional<Shading> shading;
   std::optional<Projection> projection;
   std::optional<double> isovalue;     ///< of a projection that shows a surface
+  /// How one scene looked, all of it: normals that it does not smooth are not smooth. Of others smoothing is
+  /// the volume's: what asks for none leaves what there is.
+  bool isWhole = false;
   std::optional<Landmarks> landmarks; ///< of the data that it was shaped on; none: in the data's own unit
 
   bool operator==(const Preset&) const = default;

@@ -262,6 +262,15 @@ Volume Volume::placed(const Grid& grid, VolumeInfo info) const {
   return other;
 }
 
+Volume Volume::withScalars(VoxelArray stored, Rescale rescale) const {
+  assert(std::visit([](const auto& voxels) { return voxels.size(); }, stored) == voxelCount() && !m_part);
+  Volume other = *this;
+  other.m_stored = std::make_shared<const VoxelArray>(std::move(stored));
+  other.m_rescale = rescale;
+  other.m_counts = {};
+  return other;
+}
+
 std::size_t Volume::voxelCount() const {
   return voxelsIn(m_grid.dims);
 }

@@ -217,6 +217,10 @@ public:
   /// The same voxels, shared, where they lie otherwise; `grid` has the same dimensions.
   Volume placed(const Grid& grid, VolumeInfo info) const;
 
+  /// Other scalars within the same range at the same voxels, of which the same are valid: `stored` has one
+  /// for each.
+  Volume withScalars(VoxelArray stored, Rescale rescale) const;
+
   /// Smallest and largest scalar of the valid voxels.
   const ValueRange& range() const { return m_range; }
 

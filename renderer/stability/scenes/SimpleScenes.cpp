@@ -219,6 +219,8 @@ const std::vector<Variation>& everyParameter() {
          s.shading.lightDirection = glm::dvec3(1.0, 1.0, -1.0);
          s.shading.twoSided = true;
        }},
+      {"smooth normals", [](Scene& s) { s.shading.gradientSmoothing = 9.0; }},
+      {"smoother normals", [](Scene& s) { s.shading.gradientSmoothing = 16.0; }},
       {"gradient opacity",
        [](Scene& s) {
          s.gradientOpacity = GradientOpacity{{{0.0, 0.1}, {200.0, 1.0}}};

@@ -95,7 +95,7 @@ TEST_F(Density, thePanelsBesideThePictureGrowUnderTheMouse) {
 
 TEST_F(Density, aPropertyWithOneNumberTakesOneLine) {
   const auto sliders = window->findChild<LightSection*>()->findChildren<ValueSlider*>();
-  ASSERT_EQ(sliders.size(), 11);
+  ASSERT_EQ(sliders.size(), 12);
   for (const ValueSlider* slider : sliders)
     EXPECT_LE(slider->height(), 28) << "as high as the field in it";
 }

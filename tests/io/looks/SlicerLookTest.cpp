@@ -220,11 +220,12 @@ TEST(SlicerLook, aLookOfLimnKeepsItsCurveAndSaysWhatItLoses) {
                              {{-1000, {0, 0, 0}, 0}, {40.5, {1, 0.5, 0.25}, 0.5}, {40.5, {0, 0.5, 1}, 1}}};
   preset.shading = Shading{};
   preset.shading->model = ShadingModel::robust;
+  preset.shading->gradientSmoothing = 3.5;
   preset.projection = Projection::mip;
   preset.landmarks = hounsfieldLandmarks;
   const WrittenLook written = lookAs("robust.vp.json", preset);
   for (const char* words :
-       {"robust", "mip", "Blinn-Phong", "another scale", "material's colour", "turned away"})
+       {"robust", "mip", "Blinn-Phong", "another scale", "material's colour", "turned away", "smoothing"})
     EXPECT_TRUE(isTold(written.changes, words)) << words << " in " << test::allOf(written.changes);
   EXPECT_EQ(onlyLook(written.text).preset.transferFunction, preset.transferFunction);
   EXPECT_TRUE(isTold(lookAs("robust.vp", preset).changes, "over 0.5 mm")) << "lines hold no length";

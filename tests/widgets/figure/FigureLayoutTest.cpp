@@ -157,6 +157,18 @@ TEST(FigureText, saysOfEachNoteWhereItHolds) {
   EXPECT_EQ(notesOf(figure), QString());
 }
 
+TEST(FigureText, tellsWhereNormalsAreSmooth) {
+  Figure figure = figureOf(2);
+  figure.settings.marks.fill(false);
+  figure.settings.marks[static_cast<std::size_t>(FigureMark::region)] = true;
+  figure.panels[0].scene.shading.gradientSmoothing = 17.5; // voxels are 16 mm apart
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Normals smoothed by 17.5 mm (a)."));
+  figure.panels[1].scene.shading = figure.panels[0].scene.shading;
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Normals smoothed by 17.5 mm."));
+  figure.panels[0].plane = PatientPlane::axial; // a slice has none
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Normals smoothed by 17.5 mm (b)."));
+}
+
 TEST(FigureText, tellsARegionThatIsHidden) {
   Figure figure = figureOf(2);
   figure.settings.marks.fill(false);

@@ -3,6 +3,7 @@
 
 #include "scene/LabelLooks.h"
 #include "scene/basics/StableMath.h"
+#include "scene/light/GradientField.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/steps/RayFrame.h"
 
@@ -61,7 +62,7 @@ private:
   double factorAt(const glm::dvec3& index) const {
     if (!m_terms.mapsOpacity() && !m_scene.gradientOpacity)
       return m_terms.opacity.atFlat;
-    const double modulus = glm::length(gradientAt(*m_scene.volume, index));
+    const double modulus = glm::length(followedGradientAt(*m_scene.volume, m_scale, index));
     const double boundary =
         mapped(gradientRatio(m_terms, m_scale, modulus), m_terms.opacity.atFlat, m_terms.opacity.atBoundary);
     const double curve = m_scene.gradientOpacity ? gradientOpacityAt(*m_scene.gradientOpacity, modulus) : 1.0;

@@ -23,7 +23,7 @@ QString rangeText(const CoefficientRange& range) {
   return QStringLiteral("%1–%2").arg(number(range.atFlat), number(range.atBoundary));
 }
 
-QString lightingText(const Shading& shading) {
+QString modelText(const Shading& shading) {
   switch (shading.model) {
   case ShadingModel::none:
     return {};
@@ -34,6 +34,14 @@ QString lightingText(const Shading& shading) {
     return QObject::tr("SP %1 · O %2").arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
   }
   return {};
+}
+
+QString lightingText(const Shading& shading) {
+  const QString model = modelText(shading);
+  return model.isEmpty() || !(shading.gradientSmoothing > 0.0)
+             ? model
+             : QObject::tr("%1 · normals smoothed by %2 mm")
+                   .arg(model, digitsNumber(shading.gradientSmoothing, 3));
 }
 
 // Without the numbers of the last picture at rest, which is not the one that is seen.

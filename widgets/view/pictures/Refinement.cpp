@@ -52,6 +52,13 @@ bool mayControlErrors(const SidePicture& side, bool goesByCells) {
          !hasTravellingLight(side.scene());
 }
 
+// What steps may cost where light is looked up on a grid, levels: half of what that is off by, where it is
+// known.
+double besideLight(const ImageError& ofGrid) {
+  constexpr double usualError = 4.0;
+  return std::max(halfALevel, 0.5 * (ofGrid.p99_9 > 0.0 ? ofGrid.p99_9 : usualError));
+}
+
 bool haveTravellingLight(std::span<const SidePicture> sides) {
   return std::ranges::any_of(sides, [](const SidePicture& side) { return hasTravellingLight(side.scene()); });
 }
@@ -199,9 +206,10 @@ std::optional<RefinementEnd> Refinement::endBefore(DrawingEngine& engine, std::s
 
 bool Refinement::isWithinTarget(DrawingEngine& engine, std::span<SidePicture> sides) const {
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const bool looksUpLight = hasTravellingLight(sides[i].scene());
-    const double ofFilter = looksUpLight ? 0.0 : m_sides[i].ofFilter.p99_9;
-    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 + ofFilter > halfALevel ||
+    const double target =
+        hasTravellingLight(sides[i].scene()) ? besideLight(m_sides[i].ofFilter) : halfALevel;
+    const double ofFilter = hasTravellingLight(sides[i].scene()) ? 0.0 : m_sides[i].ofFilter.p99_9;
+    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 + ofFilter > target ||
         !isResolved(engine, sides[i].shownScene()))
       return false;
   }

@@ -3,6 +3,7 @@
 
 #include "io/looks/dicom/ColourTable.h"
 #include "io/looks/dicom/GeometryModule.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/light/LightingTerms.h"
 
 namespace limn {
@@ -48,6 +49,8 @@ void addLight(const Scene& scene, Sentences& losses) {
     losses.push_back(Message::tr("Shadows are not kept."));
   if (terms.occlusion.strength > 0.0)
     losses.push_back(Message::tr("Occlusion is not kept: ambient light reaches everything alike."));
+  if (smoothsNormals(scene))
+    losses.push_back(Message::tr("Smooth normals are not kept: terraces of thick slices show in the light."));
   const double light = shading.lightIntensity;
   if (shading.ambient * shading.ambientIntensity > 1.0 || shading.diffuse * light > 1.0 ||
       shading.specular * light > 1.0)

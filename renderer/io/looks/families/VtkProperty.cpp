@@ -29,6 +29,8 @@ void tellLostModel(const Shading& shading, std::vector<Message>& changes) {
     tell(changes, Message::tr("Shadows were left out."));
   if (terms.occlusion.strength > 0.0)
     tell(changes, Message::tr("Occlusion was left out: ambient light reaches everything alike there."));
+  if (shading.model != ShadingModel::none && shading.gradientSmoothing > 0.0)
+    tell(changes, Message::tr("The smoothing of normals was left out."));
   if (!shading.twoSided)
     tell(changes, Message::tr("Surfaces turned away from the light are lit there, too."));
 }

@@ -52,6 +52,25 @@ TEST(SceneSource, aSingleImageOpensUnlitAndWhole) {
   EXPECT_TRUE(loaded.notes.empty()) << "no other slice: no bands";
 }
 
+TEST(SceneSource, normalsOfThickSlicesAreSmoothWhereThatIsAskedFor) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "thick.nrrd";
+  std::ofstream(path) << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 5\n"
+                         "encoding: ascii\n\n0 1 2 3 4 5 6 7\n";
+  const LoadedScene plain = loadScene(path.string(), {}, {});
+  EXPECT_EQ(plain.scene.shading.gradientSmoothing, 0.0);
+  ASSERT_EQ(plain.notes.size(), 1u);
+  EXPECT_EQ(plain.notes[0].english().find("smooth normals"), std::string::npos);
+  SourceOptions options;
+  options.smoothsSlices = true;
+  const LoadedScene smooth = loadScene(path.string(), options, {});
+  EXPECT_NEAR(smooth.scene.shading.gradientSmoothing, 3.5, 1e-12);
+  ASSERT_EQ(smooth.notes.size(), 1u);
+  EXPECT_NE(smooth.notes[0].english().find("smooth normals"), std::string::npos);
+  options.read.spacingMm = glm::dvec3(1.0);
+  EXPECT_EQ(loadScene(path.string(), options, {}).scene.shading.gradientSmoothing, 0.0);
+}
+
 TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "small.nrrd";

@@ -148,6 +148,14 @@ TEST(DicomLook, aStrippedLookHasTheNearestLight) {
   EXPECT_LT(glm::length(*read.lightDirection - basisOf(scene.camera).forward), 1e-12);
 }
 
+TEST(DicomLook, smoothNormalsAreLostWhereThereAreSome) {
+  Scene scene = test::phantomScene();
+  scene.shading.model = ShadingModel::classic;
+  EXPECT_FALSE(test::says(test::objectsOf(scene).losses, "Smooth normals"));
+  scene.shading.gradientSmoothing = 15.0;
+  EXPECT_TRUE(test::says(test::objectsOf(scene).losses, "Smooth normals"));
+}
+
 TEST(DicomLook, everyLossIsASentence) {
   Scene scene = test::phantomScene();
   scene.shading.model = ShadingModel::robust;

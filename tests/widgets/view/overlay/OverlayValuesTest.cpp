@@ -59,6 +59,9 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   state.isRough = false;
   EXPECT_EQ(sideDetails(scene, state), (QStringList{"within 0.4 levels", "23 ms", "contrast 0.202",
                                                     "overflow 2.8 %", "SP 1–64 · O 0–3"}));
+  scene.shading.gradientSmoothing = 4.55;
+  EXPECT_EQ(sideDetails(scene, state).last(),
+            QStringLiteral("SP 1–64 · O 0–3 · normals smoothed by 4.55 mm"));
   EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Enhanced"));
   scene.projection = Projection::mip;
   EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Maximum (MIP)"));

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/light/GradientScales.h"
+#include "scene/light/GradientSmoothing.h"
+
+#include <optional>
+
+namespace limn {
+
+/// The field whose gradient light and boundaries follow: that of the volume, or a smoothed one
+/// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume, or
+/// another σ, takes its place: pictures with and without it may take turns.
+class GradientField {
+public:
+  /// Goes on smoothing for some ten ms; the share that is done, 1 once nothing is missing. With a σ of 0, mm,
+  /// nothing is asked for. Throws Cancelled, and then goes on from there.
+  double more(const std::shared_ptr<const Volume>& volume, double sigmaMm, const Effort& effort = {});
+
+  /// The same to its end.
+  void update(const std::shared_ptr<const Volume>& volume, double sigmaMm, const Effort& effort = {}) {
+    while (more(volume, sigmaMm, effort) < 1.0) {
+    }
+  }
+
+  /// Null where none is asked for.
+  std::shared_ptr<const Volume> smoothed() const {
+    return m_isAskedFor ? m_smoothing->smoothed() : std::shared_ptr<const Volume>();
+  }
+
+  /// Of the gradients of what was asked for last, whose smoothing is done: as limn::gradientScale of them,
+  /// with the smoothed field; where nothing reads the ratio of moduli, a percentile is not measured for it.
+  GradientScale scale(const Shading& shading, bool usesRatio, const Effort& effort = {});
+
+  /// Of the volume's own gradients, as GradientScales::know.
+  void know(const FoundModuli& found, std::optional<double> percent) { m_plain.know(found, percent); }
+
+  /// What the smoothed field takes in memory, bytes.
+  std::size_t ownBytes() const;
+
+private:
+  std::shared_ptr<const Volume> m_volume;
+  GradientScales m_plain, m_ofSmoothed;
+  std::optional<Smoothing> m_smoothing;
+  bool m_isAskedFor = false;
+};
+
+/// The gradient that light and boundaries of a picture follow at a continuous index, along the grid's axes,
+/// value/mm: of the field in its scale, which is an engine's, where that is of this grid; else the volume's
+/// own.
+glm::dvec3 followedGradientAt(const Volume& volume, const GradientScale& scale, const glm::dvec3& index);
+
+} // namespace limn
