@@ -91,6 +91,14 @@ const Groups others{
     {Effect::ownWeights, Effect::isosurface},
     {Effect::ownWeights, Effect::mip, Effect::region},
     {Effect::ownWeights, Effect::average},
+    {Effect::emptySpaceSkipping, Effect::shadow, Effect::occlusion, Effect::earlyTermination},
+    {Effect::emptySpaceSkipping, Effect::shadow, Effect::gradientOpacity, Effect::region},
+    {Effect::emptySpaceSkipping, Effect::occlusion, Effect::preintegration, Effect::cutFaces},
+    {Effect::emptySpaceSkipping, Effect::shadow, Effect::occlusion, Effect::hybrid, Effect::ownWeights},
+    {Effect::emptySpaceSkipping, Effect::shadow, Effect::occlusion, Effect::isosurface},
+    {Effect::shadow, Effect::occlusion, Effect::localSteps, Effect::earlyTermination},
+    {Effect::shadow, Effect::labelLooks, Effect::region, Effect::denseFunctions},
+    {Effect::shadow, Effect::longRays, Effect::fogLinear},
     {Effect::sampleCounts},
 };
 

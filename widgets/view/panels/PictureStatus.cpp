@@ -183,7 +183,7 @@ QString explanationOf(const PictureState& state) {
   if (!isLightMeasured(state))
     return QObject::tr(
         "OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by; the "
-        "processor can (View ▸ Draw with).");
+        "processor can (Draw with, in the settings).");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
   if (const std::optional<double> measured = worstOf(state).measuredLevels)
