@@ -8,6 +8,8 @@ namespace limn {
 void requireLocalLight(const Scene& scene) {
   if (hasTravellingLight(scene))
     throw BeyondDriver(Message::tr("Shadows and occlusion cannot be drawn with OpenGL yet."));
+  if (isPhysical(scene))
+    throw BeyondDriver(Message::tr("Physical light is drawn by the processor, not with OpenGL."));
 }
 
 void requireInMemory(const Volume& volume) {

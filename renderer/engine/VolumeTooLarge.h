@@ -21,8 +21,8 @@ public:
   explicit VolumeTooLarge(const Message& sentence) : BeyondDriver(sentence) {}
 };
 
-/// Throws BeyondDriver where light travels in a scene (hasTravellingLight): no shader asks how much of it
-/// comes so far.
+/// Throws BeyondDriver where light travels in a scene (hasTravellingLight, isPhysical): no shader asks how
+/// much of it comes so far.
 void requireLocalLight(const Scene& scene);
 
 /// Throws VolumeTooLarge where the volume does not lie in memory: a graphics driver would copy all of it.

@@ -270,6 +270,18 @@ TEST_F(Effects, lightOnItsWayIsRefusedAndNeverLeftOut) {
   EXPECT_EQ(caster.render(scene, pictureSize), plain);
 }
 
+TEST_F(Effects, physicalLightIsRefusedAndNeverLeftOut) {
+  RayCaster caster;
+  Scene scene = baseScene();
+  scene.shading.model = ShadingModel::physical;
+  EXPECT_THROW(caster.render(scene, pictureSize), BeyondDriver);
+  // MIP shows values, whatever the model.
+  scene.projection = Projection::mip;
+  const Image mip = caster.render(scene, pictureSize);
+  scene.shading.model = ShadingModel::none;
+  EXPECT_EQ(caster.render(scene, pictureSize), mip);
+}
+
 TEST(EffectPlans, lightOnItsWayIsAskedForWhereItShows) {
   Scene scene = baseScene();
   scene.shading.shadow = {0.5, 4.0};

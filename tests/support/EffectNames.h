@@ -28,6 +28,7 @@ inline const std::vector<std::string> documentedEffects{"gradient",
                                                         "label_looks",
                                                         "shadow",
                                                         "occlusion",
+                                                        "physical",
                                                         "own_weights"};
 
 } // namespace limn::test

@@ -60,7 +60,7 @@ LightSection::LightSection(QWidget* parent) : ShadingSection(tr("Light"), parent
 }
 
 QString LightSection::unusedBecause() const {
-  return shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+  return shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical})
              ? QString()
              : tr("unused: this model is unlit");
 }
@@ -146,14 +146,19 @@ void LightSection::showShading() {
   m_twoSided->setChecked(shading().twoSided);
 
   const bool lit = shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust});
-  const QString unlit = lit ? QString() : tr("The unlit model uses no light.");
+  const bool hasPaths = shows({ShadingModel::physical});
+  const QString unlit = lit        ? QString()
+                        : hasPaths ? tr("Physical light has strengths and highlights of its own.")
+                                   : tr("The unlit model uses no light.");
   for (const auto& [slider, member] : m_numbers)
     slider->setUnavailable(unlit);
-  for (ChoiceRow* row : {m_place, m_reflection, m_highlightColor})
+  for (ChoiceRow* row : {m_reflection, m_highlightColor})
     row->setUnavailable(unlit);
+  const QString nowhere = hasPaths ? QString() : unlit;
+  m_place->setUnavailable(nowhere);
   limn::setUnavailable(*m_twoSided, unlit, m_twoSidedHelp);
   const QString moving =
-      shading().lightDirection ? unlit : tr("The lamp moves with the viewer: choose \"Fixed\" first.");
+      shading().lightDirection ? nowhere : tr("The lamp moves with the viewer: choose \"Fixed\" first.");
   m_azimuth->setUnavailable(moving);
   m_elevation->setUnavailable(moving);
 }

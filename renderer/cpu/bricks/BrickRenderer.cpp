@@ -151,6 +151,10 @@ void BrickRenderer::begin(const Scene& scene, const glm::ivec2& size, const Inde
         Error::Kind::usage,
         Message::tr("Shadows and occlusion cannot be drawn in bricks: light crosses from one to the next. "
                     "Draw the picture with limn, or set their strength to 0."));
+  if (isPhysical(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("Physical light cannot be drawn in bricks: its paths cross from one to the next. "
+                            "Draw the picture with limn, or choose another model."));
   m_covered = {};
   m_data.setBrick(brick);
   m_data.update(scene, isCancelled);

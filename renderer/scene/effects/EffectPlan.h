@@ -60,6 +60,10 @@ bool fogShows(const Scene& scene);
 /// occlusion, and the projection lights samples.
 bool hasTravellingLight(const Scene& scene);
 
+/// Whether the picture is one of physical light (DEFINITION section 12): the model asks for it, and the
+/// projection shows tissue. MIP and the like show values without light, whatever the model.
+bool isPhysical(const Scene& scene);
+
 /// Whether anything of the volume could show: the transfer function is opaque somewhere in its range, or the
 /// isovalue of a picture with a surface is reached.
 bool isAnythingVisible(const Scene& scene);

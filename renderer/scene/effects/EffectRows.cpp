@@ -70,6 +70,7 @@ const std::vector<Group>& groups() {
       {"label_looks", Message::tr("Looks of labels"), {Effect::labelLooks}, Effect::labelLooks},
       {"shadow", Message::tr("Shadows"), {Effect::shadow}, Effect::shadow},
       {"occlusion", Message::tr("Dark hollows (occlusion)"), {Effect::occlusion}, Effect::occlusion},
+      {"physical", Message::tr("Physical light"), {Effect::physical}, Effect::physical},
       {"own_weights", Message::tr("Own weights between voxels"), {Effect::ownWeights}, Effect::ownWeights},
   };
   return all;

@@ -34,6 +34,7 @@ enum class Effect : std::uint8_t {
   cutFaces,
   shadow,
   occlusion,
+  physical,
   region,
   labelLooks,
   mip,
