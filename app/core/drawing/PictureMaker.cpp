@@ -5,6 +5,7 @@
 #include "accuracy/Tolerance.h"
 #include "app/core/drawing/EngineChoice.h"
 #include "app/core/drawing/OnDisk.h"
+#include "app/core/drawing/PathDrawing.h"
 #include "cpu/CpuRenderer.h"
 #include "engine/VolumeTooLarge.h"
 #include "gl/HeadlessContext.h"
@@ -79,6 +80,10 @@ void requireOpenGlMayDraw(const Scene& scene) {
     throw Error(Error::Kind::usage,
                 Message::tr("OpenGL cannot draw shadows and occlusion yet; use --engine cpu or reference, or "
                             "set their strength to 0."));
+  if (isPhysical(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("OpenGL cannot draw physical light; use --engine cpu or auto, "
+                            "or another model."));
 }
 
 // Scenes one after another: each picture is handed on before the next is drawn.
@@ -102,6 +107,16 @@ bool stepsSeeFunction(CpuRenderer& renderer, const Scene& scene) {
 template <class Renderer>
 bool stepsSeeFunction(const Renderer&, const Scene&) {
   return false;
+}
+
+void putInto(DrawnByPaths made, MadePicture& picture) {
+  picture.canBeEstimated = false; // by smaller steps
+  picture.paths = made.figures;
+  picture.pathSeconds = made.seconds;
+  picture.radiance = std::move(made.radiance);
+  picture.scene.shading.physical.until = UntilPaths{made.figures.paths};
+  for (const Message& note : notesOf(made.figures, picture.scene))
+    picture.notes.push_back(note);
 }
 
 // Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part.
@@ -160,10 +175,21 @@ Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size
 
 void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
   CpuRenderer renderer(order.effort.threads);
-  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
-    return inStrips(renderer, scene, pixels, effort);
+  std::optional<DrawnByPaths> made; // what the picture in hand tells of its paths
+  const TakePicture take = [&](std::size_t index, MadePicture picture) {
+    if (made)
+      putInto(std::move(*made), picture);
+    made.reset();
+    sitting.take(index, std::move(picture));
   };
-  makeWith(renderer, draw, sitting, order.effort, StepControl::cells, {Engine::cpu, renderer.name()});
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    if (!isPhysical(scene))
+      return inStrips(renderer, scene, pixels, effort);
+    made = drawnByPaths(renderer, scene, pixels, effort);
+    return made->image;
+  };
+  makeWith(renderer, draw, {sitting.scenes, sitting.size, take}, order.effort, StepControl::cells,
+           {Engine::cpu, renderer.name()});
 }
 
 // The reference has no limits of its own to tell of.
