@@ -62,6 +62,8 @@ void printJson(const Report& report) {
 }
 
 std::string methodLine(const Report& report, const Scene& scene, int frames) {
+  if (isPhysical(scene))
+    return "Physical light is drawn as a whole by " + report.renderer + "; no effect has a cost of its own";
   char text[400];
   std::snprintf(text, sizeof text,
                 "%d x %d pixels take %.1f ms on %s; each cost is the median of %d pictures less the median "
@@ -83,8 +85,9 @@ void printTable(const Report& report, const Scene& scene, int frames) {
     std::printf("  %s\n", row.reason.english().c_str());
   }
   std::printf("\n%s.\n", methodLine(report, scene, frames).c_str());
-  std::printf("Before it is limited, light overflows in %.2f %% of the pixels, by %.3f on average.\n",
-              100.0 * report.overflow.share, report.overflow.meanOvershoot);
+  if (!isPhysical(scene))
+    std::printf("Before it is limited, light overflows in %.2f %% of the pixels, by %.3f on average.\n",
+                100.0 * report.overflow.share, report.overflow.meanOvershoot);
 }
 
 Report reportWithOpenGl(const Scene& scene, int frames, const Progress& progress) {
@@ -97,6 +100,11 @@ Report reportWithOpenGl(const Scene& scene, int frames, const Progress& progress
 
 Report reportOnProcessor(const Scene& scene, int frames, const Progress& progress) {
   CpuRenderer renderer;
+  if (isPhysical(scene)) { // its paths are followed once, not with and without something
+    Report report{renderer.name(), effectRows(scene, renderer.plan(scene)), {}, 0.0, {}, {}};
+    report.costs.resize(report.rows.size());
+    return report;
+  }
   CpuCosts drawing(renderer);
   return measuredReport(renderer, drawing, renderer.name(), scene, frames, progress);
 }
@@ -142,7 +150,7 @@ void addEffectsCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<EffectsArguments>();
   CommandSyntax command =
       root.command("effects", "which effects a picture simulates, why, and what each costs");
-  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced, robust or physical");
   command.option("--frames", arguments->frames, "pictures per effect of which the median counts")
       .within(5, 1000);
   command.flag("--json", arguments->json, "one JSON object on stdout");

@@ -217,12 +217,11 @@ void requirePanel(const std::string& word) {
   if (std::ranges::find(known, word) != known.end() || namesPreset(word) || namesLookFile(word))
     return;
   const std::string meant = meantBy(word, known);
-  throw Error(
-      Error::Kind::usage,
-      "--panels cannot be \"" + word + "\"; " +
-          (meant.empty() ? "choose" : "did you mean \"" + meant + "\"? Choose") +
-          " a model (classic, enhanced, robust, none), a slice (axial, coronal, sagittal) or a preset "
-          "(limn presets list).");
+  throw Error(Error::Kind::usage, "--panels cannot be \"" + word + "\"; " +
+                                      (meant.empty() ? "choose" : "did you mean \"" + meant + "\"? Choose") +
+                                      " a model (classic, enhanced, robust, physical, none), a slice (axial, "
+                                      "coronal, sagittal) or a preset "
+                                      "(limn presets list).");
 }
 
 void addReopened(Plan& plan, const LoadedFigure& figure, const SceneArguments& arguments) {

@@ -89,8 +89,7 @@ void printTrial() {
                                    {300.0, glm::dvec3(1.0, 0.9, 0.8), 0.5}};
   try {
     RayCaster caster;
-    for (const ShadingModel model :
-         {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
+    for (const ShadingModel model : localModels) {
       scene.shading.model = model;
       caster.render(scene, {16, 16});
     }

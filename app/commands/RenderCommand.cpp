@@ -10,6 +10,7 @@
 #include "io/reports/ReportJson.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/presets/PresetFit.h"
 
 #include <chrono>
@@ -69,7 +70,7 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
 // Whoever asks for a tolerance is told what it came to.
 std::optional<PictureAccuracy> accuracyOf(const Scene& asked, const MadePicture& picture, int threads,
                                           const Progress& progress) {
-  if (!asked.quality.toleranceLevels)
+  if (!asked.quality.toleranceLevels || isPhysical(asked))
     return std::nullopt;
   reportOrStop(progress, -1.0, "Integrating some pixels exactly");
   const std::optional<ErrorByChance> chance = chanceOf(picture.scene, picture.image, {threads, {}, {}});
@@ -88,6 +89,9 @@ void printJson(const MadePicture& picture, const std::string& out, double ms,
   }
   for (const Message& remark : remarksOf(picture))
     drawn.notes.push_back(remark.english());
+  if (picture.paths)
+    drawn.paths = {picture.paths->paths, picture.paths->rmsLevels, picture.paths->p99_9Levels,
+                   picture.pathSeconds};
   std::cout << pictureJson(drawn);
 }
 
@@ -125,6 +129,9 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     return shareableName(QString::fromStdString(path), *scene.volume).toStdString();
   };
   std::optional<PictureFigures> figures;
+  if (arguments.printsFigures && isPhysical(scene))
+    throw Error(Error::Kind::usage,
+                "--figures measures pictures whose samples are lit; choose another --model.");
   if (arguments.printsFigures)
     figures = measured(scene, picture.drawnBy, arguments.threads);
   if (figures && !arguments.json)
@@ -137,7 +144,8 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   const std::optional<PictureAccuracy> accuracy =
       isComparison ? std::nullopt : accuracyOf(scene, picture, arguments.threads, progress);
   writeImage(arguments.out, picture.image, scene.image.background,
-             sceneToJson(written, shareable(loaded.volumePath), accuracy, loaded.measurements));
+             sceneToJson(written, shareable(loaded.volumePath), accuracy, loaded.measurements),
+             isComparison ? Image{} : picture.radiance);
   if (arguments.json)
     printJson(picture, arguments.out, ms.count(), accuracy, figures);
   if (arguments.scene.source.quiet)
@@ -161,8 +169,10 @@ std::vector<std::string> renderEngineWords() {
 }
 
 void addRenderOptions(CommandSyntax& command, RenderArguments& arguments) {
-  addSceneArguments(command, arguments.scene,
-                    "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
+  addSceneArguments(
+      command, arguments.scene,
+      "none, classic, enhanced, robust, physical (random paths, by the processor), or compare (classic "
+      "and enhanced side by side)");
   command.option("-o,--output", arguments.out, "picture to write: .png .tif .jpg .exr")
       .required()
       .file({".png", ".tif", ".jpg", ".exr"});
@@ -201,8 +211,13 @@ void addRenderCommand(CommandSyntax& root) {
   command.runs([arguments] {
     const std::optional<Engine> engine = chosen(engines, arguments->engine, "--engine");
     runRender(*arguments, [&](const std::vector<Scene>& scenes, const glm::ivec2& size) {
-      return makePictures(scenes, size, engine, arguments->threads, arguments->textureMb,
-                          Settings().engineMemory());
+      const Progress progress = terminalProgress(arguments->scene.source.quiet);
+      const auto report = [&progress](double fraction) { reportOrStop(progress, fraction, "Drawing"); };
+      std::vector<MadePicture> pictures;
+      makeEach(scenes, size,
+               {engine, arguments->textureMb, Settings().engineMemory(), {arguments->threads, {}, report}},
+               [&pictures](std::size_t, MadePicture picture) { pictures.push_back(std::move(picture)); });
+      return pictures;
     });
   });
 }

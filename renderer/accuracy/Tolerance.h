@@ -55,6 +55,8 @@ ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawS
 
 /// Whether a scene asks for a tolerance for which nothing has been found yet.
 inline bool needsSteps(const Scene& scene) {
+  if (isPhysical(scene)) // its error is that of chance
+    return false;
   return scene.quality.toleranceLevels && !scene.quality.fineness;
 }
 

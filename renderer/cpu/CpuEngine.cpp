@@ -120,6 +120,9 @@ public:
   }
   bool prepare(const Scene&, const glm::ivec2&) override { return false; }
   std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) override {
+    // Paths are followed once, not with and without something.
+    if (isPhysical(scene))
+      return nullptr;
     CpuRenderer& renderer = rendererFor(scene);
     return measurementOf(std::make_unique<CpuCosts>(renderer), scene, size, renderer.plan(scene));
   }
@@ -132,6 +135,9 @@ public:
     facts.takesAllSamples = renderer.limitation().empty();
     facts.goesByCells = facts.findsLightOfSamples = true;
     return facts;
+  }
+  std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) override {
+    return rendererFor(scene).pathFigures(scene, size);
   }
   GradientScale gradientScale() const override { return m_last->gradientScale(); }
   int compiledPrograms() const override { return 0; }

@@ -2,6 +2,8 @@
 #include "cpu/CpuRenderer.h"
 
 #include "cpu/Threads.h"
+#include "cpu/paths/PathScene.h"
+#include "cpu/paths/TracePaths.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
 #include "engine/PixelRect.h"
@@ -32,6 +34,8 @@ EffectPlan CpuRenderer::plan(const Scene& scene, const std::function<bool()>& is
 
 Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,
                             EffectSet others, const std::function<bool()>& isCancelled) {
+  if (isPhysical(scene))
+    return drawPaths(scene, size, tile, isCancelled);
   const EffectPlan needed = plan(scene, isCancelled);
   Image image(tile.size);
   if (!needed.isVisible)
@@ -47,6 +51,43 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   const bool isSlow = effects.hasAny(travellingLight) && terms.travel.found.nodes.count.x == 0;
   cpu::forEachStrip(tile, covered, m_threads, drawStrip, isCancelled, isSlow ? 4 : 64);
   return image;
+}
+
+// The alpha is that of a picture without light; paths tell the colours.
+Image CpuRenderer::drawPaths(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                             const std::function<bool()>& isCancelled) {
+  cpu::PathPicture& picture = m_paths.of(scene, size);
+  if (!picture.knowsAlpha(tile)) {
+    const Image alpha = draw(cpu::alphaOf(scene), size, tile, isCancelled);
+    for (int y = 0; y < tile.size.y; ++y)
+      for (int x = 0; x < tile.size.x; ++x)
+        picture.at(tile.topLeft.x + x, tile.topLeft.y + y).alpha = alpha.at(x, y).a;
+  }
+  const Scene medium = cpu::mediumOf(scene);
+  const EffectPlan needed = plan(medium, isCancelled);
+  if (needed.isVisible) {
+    // Surfaces ask for what the gradient is measured against.
+    const EffectSet effects = needed.effects.with(Effect::exponentMap);
+    const cpu::PictureTerms terms = m_data.terms(medium, size, effects, isCancelled);
+    const cpu::PathTerms paths = m_data.pathTerms(medium, terms, isCancelled);
+    const int count = scene.quality.paths.value_or(pathsOf(scene.shading.physical.until));
+    const PixelRect covered =
+        intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
+    picture.limit(tile, count);
+    cpu::tracePaths(paths, terms, scene.shading.physical.seed, covered, count, m_threads, isCancelled,
+                    picture);
+  }
+  return picture.displayedTile(tile);
+}
+
+std::optional<PathFigures> CpuRenderer::pathFigures(const Scene& scene, const glm::ivec2& size) const {
+  const cpu::PathPicture* picture = m_paths.find(scene, size);
+  return picture ? std::optional(picture->figures()) : std::nullopt;
+}
+
+std::optional<Image> CpuRenderer::radiance(const Scene& scene, const glm::ivec2& size) const {
+  const cpu::PathPicture* picture = m_paths.find(scene, size);
+  return picture ? std::optional(picture->radianceTile({{0, 0}, size})) : std::nullopt;
 }
 
 Image CpuRenderer::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,

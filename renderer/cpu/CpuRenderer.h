@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cpu/SceneData.h"
+#include "cpu/paths/PathPicture.h"
 #include "engine/DrawingEngine.h"
 
 namespace limn {
@@ -24,6 +25,12 @@ public:
              const std::function<bool()>& isCancelled = {});
 
   Image render(const Scene& scene, const glm::ivec2& size);
+
+  /// How far the paths of a picture of physical light are, and the linear radiance that they found times
+  /// alpha; absent where it is not among the last few drawn. `draw` follows as many paths of each pixel as
+  /// the scene asks for (pathsOf) and goes on from those that were followed before.
+  std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) const;
+  std::optional<Image> radiance(const Scene& scene, const glm::ivec2& size) const;
 
   /// The same without some effects, and without what cannot be had without them, to measure what they cost.
   Image drawWithout(EffectSet leftOut, const Scene& scene, const glm::ivec2& size, const PixelRect& tile);
@@ -51,8 +58,12 @@ private:
   Image drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,
                  EffectSet others, const std::function<bool()>& isCancelled);
 
+  Image drawPaths(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                  const std::function<bool()>& isCancelled);
+
   int m_threads;
   cpu::SceneData m_data;
+  cpu::PathPictures m_paths;
   Message m_limitation;
 };
 

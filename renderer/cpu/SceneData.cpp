@@ -171,6 +171,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
     return;
   if (m_volume == scene.volume) {
     m_emptySpaceKept.reset();
+    m_pathsKept.reset();
     m_volume.reset(); // should it be cancelled
     m_voxels.reset();
     m_voxels.emplace(scene.volume, part, effort);
@@ -188,6 +189,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_functionKept.reset();
   m_gradientOpacityKept.reset();
   m_emptySpaceKept.reset();
+  m_pathsKept.reset();
   m_empty.distances = BlockDistances(m_volume->room());
 }
 
@@ -318,11 +320,38 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   return terms;
 }
 
+PathTerms SceneData::pathTerms(const Scene& scene, const PictureTerms& terms,
+                               const std::function<bool()>& isCancelled) {
+  m_pathLooks = labelLooks(scene);
+  PathsKey key{{m_pathLooks.functions, 1.0, terms.lengthMm, m_volume->range()}, scene.keep};
+  PathTerms paths = limn::cpu::pathTerms(scene, terms);
+  if (paths.gradientCurve) {
+    key.majorants.mostFactor = 0.0;
+    for (const GradientOpacityPoint& point : scene.gradientOpacity->points)
+      key.majorants.mostFactor = std::max(key.majorants.mostFactor, point.opacity);
+  }
+  if (m_pathsKept != key) {
+    m_pathsKept.reset(); // should it be cancelled
+    m_majorants.find(key.majorants, m_voxels->blocks(), m_looks.blocks(), m_region.blocks(), m_volume->room(),
+                     {m_threads, isCancelled, {}});
+    m_pathsKept = key;
+  }
+  paths.majorants = {m_majorants.data(), m_voxels->blocks().blocks(), terms.empty.distances};
+  if (m_pathLooks.areAny()) {
+    paths.looks = &m_pathLooks;
+    paths.keep = &scene.keep;
+    for (const TransferFunction& function : m_pathLooks.functions)
+      paths.perUnitOfLooks.push_back(asFloat(terms.lengthMm / function.unitDistanceMm));
+  }
+  return paths;
+}
+
 double SceneData::memoryMb() const {
   if (!m_voxels || m_volume->room())
     return 0.0;
   return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_looks.ownBytes() +
-                             m_light.ownBytes() + m_gradients.ownBytes() + m_empty.distances.size()) /
+                             m_light.ownBytes() + m_gradients.ownBytes() + m_empty.distances.size() +
+                             m_majorants.bytes()) /
          1e6;
 }
 

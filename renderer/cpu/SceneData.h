@@ -4,6 +4,8 @@
 #include "cpu/LightStore.h"
 #include "cpu/LookStore.h"
 #include "cpu/VoxelStore.h"
+#include "cpu/paths/Majorants.h"
+#include "cpu/paths/PathTerms.h"
 #include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/GradientField.h"
@@ -78,6 +80,11 @@ public:
   PictureTerms terms(const Scene& scene, const glm::ivec2& size, EffectSet effects,
                      const std::function<bool()>& isCancelled = {});
 
+  /// What random paths share in the picture of these terms (DEFINITION section 12); the scene is a medium
+  /// (cpu/paths/PathScene). Points into this. Throws Cancelled.
+  PathTerms pathTerms(const Scene& scene, const PictureTerms& terms,
+                      const std::function<bool()>& isCancelled = {});
+
   /// Of the picture whose terms were last asked for; meaningful where its lighting reads the gradient.
   const GradientScale& gradientScale() const { return m_gradientScale; }
 
@@ -120,6 +127,16 @@ private:
 
   std::optional<EmptySpaceKey> m_emptySpaceKept;
   EmptySpaceMap m_empty;
+
+  // What decides how much light anything in a block meets at most.
+  struct PathsKey {
+    MajorantKey majorants;
+    Region keep;
+    bool operator==(const PathsKey&) const = default;
+  };
+  std::optional<PathsKey> m_pathsKept;
+  LabelLooks m_pathLooks;
+  Majorants m_majorants;
 };
 
 } // namespace limn::cpu

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/PathFigures.h"
 #include "engine/PixelRect.h"
 #include "scene/Scene.h"
 #include "scene/basics/Effort.h"
@@ -104,6 +105,12 @@ public:
   virtual std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) = 0;
 
   virtual DrawingFacts facts(const Scene& scene) = 0;
+
+  /// How far the paths of a picture of physical light are (DEFINITION section 12); absent where it is not
+  /// one, or was not drawn lately.
+  virtual std::optional<PathFigures> pathFigures(const Scene&, const glm::ivec2& /*size*/) {
+    return std::nullopt;
+  }
 
   /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads them.
   virtual GradientScale gradientScale() const = 0;

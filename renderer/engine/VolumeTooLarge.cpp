@@ -5,10 +5,12 @@
 
 namespace limn {
 
-void requireLightOfGrid(const Scene& scene) {
+void requireLightOfShaders(const Scene& scene) {
   const Quality& quality = scene.quality;
   if ((quality.toleranceLevels || quality.light == LightDetail::sampled) && hasTravellingLight(scene))
     throw BeyondDriver(Message::tr("The processor alone keeps a tolerance where shadows or occlusion show."));
+  if (isPhysical(scene))
+    throw BeyondDriver(Message::tr("Physical light is drawn by the processor, not with OpenGL."));
 }
 
 void requireInMemory(const Volume& volume) {

@@ -21,9 +21,9 @@ public:
   explicit VolumeTooLarge(const Message& sentence) : BeyondDriver(sentence) {}
 };
 
-/// Throws BeyondDriver where light that travels (hasTravellingLight) is to be found for each sample: shaders
-/// look it up on a grid.
-void requireLightOfGrid(const Scene& scene);
+/// Throws BeyondDriver where no shader finds a scene's light: light that travels (hasTravellingLight) for
+/// each sample, where shaders look it up on a grid; and physical light (isPhysical).
+void requireLightOfShaders(const Scene& scene);
 
 /// Throws VolumeTooLarge where the volume does not lie in memory: a graphics driver would copy all of it.
 void requireInMemory(const Volume& volume);

@@ -62,6 +62,18 @@ void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std:
             .arg(path.string()));
 }
 
+// The floats of both, of each pixel together: RGBA, and what of the radiance is colour.
+std::vector<float> sideBySideInPixels(const Image& image, const Image& radiance) {
+  std::vector<float> floats;
+  floats.reserve(image.pixels.size() * 7);
+  for (std::size_t n = 0; n < image.pixels.size(); ++n) {
+    const glm::vec4& pixel = image.pixels[n];
+    const glm::vec4& light = radiance.pixels[n];
+    floats.insert(floats.end(), {pixel.r, pixel.g, pixel.b, pixel.a, light.r, light.g, light.b});
+  }
+  return floats;
+}
+
 // A PNG ends with a chunk of its own, which no reader of rows misses.
 bool hasEnd(const fs::path& path) {
   constexpr std::string_view begin = "\x89PNG", end("\0\0\0\0IEND\xAE\x42\x60\x82", 12);
@@ -92,7 +104,7 @@ BytePicture bytesOverBackground(const Image& image, const glm::dvec3& background
 }
 
 void writeImage(const fs::path& path, const Image& image, const glm::dvec3& background,
-                const std::string& description) {
+                const std::string& description, const Image& radiance) {
   const Format format = formatOf(path);
   if (image.size.x < 1 || image.size.y < 1)
     throw Error(Error::Kind::usage,
@@ -101,8 +113,12 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
     requireJpegCanHold(path, image.size, description);
   const std::vector<std::uint8_t> levels =
       format == Format::exr ? std::vector<std::uint8_t>() : bytesOverBackground(image, background).bytes;
-  const void* pixels = format == Format::exr ? static_cast<const void*>(image.pixels.data()) : levels.data();
-  writeAtomically(path, {format, image.size.x, image.size.y, pixels, description});
+  const bool hasRadiance = format == Format::exr && radiance.size == image.size;
+  const std::vector<float> layers = hasRadiance ? sideBySideInPixels(image, radiance) : std::vector<float>();
+  const void* pixels = hasRadiance             ? static_cast<const void*>(layers.data())
+                       : format == Format::exr ? static_cast<const void*>(image.pixels.data())
+                                               : levels.data();
+  writeAtomically(path, {format, image.size.x, image.size.y, pixels, description, false, 0.0, hasRadiance});
 }
 
 void writeBytes(const fs::path& path, const BytePicture& picture, const std::string& description) {
@@ -147,12 +163,22 @@ BytePicture readBytes(const fs::path& path) {
   failReading(path, Message::tr("it is no picture, or a damaged one"), Message::tr("draw it anew"));
 }
 
-Image readExr(const fs::path& path) {
+Image readExr(const fs::path& path, ExrLayer layer) {
   const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
-  if (picture && picture->sample == StoredPicture::Sample::float32 && picture->channels == 4) {
+  const bool hasRadiance = picture && picture->channels == 7;
+  const bool hasLayer = picture && (hasRadiance || (picture->channels == 4 && layer == ExrLayer::picture));
+  if (hasLayer && picture->sample == StoredPicture::Sample::float32) {
     Image image({picture->width, picture->height});
-    if (picture->readRows(image.pixels.data(), 0, picture->height))
+    const auto channels = static_cast<std::size_t>(picture->channels);
+    std::vector<float> floats(channels * image.pixels.size());
+    if (picture->readRows(floats.data(), 0, picture->height)) {
+      const std::size_t first = layer == ExrLayer::radiance ? 4 : 0;
+      for (std::size_t n = 0; n < image.pixels.size(); ++n) {
+        const float* pixel = &floats[channels * n];
+        image.pixels[n] = {pixel[first], pixel[first + 1], pixel[first + 2], pixel[3]};
+      }
       return image;
+    }
   }
   failReading(path, Message::tr("it is no picture, or a damaged one"), Message::tr("draw it anew"));
 }

@@ -14,11 +14,12 @@ namespace limn {
 void requirePictureEnding(const std::filesystem::path& path);
 
 /// Writes a picture by its extension: PNG, TIFF and JPEG as 8 bits composited over `background` (0..1), EXR
-/// as premultiplied float RGBA without it. `description` (ASCII, may be empty) goes into the image
-/// description. Atomic: the file is complete or untouched. Throws Error, also where JPEG cannot hold the size
-/// (65,500 pixels a side) or the description (60,000 bytes).
+/// as premultiplied float RGBA without it; of `radiance`, which may be empty and else has the picture's size,
+/// the colours go beside them, in channels radiance.R, .G and .B. `description` (ASCII, may be empty) goes
+/// into the image description. Atomic: the file is complete or untouched. Throws Error, also where JPEG
+/// cannot hold the size (65,500 pixels a side) or the description (60,000 bytes).
 void writeImage(const std::filesystem::path& path, const Image& image, const glm::dvec3& background,
-                const std::string& description);
+                const std::string& description, const Image& radiance = {});
 
 /// A picture whose bytes are made: 8 bits a channel, row by row from the top.
 struct BytePicture {
@@ -43,8 +44,10 @@ std::string readImageDescription(const std::filesystem::path& path);
 /// (input) where it is none, or damaged.
 BytePicture readBytes(const std::filesystem::path& path);
 
-/// The floats of an EXR picture that writeImage wrote. Throws Error (input) where it is none, or damaged.
-Image readExr(const std::filesystem::path& path);
+/// The floats of an EXR picture that writeImage wrote, or the radiance beside them, with the picture's alpha.
+/// Throws Error (input) where it is none, has no radiance, or is damaged.
+enum class ExrLayer { picture, radiance };
+Image readExr(const std::filesystem::path& path, ExrLayer layer = ExrLayer::picture);
 
 /// Whether a picture is there and can be read to its end.
 bool isWholePicture(const std::filesystem::path& path);

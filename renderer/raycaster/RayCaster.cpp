@@ -81,7 +81,7 @@ void RayCaster::Parts::noteStepLimit(const Scene& scene) {
 
 EffectPlan RayCaster::Parts::plan(const Scene& scene) {
   requireDrawable(scene);
-  requireLightOfGrid(scene);
+  requireLightOfShaders(scene);
   textures.update(scene);
   noteStepLimit(scene);
   SceneFacts facts = textures.facts(scene);

@@ -4,6 +4,7 @@
 #include "reference/RayMarcher.h"
 #include "reference/SmoothedField.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 
 #include <atomic>
 #include <cassert>
@@ -71,6 +72,9 @@ struct Smoothed {
 
 void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
+  if (isPhysical(scene))
+    throw Error(Error::Kind::usage, Message::tr("The reference follows no random paths and cannot draw "
+                                                "physical light; use --engine cpu or another model."));
   const glm::ivec2 size = picture.size;
   const PixelRect tile = work.tile.value_or(PixelRect{{0, 0}, size});
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

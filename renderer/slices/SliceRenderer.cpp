@@ -101,6 +101,9 @@ void requireSliceable(const Scene& scene) {
     throw Error(Error::Kind::usage,
                 Message::tr("Slices cannot draw shadows and occlusion; use --engine cpu or reference, or set "
                             "their strength to 0."));
+  if (isPhysical(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("Slices cannot draw physical light; use --engine cpu or another model."));
 }
 
 EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {

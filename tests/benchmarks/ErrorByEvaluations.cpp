@@ -115,7 +115,7 @@ void measureAll(const char* volume, const char* preset, const glm::ivec2& size) 
   scene = withPreset(scene, fittedTo(look, histogramOf(*scene.volume), scene.volume->grid()));
   scene.quality.preintegrated = Preintegration::never;
   scene.quality.earlyTermination = 1.0;
-  for (const ShadingModel model : shadingModels) {
+  for (const ShadingModel model : localModels) {
     scene.shading.model = model;
     std::printf("\n%s, %s, %s\n", std::filesystem::path(volume).filename().string().c_str(),
                 look.name.c_str(), nameOf(model));

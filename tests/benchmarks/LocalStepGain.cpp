@@ -65,7 +65,7 @@ double msAtOneLevel(const std::vector<Measured>& curve) {
 
 Scene sceneOf(const char* volume, const char* preset, const std::string& model) {
   std::map<std::string, ShadingModel> models;
-  for (const ShadingModel one : shadingModels)
+  for (const ShadingModel one : localModels)
     models.emplace(nameOf(one), one);
   Scene scene;
   scene.volume = readVolume(volume);

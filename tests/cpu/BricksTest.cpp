@@ -114,7 +114,7 @@ double worstInBricks(const Scene& scene) {
 // The same samples in another order of sums: what floats lose, far below the half level that is promised.
 TEST(Bricks, foldedPicturesAreWholeOnesInEveryModelAndProjection) {
   double worst = 0.0;
-  for (const ShadingModel model : shadingModels)
+  for (const ShadingModel model : localModels)
     for (const Projection projection : projections) {
       Scene scene = brickScene(projection, model);
       scene.quality.preintegrated = Preintegration::never;
@@ -289,7 +289,7 @@ std::size_t expectSameShares(const Scene& scene, int count) {
 // for voxels that stay as they are stored and those that become floats.
 TEST(Bricks, giveTheSameWhereTheirVoxelsAloneAreHeld) {
   int n = 0;
-  for (const ShadingModel model : shadingModels)
+  for (const ShadingModel model : localModels)
     for (const Projection projection : projections) {
       Scene scene = brickScene(projection, model);
       SCOPED_TRACE(n);

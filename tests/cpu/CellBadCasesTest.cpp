@@ -123,7 +123,7 @@ TEST(CellBadCases, fieldsThatAreFlatJumpOrHaveHardlyAnyVoxels) {
       {"a slice", volumeWith({5, 6, 1}, [](int x, int y, int) { return 100 * x + 70 * y; })},
       {"half flat", volumeWith({8, 7, 6}, [](int x, int, int) { return x < 4 ? 400 : 100 * x; })}};
   for (const auto& [what, volume] : volumes)
-    for (const ShadingModel model : shadingModels)
+    for (const ShadingModel model : localModels)
       expectExact(sceneOf(volume, model), std::string(what) + ", " + nameOf(model));
 }
 

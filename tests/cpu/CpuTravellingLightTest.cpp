@@ -210,13 +210,13 @@ TEST(CpuTravellingLight, whoCannotDrawItSaysSo) {
   const Scene scene = shadowedHead(8.0);
   EXPECT_THROW(drawInBricks(scene, {16, 16}, 2, 1), Error);
   EXPECT_NO_THROW(drawInBricks(withoutTravel(scene), {16, 16}, 2, 1));
-  EXPECT_NO_THROW(requireLightOfGrid(scene));
+  EXPECT_NO_THROW(requireLightOfShaders(scene));
   Scene exact = scene;
   exact.quality.toleranceLevels = 1.0;
-  EXPECT_THROW(requireLightOfGrid(exact), BeyondDriver);
-  EXPECT_NO_THROW(requireLightOfGrid(withoutTravel(exact)));
+  EXPECT_THROW(requireLightOfShaders(exact), BeyondDriver);
+  EXPECT_NO_THROW(requireLightOfShaders(withoutTravel(exact)));
   exact.projection = Projection::mip;
-  EXPECT_NO_THROW(requireLightOfGrid(exact));
+  EXPECT_NO_THROW(requireLightOfShaders(exact));
 }
 
 TEST(CpuTravellingLight, badCasesHaveFinitePictures) {

@@ -37,6 +37,7 @@ Scene unusualScene() {
   scene.shading.gradientSmoothing = 3.75;
   scene.shading.shadow = {0.85, 6.5};
   scene.shading.occlusion = {0.4, 15.25};
+  scene.shading.physical = {2.5, -0.25, 0.5, 0.25, 1.5, 12.0, {0.125, 0.75}, -1.5, 77, UntilSeconds{12.5}};
   scene.gradientOpacity = GradientOpacity{{{0, 0}, {120.5, 1}}};
   scene.fog = {Fog::Mode::exp2, {0.1, 0.2, 0.3}, 0.004, 10, 900};
   scene.crop = {{0.1, 0, 0}, {1, 0.5, 0.75}};
@@ -159,6 +160,50 @@ TEST(SceneFile, theSmoothingOfNormalsIsReadAsDocumentedAndLeftOutWhereItIsNeutra
   preset.shading = unusualScene().shading;
   EXPECT_EQ(parsePreset(presetToJson(preset), "test.json").shading->gradientSmoothing, 3.75);
   EXPECT_EQ(sceneToJson(Scene{}, "v").find("gradient_smoothing_mm"), std::string::npos);
+}
+
+TEST(SceneFile, physicalLightIsReadAsDocumentedAndLeftOutWhereItIsNeutral) {
+  const auto withPhysical = [](const std::string& physical) {
+    return R"({"limn_scene": 1, "volume": "v", "shading": {"model": "physical", "physical": )" + physical +
+           "}}";
+  };
+  const auto lightOf = [&](const std::string& physical) {
+    return parseScene(withPhysical(physical), "test.json").scene.shading.physical;
+  };
+  EXPECT_EQ(parseScene(withPhysical("{}"), "test.json").scene.shading.model, ShadingModel::physical);
+  EXPECT_EQ(lightOf("{}"), PhysicalLight{});
+  const PhysicalLight asked = lightOf(
+      R"({"density": 100, "anisotropy": -0.95, "surface": 0, "specular_share": 1, "key_irradiance": 0,
+          "key_radius_deg": 45, "sky": [0, 2], "exposure_ev": 3, "seed": 9, "until": {"levels": 0.5}})");
+  EXPECT_EQ(asked, (PhysicalLight{100.0, -0.95, 0.0, 1.0, 0.0, 45.0, {0.0, 2.0}, 3.0, 9, UntilLevels{0.5}}));
+  EXPECT_EQ(lightOf(R"({"until": {"seconds": 31536000}})").until, Until(UntilSeconds{31536000.0}));
+  for (const auto& [physical, field] :
+       {std::pair{R"({"density": 0.001})", "shading.physical.density"},
+        std::pair{R"({"anisotropy": 1})", "shading.physical.anisotropy"},
+        std::pair{R"({"surface": 1.1})", "shading.physical.surface"},
+        std::pair{R"({"specular_share": -1})", "shading.physical.specular_share"},
+        std::pair{R"({"key_irradiance": -1})", "shading.physical.key_irradiance"},
+        std::pair{R"({"key_radius_deg": 46})", "shading.physical.key_radius_deg"},
+        std::pair{R"({"sky": [0.1, -0.1]})", "shading.physical.sky"},
+        std::pair{R"({"exposure_ev": 21})", "shading.physical.exposure_ev"},
+        std::pair{R"({"seed": -1})", "shading.physical.seed"},
+        std::pair{R"({"until": {"paths": 0}})", "shading.physical.until.paths"},
+        std::pair{R"({"until": {"levels": 0}})", "shading.physical.until.levels"},
+        std::pair{R"({"until": {"seconds": 0}})", "shading.physical.until.seconds"},
+        std::pair{R"({"until": {"seconds": 1e9}})", "shading.physical.until.seconds"},
+        std::pair{R"({"until": {"paths": 4, "seconds": 1}})", "shading.physical.until"},
+        std::pair{R"({"until": {}})", "shading.physical.until"},
+        std::pair{R"({"until": {"hours": 1}})", "shading.physical.until.hours"},
+        std::pair{R"({"bounces": 4})", "shading.physical.bounces"}})
+    EXPECT_NE(refusalOf(withPhysical(physical)).find(field), std::string::npos) << physical;
+  EXPECT_EQ(sceneToJson(Scene{}, "v").find("physical"), std::string::npos);
+  // A picture on its way carries the paths that it has.
+  Scene drawn;
+  drawn.shading.model = ShadingModel::physical;
+  drawn.quality.paths = 12;
+  const Scene again = parseScene(sceneToJson(drawn, "v"), "test.json").scene;
+  EXPECT_EQ(again.shading.physical.until, Until(UntilPaths{12}));
+  EXPECT_FALSE(again.quality.paths);
 }
 
 TEST(SceneFile, aToleranceNeedsNoFinenessButAFinenessATolerance) {

@@ -29,6 +29,7 @@ inline const std::vector<std::string> documentedEffects{"gradient",
                                                         "shadow",
                                                         "occlusion",
                                                         "smooth_normals",
+                                                        "physical",
                                                         "own_weights"};
 
 } // namespace limn::test

@@ -106,6 +106,7 @@ const Groups others{
 const EffectSet notOfSlices{Effect::labelLooks,
                             Effect::shadow,
                             Effect::occlusion,
+                            Effect::physical,
                             Effect::mip,
                             Effect::minip,
                             Effect::average,

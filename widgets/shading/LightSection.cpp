@@ -99,7 +99,7 @@ void LightSection::addPresets() {
 }
 
 QString LightSection::unusedBecause() const {
-  return shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+  return shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical})
              ? QString()
              : tr("unused: this model is unlit");
 }
@@ -272,16 +272,21 @@ void LightSection::showShading() {
   m_twoSided->setChecked(shading().twoSided);
 
   const bool lit = shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust});
-  const QString unlit = lit ? QString() : tr("The unlit model uses no light.");
+  const bool hasPaths = shows({ShadingModel::physical});
+  const QString unlit = lit        ? QString()
+                        : hasPaths ? tr("Physical light has strengths and highlights of its own.")
+                                   : tr("The unlit model uses no light.");
   for (const auto& [slider, member] : m_numbers)
     slider->setUnavailable(unlit);
-  for (ChoiceRow* row : {m_preset, m_place, m_reflection, m_highlightColor})
+  for (ChoiceRow* row : {m_preset, m_reflection, m_highlightColor})
     row->setUnavailable(unlit);
+  const QString nowhere = hasPaths ? QString() : unlit;
+  m_place->setUnavailable(nowhere);
   limn::setUnavailable(*m_twoSided, unlit, m_twoSidedHelp);
   m_ball->setUnavailable(unlit);
   const bool isHeadlight = !shading().lightDirection;
   const QString moving =
-      isHeadlight ? tr("The lamp is where the viewer is: drag it off, or choose another position.") : unlit;
+      isHeadlight ? tr("The lamp is where the viewer is: drag it off, or choose another position.") : nowhere;
   m_azimuth->setUnavailable(moving);
   m_elevation->setUnavailable(moving);
   m_shadow->setUnavailable(isHeadlight && lit

@@ -20,8 +20,9 @@ QStringList modelNames() {
 ChoiceRow* modelRow(const QString& label, ShadingModel initial) {
   return new ChoiceRow(
       label,
-      ModelSection::tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or "
-                       "the same without overflowing highlights."),
+      ModelSection::tr(
+          "How tissue is lit: not at all, evenly, with boundaries emphasised, or "
+          "the same without overflowing highlights; or by light that goes random ways through it."),
       modelNames(), static_cast<int>(initial));
 }
 
@@ -125,6 +126,8 @@ QString modelName(ShadingModel model) {
     return QObject::tr("Enhanced");
   case ShadingModel::robust:
     return QObject::tr("Robust");
+  case ShadingModel::physical:
+    return QObject::tr("Physical");
   }
   return {};
 }

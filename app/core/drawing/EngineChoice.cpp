@@ -7,6 +7,7 @@
 #include "gl/HeadlessContext.h"
 #include "gl/PictureTarget.h"
 #include "raycaster/RayCasterEngine.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
@@ -50,6 +51,8 @@ EngineTrial tryEngines(const Scene& scene, const std::function<bool()>& isCancel
   Scene drawn = scene;
   drawn.quality = withSteps(scene.quality, std::max(scene.quality.stepVoxels, smallestStepVoxels));
   // What one of them alone can draw says nothing of the other.
+  if (isPhysical(drawn))
+    drawn.shading.model = ShadingModel::classic;
   drawn.shading.shadow = {};
   drawn.shading.occlusion = {};
   const PixelRect whole{{0, 0}, trialSize};

@@ -5,6 +5,7 @@
 #include "accuracy/Tolerance.h"
 #include "app/core/drawing/EngineChoice.h"
 #include "app/core/drawing/OnDisk.h"
+#include "app/core/drawing/PathDrawing.h"
 #include "cpu/CpuRenderer.h"
 #include "engine/VolumeTooLarge.h"
 #include "gl/HeadlessContext.h"
@@ -90,6 +91,10 @@ void requireOpenGlMayDraw(const Scene& scene) {
         Error::Kind::usage,
         Message::tr("With OpenGL no tolerance can be kept where shadows or occlusion show; use --engine "
                     "cpu or reference, or leave the tolerance out."));
+  if (isPhysical(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("OpenGL cannot draw physical light; use --engine cpu or auto, "
+                            "or another model."));
 }
 
 // Scenes one after another: each picture is handed on before the next is drawn.
@@ -113,6 +118,16 @@ bool stepsSeeFunction(CpuRenderer& renderer, const Scene& scene) {
 template <class Renderer>
 bool stepsSeeFunction(const Renderer&, const Scene&) {
   return false;
+}
+
+void putInto(DrawnByPaths made, MadePicture& picture) {
+  picture.canBeEstimated = false; // by smaller steps
+  picture.paths = made.figures;
+  picture.pathSeconds = made.seconds;
+  picture.radiance = std::move(made.radiance);
+  picture.scene.shading.physical.until = UntilPaths{made.figures.paths};
+  for (const Message& note : notesOf(made.figures, picture.scene))
+    picture.notes.push_back(note);
 }
 
 // Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part.
@@ -171,10 +186,21 @@ Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size
 
 void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
   CpuRenderer renderer(order.effort.threads);
-  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
-    return inStrips(renderer, scene, pixels, effort);
+  std::optional<DrawnByPaths> made; // what the picture in hand tells of its paths
+  const TakePicture take = [&](std::size_t index, MadePicture picture) {
+    if (made)
+      putInto(std::move(*made), picture);
+    made.reset();
+    sitting.take(index, std::move(picture));
   };
-  makeWith(renderer, draw, sitting, order.effort, StepControl::cells, {Engine::cpu, renderer.name()});
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    if (!isPhysical(scene))
+      return inStrips(renderer, scene, pixels, effort);
+    made = drawnByPaths(renderer, scene, pixels, effort);
+    return made->image;
+  };
+  makeWith(renderer, draw, {sitting.scenes, sitting.size, take}, order.effort, StepControl::cells,
+           {Engine::cpu, renderer.name()});
 }
 
 // The reference has no limits of its own to tell of.
@@ -265,7 +291,7 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
 Engine engineFor(const Scene& scene, const EngineMemory& memory) {
   try {
     requireInMemory(*scene.volume);
-    requireLightOfGrid(scene);
+    requireLightOfShaders(scene);
     return processorIsFaster(scene, memory) ? Engine::cpu : Engine::rayCaster;
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::openGl)
@@ -292,7 +318,7 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
   try {
     for (const Scene& scene : scenes) {
       requireInMemory(*scene.volume);
-      requireLightOfGrid(scene);
+      requireLightOfShaders(scene);
     }
     if (!processorIsFaster(scenes.front(), order.memory))
       return makeWithGl(sitting, order, {order.textureMb, false});

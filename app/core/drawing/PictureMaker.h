@@ -4,6 +4,7 @@
 #include "accuracy/ImageError.h"
 #include "accuracy/sweep/ErrorByChance.h"
 #include "app/core/drawing/EngineChoice.h"
+#include "engine/PathFigures.h"
 #include "glsl/textures/GraphicsMemory.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
@@ -28,6 +29,10 @@ struct MadePicture {
   bool canBeEstimated = false;
   ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance)
   Message steps;       ///< with which it keeps its tolerance, a sentence; empty where none were looked for
+  /// Of a picture of physical light.
+  std::optional<PathFigures> paths{};
+  double pathSeconds = 0.0;
+  Image radiance{}; ///< linear, times alpha
 };
 
 /// Everything that a picture tells, a sentence each.

@@ -170,7 +170,7 @@ double RealRenderers::Parts::peakMb(const Scene& scene, const OperatingPoint& po
 }
 
 Engine raysAtHand(const Scene& scene) {
-  if (staysOnDisk(scene) || hasTravellingLight(scene))
+  if (staysOnDisk(scene) || hasTravellingLight(scene) || isPhysical(scene))
     return Engine::cpu;
   try {
     const HeadlessContext context;

@@ -156,6 +156,10 @@ void BrickRenderer::begin(const Scene& scene, const glm::ivec2& size, const Inde
         Error::Kind::usage,
         Message::tr("Smooth normals cannot be drawn in bricks: smoothing reaches beyond each of them. "
                     "Draw the picture with limn, or set the smoothing to 0."));
+  if (isPhysical(scene))
+    throw Error(Error::Kind::usage,
+                Message::tr("Physical light cannot be drawn in bricks: its paths cross from one to the next. "
+                            "Draw the picture with limn, or choose another model."));
   m_covered = {};
   m_data.setBrick(brick);
   m_data.update(scene, isCancelled);

@@ -57,6 +57,10 @@ OIIO::ImageSpec specOf(const PictureToWrite& picture) {
   const bool hasAlpha = isFloat || picture.hasAlpha;
   OIIO::ImageSpec spec(picture.width, picture.height, hasAlpha ? 4 : 3,
                        isFloat ? TypeDesc::FLOAT : TypeDesc::UINT8);
+  if (isFloat && picture.hasRadiance) {
+    spec.nchannels = 7;
+    spec.channelnames = {"R", "G", "B", "A", "radiance.R", "radiance.G", "radiance.B"};
+  }
   if (hasAlpha)
     spec.alpha_channel = 3;
   if (picture.hasAlpha)

@@ -27,10 +27,12 @@ struct PictureToWrite {
   Format format = Format::png;
   int width = 0;
   int height = 0;
-  const void* pixels = nullptr; ///< RGBA floats for EXR, RGB bytes otherwise
+  const void* pixels = nullptr; ///< RGBA floats for EXR, with three of radiance behind where it has them; RGB
+                                ///< bytes otherwise
   std::string description;      ///< ASCII, may be empty
   bool hasAlpha = false;        ///< RGBA bytes instead, the colours not multiplied by alpha; not for JPEG
   double dotsPerInch = 0.0;     ///< at which it is meant to be printed; 0: nothing is said
+  bool hasRadiance = false;     ///< EXR alone
 };
 
 /// What Limn asks of OpenImageIO. The library brings two hundred others, which took most of the program's

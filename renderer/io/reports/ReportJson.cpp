@@ -194,6 +194,14 @@ std::string pictureJson(const PictureReport& picture) {
                        {"overflow_share", figures->overflow.share},
                        {"overflow_mean", figures->overflow.meanOvershoot},
                        {"visible_share", figures->visibleShare}};
+  if (const std::optional<PictureReport::Paths>& paths = picture.paths) {
+    const auto orNull = [](const std::optional<double>& levels) { return levels ? Json(*levels) : Json(); };
+    json["error"] = {{"kind", "standard error"},
+                     {"paths", paths->count},
+                     {"rms_levels", orNull(paths->rmsLevels)},
+                     {"p99_9_levels", orNull(paths->p99_9Levels)},
+                     {"seconds", paths->seconds}};
+  }
   return textOf(json);
 }
 

@@ -41,6 +41,13 @@ struct PictureReport {
   std::string statement;              ///< how many pixels, and how sure that is
   std::optional<PictureFigures> figures;
   std::vector<std::string> notes;
+  /// Of a picture of physical light: paths of a pixel, their standard errors, and how long they took.
+  struct Paths {
+    int count = 0;
+    std::optional<double> rmsLevels, p99_9Levels;
+    double seconds = 0.0;
+  };
+  std::optional<Paths> paths{};
 };
 
 // What machines read of Limn: one JSON object each, keys as the command line documents them.

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <limits>
 
 namespace limn {
 namespace {
@@ -96,6 +97,47 @@ void readTravellingLight(JsonFields& fields, Shading& shading) {
   }
 }
 
+Until readUntil(JsonFields fields) {
+  Until until;
+  int given = 0;
+  if (fields.has("paths")) {
+    fields.integer("paths", until.emplace<UntilPaths>().paths, 1, mostPaths);
+    ++given;
+  }
+  if (fields.has("levels")) {
+    fields.number("levels", until.emplace<UntilLevels>().levels, {0.0, 255.0, true});
+    ++given;
+  }
+  if (fields.has("seconds")) {
+    fields.number("seconds", until.emplace<UntilSeconds>().seconds, {0.0, mostPathSeconds, true});
+    ++given;
+  }
+  fields.finish();
+  if (given != 1)
+    fields.fail(given == 0 ? "paths" : "levels",
+                Message::tr("must be the only end: {\"paths\": n}, {\"levels\": x} or {\"seconds\": s}"));
+  return until;
+}
+
+PhysicalLight readPhysicalLight(JsonFields fields) {
+  PhysicalLight light;
+  fields.number("density", light.density, {0.01, 100.0});
+  fields.number("anisotropy", light.anisotropy, {-0.95, 0.95});
+  fields.number("surface", light.surface, fraction);
+  fields.number("specular_share", light.specularShare, fraction);
+  fields.number("key_irradiance", light.keyIrradiance, {0.0, 1e6});
+  fields.number("key_radius_deg", light.keyRadiusDeg, {0.0, 45.0});
+  fields.pair("sky", light.sky.below, light.sky.above, {0.0, 1e6});
+  fields.number("exposure_ev", light.exposureEv, {-20.0, 20.0});
+  int seed = static_cast<int>(light.seed);
+  fields.integer("seed", seed, 0, std::numeric_limits<int>::max());
+  light.seed = static_cast<std::uint32_t>(seed);
+  if (fields.has("until"))
+    light.until = readUntil(fields.object("until"));
+  fields.finish();
+  return light;
+}
+
 void readRobustFields(JsonFields& fields, Shading& shading) {
   fields.boolean("energy_factor", shading.energyFactor);
   if (fields.has("significance")) {
@@ -140,6 +182,8 @@ Shading readShading(JsonFields fields) {
   fields.boolean("two_sided", shading.twoSided);
   readLightDirection(fields, shading);
   readTravellingLight(fields, shading);
+  if (fields.has("physical"))
+    shading.physical = readPhysicalLight(fields.object("physical"));
   fields.finish();
   return shading;
 }

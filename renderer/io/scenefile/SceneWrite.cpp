@@ -45,6 +45,27 @@ Json lightJson(const Shading& shading) {
   return shading.lightAxes == LightAxes::camera ? Json{{"camera", direction}} : direction;
 }
 
+Json toJson(const Until& until) {
+  if (const auto* paths = std::get_if<UntilPaths>(&until))
+    return {{"paths", paths->paths}};
+  if (const auto* levels = std::get_if<UntilLevels>(&until))
+    return {{"levels", levels->levels}};
+  return {{"seconds", std::get<UntilSeconds>(until).seconds}};
+}
+
+Json toJson(const PhysicalLight& light) {
+  return {{"density", light.density},
+          {"anisotropy", light.anisotropy},
+          {"surface", light.surface},
+          {"specular_share", light.specularShare},
+          {"key_irradiance", light.keyIrradiance},
+          {"key_radius_deg", light.keyRadiusDeg},
+          {"sky", Json::array({light.sky.below, light.sky.above})},
+          {"exposure_ev", light.exposureEv},
+          {"seed", light.seed},
+          {"until", toJson(light.until)}};
+}
+
 Json toJson(const Shading& shading) {
   Json json = {{"model", nameOf(shading.model)},
                {"ambient", shading.ambient},
@@ -72,7 +93,17 @@ Json toJson(const Shading& shading) {
     json["shadow"] = {{"strength", shading.shadow.strength}, {"softness_deg", shading.shadow.softnessDeg}};
   if (shading.occlusion != Occlusion{})
     json["occlusion"] = {{"strength", shading.occlusion.strength}, {"reach_mm", shading.occlusion.reachMm}};
+  if (shading.model == ShadingModel::physical || shading.physical != PhysicalLight{})
+    json["physical"] = toJson(shading.physical);
   return json;
+}
+
+// A picture on its way has the paths that it has, and is drawn again with as many.
+Shading shadingDrawn(const Scene& scene) {
+  Shading shading = scene.shading;
+  if (scene.quality.paths)
+    shading.physical.until = UntilPaths{*scene.quality.paths};
+  return shading;
 }
 
 Json toJson(const std::optional<GradientOpacity>& curve) {
@@ -122,7 +153,7 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
     json["orientation"] = document.orientation;
   json.update(Json{{"camera", cameraJson(scene.camera)},
                    {"transfer_function", functionJson(scene.transferFunction)},
-                   {"shading", toJson(scene.shading)},
+                   {"shading", toJson(shadingDrawn(scene))},
                    {"gradient_opacity", toJson(scene.gradientOpacity)},
                    {"fog", toJson(scene.fog)},
                    {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},

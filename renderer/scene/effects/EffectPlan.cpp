@@ -47,13 +47,20 @@ LightingTerms termsFor(const Scene& scene) {
   return terms;
 }
 
+Message whyUnlit(const Scene& scene) {
+  return scene.shading.model == ShadingModel::physical
+             ? Message::tr("physical light stands in its place")
+             : Message::tr("the chosen model shows plain colours without light");
+}
+
 void lightClauses(Plan& plan, const Scene& scene, const LightingTerms& terms, bool hasGradientOpacity) {
-  const bool readsGradient = hasGradientOpacity || terms.usesNormal() || terms.usesRatio();
+  const bool readsGradient =
+      hasGradientOpacity || terms.usesNormal() || terms.usesRatio() || isPhysical(scene);
+  const Message unlit = whyUnlit(scene);
   const Message flat = isConstant(*scene.volume)
                            ? Message::tr("every voxel has the same value, so there are no boundaries")
                            : Message();
-  plan.clause(Effect::lighting, terms.isLit, Message::tr("the chosen model lights the volume"),
-              Message::tr("the chosen model shows plain colours without light"));
+  plan.clause(Effect::lighting, terms.isLit, Message::tr("the chosen model lights the volume"), unlit);
   plan.clause(Effect::gradient, readsGradient,
               Message::tr("light or boundary settings need to know where boundaries lie"),
               !flat.empty() ? flat : Message::tr("nothing in this picture depends on boundaries"));
@@ -62,7 +69,7 @@ void lightClauses(Plan& plan, const Scene& scene, const LightingTerms& terms, bo
               !flat.empty() ? flat : Message::tr("the diffuse light is set to 0"));
   plan.clause(Effect::specular, terms.specular != 0.0,
               Message::tr("surfaces shine where they mirror the light"),
-              !terms.isLit    ? Message::tr("the chosen model shows plain colours without light")
+              !terms.isLit    ? unlit
               : !flat.empty() ? flat
                               : Message::tr("the strength of the highlights is set to 0"));
   plan.clause(Effect::phong, terms.reflection == Reflection::phong, Message::tr("their shape is Phong's"),
@@ -160,7 +167,7 @@ void fogClauses(Plan& plan, const Scene& scene) {
 }
 
 void travelClauses(Plan& plan, const Scene& scene, const LightingTerms& terms) {
-  const Message unlit = Message::tr("the chosen model shows plain colours without light");
+  const Message unlit = whyUnlit(scene);
   plan.clause(Effect::shadow, terms.shadow.strength > 0.0,
               Message::tr("what stands between tissue and the light casts a shadow"),
               !terms.isLit                             ? unlit
@@ -173,6 +180,11 @@ void travelClauses(Plan& plan, const Scene& scene, const LightingTerms& terms) {
               : !(scene.shading.occlusion.strength > 0.0)
                   ? Message::tr("the strength of occlusion is set to 0")
                   : Message::tr("there is no ambient light"));
+  plan.clause(Effect::physical, isPhysical(scene),
+              Message::tr("light goes random ways through tissue, which scatters and absorbs it"),
+              scene.shading.model == ShadingModel::physical
+                  ? Message::tr("this kind of picture shows values without light")
+                  : Message::tr("the physical model is not chosen"));
 }
 
 void smoothingClause(Plan& plan, const Scene& scene) {
@@ -258,6 +270,10 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
               Message::tr("control points lie far enough apart"));
 }
 
+// What scenes may ask for that physical light does not know.
+const EffectSet ofOtherLight{Effect::fogLinear, Effect::fogExp, Effect::fogExp2, Effect::isosurface,
+                             Effect::hybrid};
+
 // What is left out because of the projection says so.
 void explainDropped(EffectPlan& plan, Projection projection) {
   for (EffectReason& reason : plan.reasons) {
@@ -265,6 +281,8 @@ void explainDropped(EffectPlan& plan, Projection projection) {
     if (reason.isNeeded && !isKept)
       reason.reason =
           !plan.isVisible ? Message::tr("nothing of the volume can be seen")
+          : plan.effects.has(Effect::physical) && ofOtherLight.has(reason.effect)
+              ? Message::tr("physical light knows tissue, its key light and its sky alone")
           : reason.effect == Effect::preintegration && plan.effects.has(Effect::labelLooks)
               ? Message::tr("where looks of labels meet only samples can follow them, not whole steps")
           : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
@@ -362,6 +380,11 @@ bool smoothsNormals(const Scene& scene) {
          smoothsAnything(scene.shading.gradientSmoothing, scene.volume->grid());
 }
 
+bool isPhysical(const Scene& scene) {
+  return scene.shading.model == ShadingModel::physical && !classifiesOnce(scene.projection) &&
+         scene.projection != Projection::xray;
+}
+
 bool isAnythingVisible(const Scene& scene) {
   const ValueRange& range = scene.volume->range();
   const std::vector<TransferFunction> functions = labelLooks(scene).functions;
@@ -370,6 +393,8 @@ bool isAnythingVisible(const Scene& scene) {
         return largestOpacityWithin(function, range.lowest, range.highest) > 0.0;
       });
   const bool hasSurface = scene.isovalue <= range.highest;
+  if (isPhysical(scene)) // knows no surface of one value
+    return isOpaque;
   switch (scene.projection) {
   case Projection::isosurface:
     return hasSurface;
@@ -388,7 +413,7 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
   gradientClauses(plan, terms, hasGradientOpacity);
   robustClauses(plan, scene, terms);
   fogClauses(plan, scene);
-  plan.clause(Effect::cutFaces, scene.crop != CropBox{} && terms.usesNormal(),
+  plan.clause(Effect::cutFaces, scene.crop != CropBox{} && (terms.usesNormal() || isPhysical(scene)),
               Message::tr("the cuts of the crop box are lit as surfaces"),
               scene.crop == CropBox{} ? Message::tr("the crop box keeps the whole volume")
                                       : Message::tr("no light falls on the cuts"));

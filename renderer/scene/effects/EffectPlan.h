@@ -64,6 +64,10 @@ bool hasTravellingLight(const Scene& scene);
 /// reaches beyond a voxel, and something of the picture reads the gradient.
 bool smoothsNormals(const Scene& scene);
 
+/// Whether the picture is one of physical light (DEFINITION section 12): the model asks for it, and the
+/// projection shows tissue. MIP and the like show values without light, whatever the model.
+bool isPhysical(const Scene& scene);
+
 /// Whether anything of the volume could show: the transfer function is opaque somewhere in its range, or the
 /// isovalue of a picture with a surface is reached.
 bool isAnythingVisible(const Scene& scene);

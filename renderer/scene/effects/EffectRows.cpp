@@ -71,6 +71,7 @@ const std::vector<Group>& groups() {
       {"shadow", Message::tr("Shadows"), {Effect::shadow}, Effect::shadow},
       {"occlusion", Message::tr("Dark hollows (occlusion)"), {Effect::occlusion}, Effect::occlusion},
       {"smooth_normals", Message::tr("Smooth normals"), {Effect::smoothNormals}, Effect::smoothNormals},
+      {"physical", Message::tr("Physical light"), {Effect::physical}, Effect::physical},
       {"own_weights", Message::tr("Own weights between voxels"), {Effect::ownWeights}, Effect::ownWeights},
   };
   return all;

@@ -31,6 +31,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"shadow", "EFFECT_SHADOW", "what stands between a sample and its light dims it"},
     {"occlusion", "EFFECT_OCCLUSION", "what stands around a sample dims its ambient light"},
     {"smooth_normals", "EFFECT_SMOOTH_NORMALS", "the gradient is that of the smoothed field"},
+    {"physical", "EFFECT_PHYSICAL", "light goes random ways through the volume"},
     {"region", "EFFECT_REGION", "a kept region takes opacity from what lies outside it"},
     {"label_looks", "EFFECT_LABEL_LOOKS", "labels have transfer functions of their own"},
     {"mip", "EFFECT_MIP", "the largest value of each ray"},
@@ -77,6 +78,13 @@ const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight};
 const EffectSet lightChoices{Effect::twoSided, Effect::fixedLight};
 const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 
+// What lights samples one by one.
+const EffectSet ofSamplesLight{
+    Effect::lighting,     Effect::diffuse,     Effect::specular,   Effect::shadow,
+    Effect::occlusion,    Effect::knee,        Effect::opacityMap, Effect::opacityFactor,
+    Effect::significance, Effect::exponentMap, Effect::fogLinear,  Effect::fogExp,
+    Effect::fogExp2,      Effect::isosurface,  Effect::hybrid,     Effect::unlimited};
+
 // What a projection cannot use.
 EffectSet withinProjection(EffectSet effects) {
   const EffectSet marching{Effect::xray,      Effect::preintegration, Effect::jitter,
@@ -109,6 +117,9 @@ bool usesRatio(EffectSet effects) {
 
 EffectSet canonical(EffectSet effects) {
   const bool counts = effects.has(Effect::sampleCounts);
+  // Light on random ways asks for boundaries, and for nothing that lights samples.
+  if (effects.has(Effect::physical) && !effects.hasAny(scalarProjections) && !effects.has(Effect::xray))
+    effects = effects.without(ofSamplesLight);
   effects = withinProjection(effects);
   // Equal steps are counted without taking them; how many error-controlled ones there are shows in the march.
   if (counts && !effects.has(Effect::localSteps))
@@ -132,12 +143,13 @@ EffectSet canonical(EffectSet effects) {
   drop(!has(Effect::exponentMap), {Effect::energyFactor});
   drop(!has(Effect::diffuse) && !has(Effect::specular), lightChoices);
   drop(!has(Effect::fixedLight), {Effect::shadow});
-  drop(!effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion}), {Effect::cutFaces});
+  drop(!effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion, Effect::physical}),
+       {Effect::cutFaces});
   drop(has(Effect::opacityMap), {Effect::opacityFactor});
   drop(!usesRatio(effects), curves);
   const bool readsGradient =
-      usesRatio(effects) ||
-      effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion, Effect::gradientOpacity});
+      usesRatio(effects) || effects.hasAny({Effect::diffuse, Effect::specular, Effect::occlusion,
+                                            Effect::gradientOpacity, Effect::physical});
   drop(!readsGradient, {Effect::smoothNormals});
   return readsGradient ? effects.with(Effect::gradient) : effects.without(Effect::gradient);
 }
@@ -145,8 +157,9 @@ EffectSet canonical(EffectSet effects) {
 EffectSet leavingOut(EffectSet effects, EffectSet leftOut) {
   effects = effects.without(leftOut);
   if (leftOut.has(Effect::gradient))
-    effects = effects.without({Effect::diffuse, Effect::specular, Effect::exponentMap, Effect::opacityMap,
-                               Effect::significance, Effect::gradientOpacity, Effect::occlusion});
+    effects =
+        effects.without({Effect::diffuse, Effect::specular, Effect::exponentMap, Effect::opacityMap,
+                         Effect::significance, Effect::gradientOpacity, Effect::occlusion, Effect::physical});
   return canonical(effects);
 }
 

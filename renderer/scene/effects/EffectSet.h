@@ -35,6 +35,7 @@ enum class Effect : std::uint8_t {
   shadow,
   occlusion,
   smoothNormals,
+  physical,
   region,
   labelLooks,
   mip,

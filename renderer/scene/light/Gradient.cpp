@@ -85,7 +85,7 @@ double steepness(const Volume& volume, LatticeModuli lattice) {
 GradientReference resolvedReference(const Shading& shading) {
   if (!std::holds_alternative<AutomaticReference>(shading.gradientReference))
     return shading.gradientReference;
-  if (shading.model == ShadingModel::robust)
+  if (shading.model == ShadingModel::robust || shading.model == ShadingModel::physical)
     return PercentileReference{99.5};
   return LargestReference{};
 }

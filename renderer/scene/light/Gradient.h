@@ -136,7 +136,7 @@ struct GradientScale {
 };
 
 /// The shading's gradient reference with the automatic one replaced by the model's: the 99.5th percentile for
-/// robust, the largest modulus otherwise.
+/// robust and physical, the largest modulus otherwise.
 GradientReference resolvedReference(const Shading& shading);
 
 /// Resolves the shading's gradient reference for a volume. Costs a pass over the volume: keep the result

@@ -57,7 +57,7 @@ double limitedProduct(double coefficient, double intensity) {
 
 LightingTerms lightingTerms(const Shading& shading) {
   LightingTerms terms;
-  if (shading.model == ShadingModel::none)
+  if (shading.model == ShadingModel::none || shading.model == ShadingModel::physical)
     return terms;
   terms.isLit = true;
   terms.ambient = limitedProduct(shading.ambient, shading.ambientIntensity);

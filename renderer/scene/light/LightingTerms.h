@@ -43,7 +43,8 @@ struct LightingTerms {
   bool usesRatio() const { return mapsExponent() || mapsOpacity() || significance.has_value(); }
 };
 
-/// The terms of any of the four models.
+/// The terms of any of the four models that light samples; those of none for physical light, which lights
+/// none.
 LightingTerms lightingTerms(const Shading& shading);
 
 /// The direction in which the light travels, world; absent: headlight.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/light/PhysicalLight.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -11,8 +13,9 @@
 namespace limn {
 
 /// How a sample is lit (DEFINITION sections 4 and 5): `none` is unlit, `classic` Blinn-Phong, `enhanced` the
-/// paper's model literally, `robust` our answer to its overflowing highlights.
-enum class ShadingModel { none, classic, enhanced, robust };
+/// paper's model literally, `robust` our answer to its overflowing highlights. With `physical` no sample is
+/// lit: light goes random ways through what the curve makes of the volume (section 12).
+enum class ShadingModel { none, classic, enhanced, robust, physical };
 
 /// The gradient modulus that maps to r = 1.
 struct AutomaticReference { ///< largest modulus for enhanced, 99.5th percentile for robust
@@ -104,6 +107,7 @@ struct Shading {
   LightAxes lightAxes = LightAxes::world;   ///< of the direction
   Shadow shadow;
   Occlusion occlusion;
+  PhysicalLight physical; ///< read by the physical model alone
 
   bool operator==(const Shading&) const = default;
 };
@@ -123,11 +127,15 @@ struct GradientOpacity {
 
 /// Every shading model, in the order in which they are offered.
 inline constexpr std::array shadingModels{ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced,
-                                          ShadingModel::robust};
+                                          ShadingModel::robust, ShadingModel::physical};
+
+/// Those whose samples are lit one by one, or not at all: pictures without chance.
+inline constexpr std::array localModels{ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced,
+                                        ShadingModel::robust};
 
 /// The word for a model in scene files and on the command line.
 inline const char* nameOf(ShadingModel model) {
-  constexpr std::array names{"none", "classic", "enhanced", "robust"};
+  constexpr std::array names{"none", "classic", "enhanced", "robust", "physical"};
   return names[static_cast<std::size_t>(model)];
 }
 

@@ -3,6 +3,7 @@
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/properties/PropertiesPanel.h"
+#include "widgets/view/panels/PictureStatus.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -65,6 +66,34 @@ TEST_F(ModelWindow, aComparisonHasAButtonForEachSideThatChangesItAndEndsNothing)
   choose(0, 1);
   EXPECT_EQ(shown(), (Models{ShadingModel::none, ShadingModel::robust}));
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
+  EXPECT_TRUE(rest());
+}
+
+// The driver cannot: the processor draws, coarsely at once, then as many paths again and again.
+TEST_F(ModelWindow, physicalLightIsDrawnByTheProcessorWithMorePathsWhileNothingMoves) {
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  view().setRefinesAtRest(true);
+  choose(0, 5);
+  EXPECT_EQ(shown(), Models{ShadingModel::physical});
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Physical"));
+  const auto paths = [this] {
+    const PictureState& state = view().pictureState();
+    const bool isShown = state.resting && !state.sides.empty() && state.sides[0].paths.has_value();
+    return isShown ? state.sides[0].paths->paths : 0;
+  };
+  ASSERT_TRUE(test::waitUntil([&] { return paths() >= 8; }));
+  EXPECT_EQ(view().pictureState().engine, Engine::cpu);
+  const QString status = window->findChild<PictureStatus*>()->text().line();
+  EXPECT_TRUE(status.contains(QStringLiteral("levels RMS after"))) << status.toStdString();
+  // A gesture ends what is followed, and another picture begins.
+  const Scene before = scene();
+  dragAPoint();
+  ASSERT_NE(scene(), before);
+  ASSERT_TRUE(test::waitUntil([&] { return paths() == 1 || paths() == 2; }));
+  ASSERT_TRUE(test::waitUntil([&] { return paths() >= 4; }));
+  choose(0, 2);
+  EXPECT_EQ(shown(), Models{ShadingModel::classic});
   EXPECT_TRUE(rest());
 }
 

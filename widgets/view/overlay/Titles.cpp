@@ -32,6 +32,9 @@ QString modelText(const Shading& shading) {
   case ShadingModel::enhanced:
   case ShadingModel::robust:
     return QObject::tr("SP %1 · O %2").arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
+  case ShadingModel::physical:
+    return shading.physical.density == 1.0 ? QString()
+                                           : QObject::tr("density %1").arg(number(shading.physical.density));
   }
   return {};
 }

@@ -55,7 +55,25 @@ bool isResolved(const PictureState& state) {
   });
 }
 
+bool hasPaths(const PictureState& state) {
+  return std::ranges::any_of(state.sides, [](const SideState& side) { return side.paths.has_value(); });
+}
+
+QString pathCount(int paths) {
+  return paths == 1 ? QObject::tr("1 path") : QObject::tr("%1 paths").arg(paths);
+}
+
+// Of physical light, whose error is that of chance.
+QString pathsText(const PathFigures& paths) {
+  if (!paths.rmsLevels)
+    return QObject::tr("%1, estimating…").arg(pathCount(paths.paths));
+  return QObject::tr("within %1 levels RMS after %2")
+      .arg(levelsText(*paths.rmsLevels), pathCount(paths.paths));
+}
+
 QString worstText(const SideState& worst) {
+  if (worst.paths)
+    return pathsText(*worst.paths);
   if (worst.measuredLevels)
     return QObject::tr("within %1 of 255 levels, measured").arg(promisedLevels(*worst.measuredLevels));
   if (worst.chance)
@@ -73,6 +91,10 @@ QString estimateText(const PictureState& state) {
     return QObject::tr("not resolved");
   if (!isLightMeasured(state))
     return QObject::tr("shadows not measured");
+  if (hasPaths(state))
+    for (const SideState& side : state.sides)
+      if (side.paths && !side.paths->rmsLevels)
+        return pathsText(*side.paths);
   if (!isKnown(state))
     return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
@@ -171,6 +193,8 @@ EndText endText(const PictureState& state) {
 // Under a tolerance there is no one step to tell.
 QString restingText(const PictureState& state) {
   const SideState& side = state.sides.front();
+  if (side.paths)
+    return state.refines ? QObject::tr("random paths, refining") : QObject::tr("random paths");
   return endText(state).step.arg(side.toleranceLevels ? QObject::tr("chosen by error")
                                                       : stepText(side.stepVoxels));
 }
@@ -186,6 +210,12 @@ QString explanationOf(const PictureState& state) {
         "processor can (Draw with, in the settings).");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
+  if (const std::optional<PathFigures>& paths = worstOf(state).paths; paths && paths->rmsLevels)
+    return QObject::tr(
+               "Light follows random paths through tissue, and what they differ by tells how far the "
+               "picture lies from the exact one: %1 of 255 levels on average (RMS), 999 of 1000 colour "
+               "values within %2. Four times as many paths halve it.")
+        .arg(levelsText(*paths->rmsLevels), levelsText(*paths->p99_9Levels));
   if (const std::optional<double> measured = worstOf(state).measuredLevels)
     return QObject::tr(
                "999 of 1000 colour values of a smaller picture of the same scene were measured to lie "
@@ -208,7 +238,9 @@ QString explanationOf(const PictureState& state) {
 QString numbersText(const PictureState& state, const Scene& scene) {
   const SideState& side = state.sides.front();
   QStringList parts;
-  if (side.toleranceLevels) {
+  if (side.paths) {
+    parts << QObject::tr("%1 of each pixel").arg(pathCount(side.paths->paths));
+  } else if (side.toleranceLevels) {
     parts << QObject::tr("error-controlled steps (--tolerance %1)").arg(exactNumber(*side.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
@@ -217,7 +249,7 @@ QString numbersText(const PictureState& state, const Scene& scene) {
                  .arg(digitsNumber(mm, 3))
                  .arg(exactNumber(side.stepVoxels));
   }
-  if (isResolved(state) && isKnown(state) && worstOf(state).estimate) {
+  if (isResolved(state) && isKnown(state) && worstOf(state).estimate && !worstOf(state).paths) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
     const QString errors = QObject::tr("99.9th percentile %1, mean %2 levels")
                                .arg(digitsNumber(estimate.p99_9, 3))
@@ -284,7 +316,9 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
     ms += side.shownMs;
   text.time = timeText(ms);
   text.engine = engineText(state);
-  QStringList lines{explanationOf(state), endText(state).sentence, numbersText(state, scene)};
+  // Those sentences are about steps.
+  const QString end = hasPaths(state) ? QString() : endText(state).sentence;
+  QStringList lines{explanationOf(state), end, numbersText(state, scene)};
   if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
     lines.prepend(coarsenessText(*coarseness));
   lines.removeAll(QString());

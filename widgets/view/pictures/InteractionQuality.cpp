@@ -69,6 +69,8 @@ Scene withQualityLevel(const Scene& scene, const QualityLevel& level) {
   Scene drawn = withStep(scene, level.stepFactor * scene.quality.stepVoxels);
   if (level != QualityLevel{} && hasTravellingLight(scene))
     drawn.quality.light = LightDetail::coarse;
+  if (isPhysical(scene))
+    drawn.quality.paths = 1;
   return drawn;
 }
 

@@ -52,7 +52,8 @@ glm::ivec2 sizeAt(const QualityLevel& level, const glm::ivec2& size);
 /// The scene drawn with another step.
 Scene withStep(Scene scene, double stepVoxels);
 
-/// The scene drawn with the step of a level; below full quality light that travels is found coarsely.
+/// The scene drawn with the step of a level; below full quality light that travels is found coarsely. Of
+/// physical light one path of each pixel is followed: more are at rest (Refinement).
 Scene withQualityLevel(const Scene& scene, const QualityLevel& level);
 
 } // namespace limn

@@ -48,6 +48,7 @@ struct SideState {
   std::optional<ErrorByChance> chance;   ///< of the error of what is shown, once it is final
   std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
   bool isLightMeasured = true;           ///< false: what a grid of light is off by is in no figure told
+  std::optional<PathFigures> paths{};    ///< of what is shown, where light is physical
   bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
 };
@@ -68,6 +69,8 @@ inline Quality qualityShown(Quality asked, const SideState& side) {
   asked.toleranceLevels = side.toleranceLevels;
   if (!side.toleranceLevels)
     asked.stepVoxels = side.stepVoxels;
+  if (side.paths)
+    asked.paths = side.paths->paths;
   return asked;
 }
 

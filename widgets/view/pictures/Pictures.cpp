@@ -44,6 +44,9 @@ void Pictures::noteShown() {
         !hasTravellingLight(shown.back()) || m_engine->facts(shown.back()).findsLightOfSamples;
   }
   m_limitation = translated(m_engine->limitation());
+  // Smaller steps tell nothing of paths.
+  if (std::ranges::any_of(shown, isPhysical))
+    shown.clear();
   if (m_count > 0)
     m_probe.want(shown, m_sides[0].size());
 }
@@ -69,7 +72,10 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
   const RestTurn turn = m_refinement.step(*m_engine, sides(), rough, budgetMs);
   for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
     m_isResolved[i] = m_refinement.hasResolved() || isResolved(*m_engine, m_sides[i].shownScene());
-  return turn == RestTurn::nothing ? m_chance.step(sides()) : turn;
+  // Nobody else draws physical light.
+  const bool canBeChecked =
+      std::ranges::none_of(sides(), [](const SidePicture& side) { return isPhysical(side.scene()); });
+  return turn == RestTurn::nothing && canBeChecked ? m_chance.step(sides()) : turn;
 }
 
 SideState Pictures::stateOf(int index) const {
@@ -91,6 +97,13 @@ SideState Pictures::stateOf(int index) const {
   state.isRough = !state.estimate;
   if (state.isRough)
     state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
+  if (isPhysical(side.scene())) {
+    state.paths = m_refinement.paths(index).value_or(PathFigures{1, {}, {}});
+    state.estimate.reset();
+    if (state.paths->rmsLevels)
+      state.estimate = ErrorEstimate{*state.paths->p99_9Levels, *state.paths->rmsLevels, 1.0};
+    state.isRough = false;
+  }
   state.chance = m_chance.error(index);
   state.isResolved = m_isResolved[index];
   state.isLightMeasured = m_isLightMeasured[index];

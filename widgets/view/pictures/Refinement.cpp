@@ -63,9 +63,15 @@ bool haveTravellingLight(std::span<const SidePicture> sides) {
   return std::ranges::any_of(sides, [](const SidePicture& side) { return hasTravellingLight(side.scene()); });
 }
 
+bool hasPaths(const SidePicture& side) {
+  return isPhysical(side.scene());
+}
+
 } // namespace
 
 bool isResolved(DrawingEngine& engine, const Scene& scene) {
+  if (isPhysical(scene)) // paths miss nothing
+    return true;
   const DrawingFacts facts = engine.facts(scene);
   return stepSeesFunction(scene, facts.steepestPerMm, facts.plan.effects.has(Effect::preintegration));
 }
@@ -103,11 +109,18 @@ RestTurn Refinement::advance(DrawingEngine& engine, std::span<SidePicture> sides
     return RestTurn::worked;
   if (!std::all_of(m_sides.begin(), m_sides.end(), [](const Side& side) { return side.job->isDone.load(); }))
     return RestTurn::waiting;
-  return adoptAll(sides);
+  return adoptAll(engine, sides);
 }
 
 RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> sides,
                                 const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs) {
+  if (std::ranges::any_of(sides, hasPaths)) {
+    m_road = Road::paths;
+    m_sides.resize(sides.size());
+    for (const SidePicture& side : sides)
+      m_lastMs += side.completeMs().value_or(0.0);
+    return RestTurn::worked;
+  }
   if (!m_search)
     beginSearch(engine, sides);
   if (m_search) {
@@ -165,7 +178,33 @@ void Refinement::measureFilter(DrawingEngine& engine, std::span<SidePicture> sid
 }
 
 RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) {
-  return m_road == Road::tolerance ? beginTolerance(sides) : beginHalving(engine, sides);
+  return m_road == Road::paths       ? beginPaths(sides)
+         : m_road == Road::tolerance ? beginTolerance(sides)
+                                     : beginHalving(engine, sides);
+}
+
+// Follow as many again. A picture beside it whose light is not physical is drawn as it was.
+RestTurn Refinement::beginPaths(std::span<SidePicture> sides) {
+  bool isEnough = true;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (hasPaths(sides[i])) {
+      const std::optional<PathFigures>& paths = m_sides[i].paths;
+      isEnough = isEnough && paths && paths->rmsLevels && *paths->rmsLevels <= toleranceLevels;
+    }
+  if (isEnough)
+    m_end = RefinementEnd::withinHalfALevel;
+  else if (m_spentMs + 2.0 * m_lastMs > pathPatienceMs)
+    m_end = RefinementEnd::patience;
+  if (m_end)
+    return RestTurn::finished;
+  for (SidePicture& side : sides) {
+    Quality quality = side.finishedQuality();
+    const double ms = side.completeMs().value_or(0.0);
+    if (hasPaths(side))
+      quality.paths = std::min(2 * quality.paths.value_or(1), mostPaths);
+    side.beginFiner(quality, quality.paths.value_or(0) > 2 ? 2.0 * ms : ms);
+  }
+  return RestTurn::worked;
 }
 
 // One pass brings them there.
@@ -260,7 +299,7 @@ bool Refinement::readOne(std::span<SidePicture> sides) {
   return false;
 }
 
-RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
+RestTurn Refinement::adoptAll(DrawingEngine& engine, std::span<SidePicture> sides) {
   m_lastMs = 0.0;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const std::shared_ptr<Job> job = std::move(m_sides[i].job);
@@ -273,10 +312,13 @@ RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
     if (job->before) {
       m_sides[i].halvings.push_back(job->halving);
       m_sides[i].steps = errorAfterHalvings(m_sides[i].halvings);
-    } else {
+    } else if (m_road == Road::tolerance) {
       m_sides[i].steps = m_needed[i].estimate;
     }
-    m_sides[i].whole = withFilter(withEarlyEnds(m_sides[i].steps, job->earlyEnds), m_sides[i].ofFilter);
+    if (m_road != Road::paths)
+      m_sides[i].whole = withFilter(withEarlyEnds(m_sides[i].steps, job->earlyEnds), m_sides[i].ofFilter);
+    else if (hasPaths(sides[i]))
+      m_sides[i].paths = engine.pathFigures(sides[i].finerScene(), sides[i].size());
     m_lastMs += sides[i].finerSchedule().spentMs();
     sides[i].adoptFiner(std::move(job->picture));
   }
@@ -292,6 +334,11 @@ void Refinement::leavePass(std::span<SidePicture> sides) {
   for (Side& side : m_sides)
     side.job.reset();
   m_search.reset();
+}
+
+std::optional<PathFigures> Refinement::paths(int side) const {
+  const auto index = static_cast<std::size_t>(side);
+  return index < m_sides.size() ? m_sides[index].paths : std::nullopt;
 }
 
 std::optional<ErrorEstimate> Refinement::estimate(int side) const {

@@ -17,7 +17,8 @@ namespace limn {
 /// draws them anew once, with the error-controlled steps that half a level needs; or with half the step,
 /// again and again, all sides with the same one, until they lie within half a level or nothing is gained any
 /// more. Each of those passes is compared with the one before it, beside the event loop. A scene that asks
-/// for a tolerance of its own goes on from there by halving. Lives where the pictures' screen does.
+/// for a tolerance of its own goes on from there by halving. Where light is physical it has twice and twice
+/// as many paths followed, until their standard error is half a level. Lives where the pictures' screen does.
 class Refinement {
 public:
   /// The smallest step drawn. By then the 99.9th percentile of the CT head lies near half a level with every
@@ -26,6 +27,9 @@ public:
 
   /// No pass is begun that would bring the drawing time of all of them beyond this, ms.
   static constexpr double patienceMs = 60000.0;
+
+  /// The same of passes over paths, which never stop gaining.
+  static constexpr double pathPatienceMs = 600000.0;
 
   /// The tolerance of a picture that is drawn with error-controlled steps, levels.
   static constexpr double toleranceLevels = 0.5;
@@ -55,13 +59,17 @@ public:
   /// The estimate for a side's finished picture, with what early ends cost; absent before the first pass.
   std::optional<ErrorEstimate> estimate(int side) const;
 
+  /// How many paths the finished picture of a side has, and their standard error; absent where light is not
+  /// physical and before the first pass.
+  std::optional<PathFigures> paths(int side) const;
+
   const std::optional<RefinementEnd>& end() const { return m_end; }
 
   /// The pictures adopted see their transfer functions, whatever they were drawn with before.
   bool hasResolved() const { return m_road == Road::tolerance && m_end.has_value(); }
 
 private:
-  enum class Road { light, halving, tolerance };
+  enum class Road { light, halving, tolerance, paths };
   // What is computed of a pass beside the event loop.
   struct Job;
   struct Side {
@@ -69,6 +77,7 @@ private:
     ErrorEstimate steps;
     ImageError ofFilter;                ///< where the steps are halved; a tolerance has it counted
     std::optional<ErrorEstimate> whole; ///< with early ends and filter, once a pass is adopted
+    std::optional<PathFigures> paths;   ///< of physical light
     std::shared_ptr<Job> job;
   };
 
@@ -82,11 +91,12 @@ private:
   RestTurn begin(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn beginHalving(DrawingEngine& engine, std::span<SidePicture> sides);
   RestTurn beginTolerance(std::span<SidePicture> sides);
+  RestTurn beginPaths(std::span<SidePicture> sides);
   bool compileOne(DrawingEngine& engine, std::span<SidePicture> sides);
   bool drawStrips(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
   bool readOne(std::span<SidePicture> sides);
   RestTurn advance(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
-  RestTurn adoptAll(std::span<SidePicture> sides);
+  RestTurn adoptAll(DrawingEngine& engine, std::span<SidePicture> sides);
   std::optional<RefinementEnd> endBefore(DrawingEngine& engine, std::span<SidePicture> sides,
                                          double step) const;
   bool isWithinTarget(DrawingEngine& engine, std::span<SidePicture> sides) const;

@@ -130,7 +130,9 @@ const ShownPixels& SidePicture::coarserPixels() const {
 }
 
 void SidePicture::finish() {
-  adopt(m_full->finished(m_scene.image.background), m_scene.quality);
+  Quality quality = m_scene.quality;
+  quality.paths = withQualityLevel(m_scene, {}).quality.paths;
+  adopt(m_full->finished(m_scene.image.background), quality);
   m_finishedRowMs = m_schedule.rowMs();
 }
 

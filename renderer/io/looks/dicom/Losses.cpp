@@ -16,6 +16,8 @@ bool isByGradient(ShadingModel model) {
 }
 
 void addModel(const Shading& shading, Sentences& losses) {
+  if (shading.model == ShadingModel::physical)
+    losses.push_back(Message::tr("Physical light is not kept: the model is written as classic."));
   if (!isByGradient(shading.model))
     return;
   losses.push_back(Message::tr("The model is written as classic: exponents by gradient are not kept."));

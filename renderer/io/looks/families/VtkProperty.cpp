@@ -22,6 +22,8 @@ void tellLostModel(const Shading& shading, std::vector<Message>& changes) {
          Message::tr("The shading model %1 became the classic one, whose opacity and highlights do not "
                      "follow the gradient.")
              .arg(nameOf(shading.model)));
+  if (shading.model == ShadingModel::physical)
+    tell(changes, Message::tr("Physical light became the classic model."));
   if (shading.lightDirection)
     tell(changes, Message::tr("The light's direction was left out: it comes from the viewer there."));
   const LightingTerms terms = lightingTerms(shading);

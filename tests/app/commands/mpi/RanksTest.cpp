@@ -135,7 +135,7 @@ TEST_F(RanksTest, drawWhatOneProcessDrawsInEveryProjection) {
 }
 
 TEST_F(RanksTest, drawEveryModelAPresetTheBodyAndATolerance) {
-  for (const ShadingModel model : shadingModels) {
+  for (const ShadingModel model : localModels) {
     writeScene(in("scene.json"), Projection::composite, model);
     EXPECT_LE(error(3, quoted("scene.json")).p99_9, 0.5) << nameOf(model);
   }

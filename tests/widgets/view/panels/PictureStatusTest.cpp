@@ -175,5 +175,22 @@ TEST(PictureStatusText, explainsTheNumbersInItsToolTip) {
     EXPECT_TRUE(tip.contains(QString::fromUtf8(part))) << part << "\n" << tip.toStdString();
 }
 
+TEST(PictureStatusText, ofPhysicalLightTellsItsPathsAndTheirError) {
+  PictureState state;
+  state.sides.resize(1);
+  state.resting = state.refines = true;
+  SideState& side = state.sides.front();
+  side.stepVoxels = 0.5;
+  side.paths = PathFigures{1, {}, {}};
+  EXPECT_EQ(pictureStatusText(state, {}).estimate, QStringLiteral("1 path, estimating…"));
+  side.paths = PathFigures{64, 1.3, 3.5};
+  side.estimate = ErrorEstimate{3.5, 1.3, 1.0};
+  const PictureStatusText text = pictureStatusText(state, {});
+  EXPECT_EQ(text.estimate, QStringLiteral("within 1.3 levels RMS after 64 paths"));
+  EXPECT_EQ(text.step, QStringLiteral("random paths, refining"));
+  EXPECT_TRUE(text.toolTip.contains(QStringLiteral("64 paths of each pixel"))) << text.toolTip.toStdString();
+  EXPECT_FALSE(text.toolTip.contains(QStringLiteral("--step"))) << text.toolTip.toStdString();
+}
+
 } // namespace
 } // namespace limn

@@ -106,6 +106,37 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
 }
 
+// Paths are followed once each: a pass of twice as many goes on from the last one.
+TEST(PicturesInMemory, ofPhysicalLightHaveTwiceAndTwiceAsManyPathsWhileTheyRest) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  const Scene scene = phantomWith(ShadingModel::physical);
+  finish(pictures, {scene});
+  ASSERT_TRUE(pictures.state().resting);
+  ASSERT_TRUE(pictures.state().sides[0].paths);
+  EXPECT_EQ(pictures.state().sides[0].paths->paths, 1);
+  EXPECT_FALSE(pictures.state().sides[0].paths->rmsLevels) << "one path tells no error";
+  EXPECT_FALSE(levelsOf(pictures.state().sides[0]));
+  std::vector<double> errors;
+  for (const int paths : {2, 4, 8, 16}) {
+    RestTurn turn = RestTurn::worked;
+    while (turn != RestTurn::finished) {
+      turn = pictures.workAtRest(true, 5.0);
+      ASSERT_NE(turn, RestTurn::nothing);
+    }
+    const SideState state = pictures.state().sides[0];
+    ASSERT_TRUE(state.paths);
+    EXPECT_EQ(state.paths->paths, paths);
+    ASSERT_TRUE(state.paths->rmsLevels);
+    EXPECT_EQ(levelsOf(state), state.paths->p99_9Levels);
+    errors.push_back(*state.paths->rmsLevels);
+    Scene drawn = scene;
+    drawn.shading.physical.until = UntilPaths{paths};
+    EXPECT_EQ(*pictures.side(0).picture().image, CpuRenderer().render(drawn, pictureSize));
+  }
+  // 1/√n from 4 paths to 16: half, give or take what errors found from so few say.
+  EXPECT_NEAR(errors[3] / errors[1], 0.5, 0.1);
+}
+
 // Whichever quality keeps up with the hand, the picture at rest is that of all voxels.
 TEST(PicturesInMemory, ofAVolumeOnDiskMoveWithFewerVoxelsAndRestWithAll) {
   const test::TemporaryFolder folder;

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/drawing/PathDrawing.h"
+
+#include "scene/ProjectionFacts.h"
+#include "scene/effects/EffectPlan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int pathsAtFirst = 4;
+
+// Where nothing has an error to tell, so many paths show that there is nothing to wait for.
+constexpr int pathsOfNothing = 64;
+
+int pathsGrownTo(double wanted, int paths) {
+  const double most = std::min(2.0 * paths, double(mostPaths));
+  return static_cast<int>(std::clamp(std::ceil(wanted), std::min(paths + 1.0, most), most));
+}
+
+// Of the way to the end, 0..1.
+double wayTo(const Until& until, const PathFigures& figures, double seconds) {
+  if (const auto* paths = std::get_if<UntilPaths>(&until))
+    return std::min(1.0, double(figures.paths) / paths->paths);
+  if (const auto* time = std::get_if<UntilSeconds>(&until))
+    return std::min(1.0, seconds / time->seconds);
+  const double wanted = std::get<UntilLevels>(until).levels;
+  // The work left falls as the square of the error.
+  return figures.rmsLevels ? std::min(1.0, std::pow(wanted / std::max(*figures.rmsLevels, 1e-9), 2.0)) : 0.0;
+}
+
+Message levelsOfError(double levels) {
+  return Message::rounded(levels, 2);
+}
+
+} // namespace
+
+int nextPaths(const Until& until, const PathFigures& figures, double seconds) {
+  const int paths = figures.paths;
+  if (const auto* wanted = std::get_if<UntilPaths>(&until))
+    return paths >= wanted->paths ? paths : std::min(wanted->paths, std::max(pathsAtFirst, 2 * paths));
+  if (paths == 0)
+    return pathsAtFirst;
+  if (const auto* time = std::get_if<UntilSeconds>(&until)) {
+    const double left = (time->seconds - seconds) * paths / std::max(seconds, 1e-6);
+    return left < 1.0 ? paths : pathsGrownTo(std::floor(paths + left), paths);
+  }
+  if (!figures.rmsLevels)
+    return paths >= pathsOfNothing ? paths : 2 * paths;
+  const double ratio = *figures.rmsLevels / std::get<UntilLevels>(until).levels;
+  // A little more than the law says, or chance would ask for one pass more.
+  return ratio <= 1.0 || paths >= mostPaths ? paths : pathsGrownTo(1.02 * ratio * ratio * paths, paths);
+}
+
+DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
+                          const Effort& effort) {
+  const Until& until = scene.shading.physical.until;
+  const auto begin = std::chrono::steady_clock::now();
+  Scene pass = scene;
+  DrawnByPaths drawn;
+  for (int next = nextPaths(until, {}, 0.0); next > drawn.figures.paths;) {
+    pass.shading.physical.until = UntilPaths{next};
+    drawn.image = renderer.draw(pass, size, {{0, 0}, size}, effort.isCancelled);
+    drawn.figures = *renderer.pathFigures(pass, size);
+    // A picture without anything to see has them all at once.
+    drawn.figures.paths = next;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    drawn.seconds = time.count();
+    if (effort.report)
+      effort.report(wayTo(until, drawn.figures, drawn.seconds));
+    next = nextPaths(until, drawn.figures, drawn.seconds);
+  }
+  drawn.radiance = *renderer.radiance(pass, size);
+  return drawn;
+}
+
+std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene) {
+  std::vector<Message> notes;
+  if (figures.rmsLevels && figures.p99_9Levels)
+    notes.push_back(
+        Message::tr("The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours "
+                    "within %2 (standard error), after %3 paths a pixel.")
+            .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
+            .arg(figures.paths));
+  else
+    notes.push_back(
+        Message::tr("The picture has %1 paths a pixel, too few to tell its error.").arg(figures.paths));
+  if (fogShows(scene))
+    notes.push_back(Message::tr("Physical light knows no fog: it was left out."));
+  if (showsSurface(scene.projection))
+    notes.push_back(
+        Message::tr("Physical light knows no surface of one value: tissue is shown as the curve says."));
+  return notes;
+}
+
+} // namespace limn

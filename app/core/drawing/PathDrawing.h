@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/CpuRenderer.h"
+#include "engine/PathFigures.h"
+#include "scene/Scene.h"
+#include "scene/basics/Effort.h"
+#include "scene/basics/Image.h"
+#include "scene/basics/Message.h"
+
+#include <vector>
+
+namespace limn {
+
+/// A picture of physical light, its linear radiance times alpha, and what it came to.
+struct DrawnByPaths {
+  Image image;
+  Image radiance;
+  PathFigures figures;
+  double seconds = 0.0;
+};
+
+/// Draws a scene of physical light until its paths, levels or seconds are reached (DEFINITION section 12): in
+/// passes that grow, each of which goes on from the last. A picture that takes longer for its first pass than
+/// it has seconds has that pass. Throws Error; Cancelled.
+DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
+                          const Effort& effort);
+
+/// How many paths a picture has that takes its next pass, given those it has, the error and time of them; the
+/// same number where it is complete.
+int nextPaths(const Until& until, const PathFigures& figures, double seconds);
+
+/// What whoever asked is told of it, a sentence each: paths and error, and what of the scene was left out.
+std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene);
+
+} // namespace limn

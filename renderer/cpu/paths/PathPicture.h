@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/PathFigures.h"
+#include "engine/PixelRect.h"
+#include "scene/Scene.h"
+#include "scene/basics/Image.h"
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace limn::cpu {
+
+/// What the paths of one pixel found. Sums are taken path after path, so that no thread and no pass shows.
+struct PixelPaths {
+  glm::dvec3 sum{0.0};     ///< of radiances
+  glm::dvec3 squares{0.0}; ///< of each channel
+  int met = 0;             ///< how many met something
+  int paths = 0;
+  float alpha = -1.0f; ///< negative: not known yet
+};
+
+/// A picture of physical light on its way: the same for each number of paths, whatever tiles, passes and
+/// threads brought it there.
+class PathPicture {
+public:
+  PathPicture(const Scene& scene, const glm::ivec2& size);
+
+  /// Whether it is that of a scene, however many paths it asks for.
+  bool isOf(const Scene& scene, const glm::ivec2& size) const;
+
+  PixelPaths& at(int x, int y) { return m_pixels[static_cast<std::size_t>(y) * m_size.x + x]; }
+
+  /// Pixels that had more paths begin anew.
+  void limit(const PixelRect& tile, int paths);
+  bool knowsAlpha(const PixelRect& tile) const;
+  /// Premultiplied display colours, or linear radiance times alpha.
+  Image displayedTile(const PixelRect& tile) const;
+  Image radianceTile(const PixelRect& tile) const;
+  PathFigures figures() const;
+
+private:
+  Scene m_scene; ///< without an end
+  glm::ivec2 m_size;
+  std::vector<PixelPaths> m_pixels;
+};
+
+/// The pictures drawn last, the newest first.
+class PathPictures {
+public:
+  PathPicture& of(const Scene& scene, const glm::ivec2& size);
+  const PathPicture* find(const Scene& scene, const glm::ivec2& size) const;
+
+private:
+  static constexpr std::size_t mostKept = 4; // two sides, and a coarse one of each
+  std::deque<std::unique_ptr<PathPicture>> m_pictures;
+};
+
+} // namespace limn::cpu

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+namespace limn {
+
+/// How far random paths are in a picture of physical light (DEFINITION section 12).
+struct PathFigures {
+  int paths = 0; ///< that every covered pixel had at least
+  /// The standard errors of pixels, in 255 levels after tone and encoding: their root mean square, and what
+  /// 99.9 % of the colours keep below. Absent before there are two paths to compare.
+  std::optional<double> rmsLevels, p99_9Levels;
+  bool operator==(const PathFigures&) const = default;
+};
+
+} // namespace limn

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ImageFile.h"
+#include "support/ProgramRun.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+// Pictures of physical light by the built program, as a user asks for them.
+namespace limn {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+
+class PathCommand : public testing::Test {
+protected:
+  Outcome run(const std::string& arguments) { return test::runProgram(folder.path(), arguments); }
+  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+
+  // A scene of the phantom with an end of its own.
+  std::string sceneUntil(const std::string& until) const {
+    const std::string file = path("scene.json");
+    std::ofstream(file) << R"({"limn_scene": 1, "volume": "volume.nrrd", "image": {"width": 40, "height": 30},
+                               "transfer_function": {"points": [{"value": 50, "opacity": 0, "color": [0.9, 0.7, 0.6]},
+                                                                {"value": 200, "opacity": 0.7, "color": [1, 0.9, 0.8]}]},
+                               "shading": {"model": "physical", "physical": {"until": )" +
+                               until + "}}}";
+    return file;
+  }
+
+  // A ball of 250 in air, 12 voxels wide.
+  void SetUp() override {
+    std::ofstream file(path("volume.nrrd"), std::ios::binary);
+    file << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 16 16 16\nspacings: 4 4 4\nencoding: raw\n\n";
+    for (int k = 0; k < 16; ++k)
+      for (int j = 0; j < 16; ++j)
+        for (int i = 0; i < 16; ++i) {
+          const double x = i - 7.5, y = j - 7.5, z = k - 7.5;
+          file.put(static_cast<char>(x * x + y * y + z * z < 36.0 ? 250 : 0));
+        }
+  }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(PathCommand, oneSeedGivesTheSameBytesWithAnyNumberOfThreads) {
+  const std::string scene = sceneUntil(R"({"paths": 24})");
+  for (const char* threads : {"1", "2", "7"})
+    ASSERT_EQ(run("render " + scene + " --threads " + threads + " -o " + path(threads) + ".png").status, 0);
+  const std::string one = test::bytesOfFile(path("1.png"));
+  EXPECT_EQ(test::bytesOfFile(path("2.png")), one);
+  EXPECT_EQ(test::bytesOfFile(path("7.png")), one);
+  // The picture is a scene that draws itself again.
+  ASSERT_EQ(run("render " + path("1.png") + " -o " + path("again.png")).status, 0);
+  EXPECT_EQ(readBytes(path("again.png")).bytes, readBytes(path("1.png")).bytes);
+}
+
+TEST_F(PathCommand, jsonTellsPathsAndTheirError) {
+  const Outcome outcome = run("render " + sceneUntil(R"({"paths": 32})") + " --json -o " + path("a.png"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json error = json::parse(outcome.out)["error"];
+  EXPECT_EQ(error["kind"], "standard error");
+  EXPECT_EQ(error["paths"], 32);
+  EXPECT_GT(error["rms_levels"].get<double>(), 0.0);
+  EXPECT_GT(error["p99_9_levels"].get<double>(), error["rms_levels"].get<double>());
+  EXPECT_GT(error["seconds"].get<double>(), 0.0);
+  EXPECT_NE(outcome.err.find("32 paths a pixel"), std::string::npos) << outcome.err;
+}
+
+TEST_F(PathCommand, pathsGoOnUntilTheErrorOrTheTimeIsReached) {
+  const Outcome levels = run("render " + sceneUntil(R"({"levels": 2})") + " --json -o " + path("a.png"));
+  ASSERT_EQ(levels.status, 0) << levels.err;
+  const json error = json::parse(levels.out)["error"];
+  EXPECT_LE(error["rms_levels"].get<double>(), 2.0);
+  EXPECT_GT(error["rms_levels"].get<double>(), 1.0) << "far more paths than that takes";
+  const Outcome seconds = run("render " + sceneUntil(R"({"seconds": 0.5})") + " --json -o " + path("b.png"));
+  ASSERT_EQ(seconds.status, 0) << seconds.err;
+  EXPECT_GE(json::parse(seconds.out)["error"]["paths"].get<int>(), 4);
+  // What was drawn is written down, not for how long.
+  const json written = json::parse(readImageDescription(path("b.png")));
+  EXPECT_EQ(written["shading"]["physical"]["until"]["paths"], json::parse(seconds.out)["error"]["paths"]);
+}
+
+TEST_F(PathCommand, exrKeepsTheRadianceBesideTheDisplayColours) {
+  const std::string scene = sceneUntil(R"({"paths": 8})");
+  ASSERT_EQ(run("render " + scene + " -o " + path("a.exr")).status, 0);
+  const Image picture = readExr(path("a.exr"));
+  const Image radiance = readExr(path("a.exr"), ExrLayer::radiance);
+  ASSERT_EQ(picture.size, glm::ivec2(40, 30));
+  int lit = 0;
+  for (std::size_t n = 0; n < picture.pixels.size(); ++n)
+    // Encoded values lie above linear ones below 1.
+    if (picture.pixels[n].a > 0.9f && radiance.pixels[n].g > 0.01f && radiance.pixels[n].g < 0.5f) {
+      ++lit;
+      EXPECT_GT(picture.pixels[n].g, radiance.pixels[n].g);
+    }
+  EXPECT_GT(lit, 20);
+  ASSERT_EQ(run("render " + scene + " --model classic -o " + path("b.exr")).status, 0);
+  EXPECT_THROW(readExr(path("b.exr"), ExrLayer::radiance), std::exception)
+      << "nothing but physical light has one";
+}
+
+TEST_F(PathCommand, whoFollowsNoPathsRefusesInASentence) {
+  const std::string scene = sceneUntil(R"({"paths": 1})");
+  for (const char* engine : {"gl", "slices", "reference"}) {
+    const Outcome outcome = run("render " + scene + " --engine " + engine + " -o " + path("a.png"));
+    EXPECT_EQ(outcome.status, 2) << engine << " " << outcome.err;
+    EXPECT_NE(outcome.err.find("physical light"), std::string::npos) << outcome.err;
+  }
+  const Outcome outcome = run("render " + scene + " --engine auto -o " + path("a.png"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("Physical light is drawn by the processor"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run("render " + sceneUntil(R"({"paths": 0})") + " -o " + path("a.png")).status, 3);
+}
+
+} // namespace
+} // namespace limn
