@@ -241,14 +241,9 @@ void RayCaster::prepare(const Scene& scene) {
 }
 
 double RayCaster::volumeMb() const {
-<<<<<<< HEAD
-  const std::size_t bytes =
-      m_parts->textures.volume().bytes() + m_parts->decisionTextures.bytes() + m_parts->light.bytes();
-=======
   const SceneTextures& textures = m_parts->textures;
-  const std::size_t bytes =
-      textures.volume().bytes() + textures.smoothed().bytes() + m_parts->decisionTextures.bytes();
->>>>>>> smooth
+  const std::size_t bytes = textures.volume().bytes() + textures.smoothed().bytes() +
+                            m_parts->decisionTextures.bytes() + m_parts->light.bytes();
   return static_cast<double>(bytes) / 1e6;
 }
 

@@ -283,7 +283,7 @@ void LightSection::showShading() {
   const QString nowhere = hasPaths ? QString() : unlit;
   m_place->setUnavailable(nowhere);
   limn::setUnavailable(*m_twoSided, unlit, m_twoSidedHelp);
-  m_ball->setUnavailable(unlit);
+  m_ball->setUnavailable(nowhere);
   const bool isHeadlight = !shading().lightDirection;
   const QString moving =
       isHeadlight ? tr("The lamp is where the viewer is: drag it off, or choose another position.") : nowhere;
@@ -293,7 +293,7 @@ void LightSection::showShading() {
                                ? tr("A lamp at the viewer casts no shadow that can be seen: drag it "
                                     "off, or choose another position.")
                                : unlit);
-  m_softness->setUnavailable(moving);
+  m_softness->setUnavailable(hasPaths && !lit ? unlit : moving);
   m_occlusion->setUnavailable(unlit);
   m_reach->setUnavailable(unlit);
 }

@@ -125,14 +125,14 @@ public:
     const auto cell = m_field.cellAt(place);
     const float scalar = m_field.scalarAt(cell);
     if (m_terms.looks)
-      return std::min(mixedAt(place, scalar, factorAt(cell)).w, mostExtinction);
+      return std::min(mixedAt(place, scalar, factorAt(place, cell)).w, mostExtinction);
     float opacity = opacityOf(*m_terms.function, scalar);
     if (!(opacity > 0.0f))
       return 0.0f;
     if (m_terms.hasRegion)
       opacity *= weightAt(place);
     if (m_terms.gradientCurve)
-      opacity *= factorAt(cell);
+      opacity *= factorAt(place, cell);
     return std::min(extinctionOf(opacity) * m_terms.perUnitDistance, mostExtinction);
   }
 
@@ -141,26 +141,31 @@ public:
     const auto cell = m_field.cellAt(place);
     const float scalar = m_field.scalarAt(cell);
     if (m_terms.looks)
-      return linear(glm::vec3(mixedAt(place, scalar, factorAt(cell))));
+      return linear(glm::vec3(mixedAt(place, scalar, factorAt(place, cell))));
     const glm::vec4* texels = segmentAt(*m_terms.function, scalar);
     return linear(glm::vec3(texels[0]) + (scalar - texels[2].x) * glm::vec3(texels[1]));
   }
 
-  /// In ranges per length, along the grid's axes.
-  glm::vec3 gradientAt(const glm::vec3& place) const {
-    return m_field.differencesAt(m_field.cellAt(place)) * m_terms.gradientScale;
-  }
+  /// In ranges per length, along the grid's axes; of the smoothed field where normals are smoothed.
+  glm::vec3 gradientAt(const glm::vec3& place) const { return gradientAt(place, m_field.cellAt(place)); }
 
 private:
   static float extinctionOf(float opacity) {
     return -std::log1p(-std::min(opacity, static_cast<float>(largestOpacity)));
   }
 
-  float factorAt(const typename VoxelField<T>::Cell& cell) const {
-    if (!m_terms.gradientCurve)
-      return 1.0f;
-    const glm::vec3 gradient = m_field.differencesAt(cell) * m_terms.gradientScale;
-    return opacityOf(*m_terms.gradientCurve, glm::length(gradient));
+  using Cell = typename VoxelField<T>::Cell;
+
+  glm::vec3 gradientAt(const glm::vec3& place, const Cell& cell) const {
+    if (!m_terms.smoothsNormals)
+      return m_field.differencesAt(cell) * m_terms.gradientScale;
+    const VoxelField<float> smoothed(m_terms.smoothed);
+    return smoothed.differencesAt(smoothed.cellAt(place)) * m_terms.gradientScale;
+  }
+
+  float factorAt(const glm::vec3& place, const Cell& cell) const {
+    return m_terms.gradientCurve ? opacityOf(*m_terms.gradientCurve, glm::length(gradientAt(place, cell)))
+                                 : 1.0f;
   }
 
   float weightAt(const glm::vec3& place) const {

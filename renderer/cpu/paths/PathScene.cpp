@@ -78,6 +78,8 @@ Scene alphaOf(const Scene& scene) {
 PathTerms pathTerms(const Scene& medium, const PictureTerms& terms) {
   PathTerms paths;
   paths.voxels = terms.voxels;
+  paths.smoothed = terms.smoothed;
+  paths.smoothsNormals = terms.effects.has(Effect::smoothNormals);
   paths.function = terms.function;
   if (medium.gradientOpacity && !medium.gradientOpacity->points.empty())
     paths.gradientCurve = terms.gradientCurve;

@@ -33,6 +33,8 @@ struct PathTerms {
   const PiecewiseTable* function = nullptr;
   const PiecewiseTable* gradientCurve = nullptr; ///< null: opacities do not depend on gradients
   VoxelSource region;
+  VoxelSource smoothed; ///< whose gradients count where `smoothsNormals`
+  bool smoothsNormals = false;
   bool hasRegion = false;
   float perUnitDistance = 1.0f; ///< unit distances in a length
 

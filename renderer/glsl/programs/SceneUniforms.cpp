@@ -164,12 +164,9 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_gradientSegments", TextureUnit::gradientSegments);
   unit("u_cellLooks", TextureUnit::cellLooks);
   unit("u_labels", TextureUnit::labels);
-<<<<<<< HEAD
   unit("u_directLight", TextureUnit::directLight);
   unit("u_ambientLight", TextureUnit::ambientLight);
-=======
   unit("u_smoothedVolume", TextureUnit::smoothedVolume);
->>>>>>> smooth
 }
 
 // So many unit distances hide everything; the whole box must not have more than a float holds.

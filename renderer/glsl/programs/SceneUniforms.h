@@ -22,12 +22,9 @@ enum class TextureUnit {
   classifiedVolume,
   cellLooks,
   labels,
-<<<<<<< HEAD
   directLight,
-  ambientLight
-=======
+  ambientLight,
   smoothedVolume
->>>>>>> smooth
 };
 
 /// Binds every texture to its unit.

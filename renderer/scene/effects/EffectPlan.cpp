@@ -376,7 +376,7 @@ bool smoothsNormals(const Scene& scene) {
   const bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
   const bool marches = !classifiesOnce(scene.projection) && scene.projection != Projection::xray;
   return scene.shading.gradientSmoothing > 0.0 && marches && !isConstant(*scene.volume) &&
-         (hasGradientOpacity || terms.usesNormal() || terms.usesRatio()) &&
+         (hasGradientOpacity || terms.usesNormal() || terms.usesRatio() || isPhysical(scene)) &&
          smoothsAnything(scene.shading.gradientSmoothing, scene.volume->grid());
 }
 
