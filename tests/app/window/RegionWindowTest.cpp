@@ -9,12 +9,15 @@
 #include <QMimeData>
 #include <QTreeView>
 
+#include <filesystem>
 #include <fstream>
 
 // What is kept of a volume, in the program's window.
 
 namespace limn {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr int size = 40;
 
@@ -138,7 +141,7 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   ASSERT_TRUE(ready());
   ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
   EXPECT_EQ(undo().undoText(), QStringLiteral("open labels"));
-  EXPECT_FALSE(bodyOnly().isChecked());
+  EXPECT_TRUE(bodyOnly().isChecked()) << "the table stays hidden";
   const QAbstractItemModel* rows = window->findChild<LabelSection*>()->findChild<QTreeView*>()->model();
   EXPECT_TRUE(test::waitUntil([&] {
     return rows->data(rows->index(1, 0), Qt::ToolTipRole).toString().contains(QStringLiteral("ml ·"));
@@ -147,14 +150,15 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   faded.weights[1] = 0.5;
   session().setKeep(faded, {nextGestureId(), QStringLiteral("fade")});
   const SessionDocument kept = window->sessionDocument();
-  EXPECT_EQ(kept.scene.keep,
-            (KeptPart{Region::Kind::labels, pathTo("bone.seg.nrrd").toStdString(), {{7, 0.5}}}));
+  EXPECT_EQ(
+      kept.scene.keep,
+      (KeptPart{Region::Kind::labels, pathTo("bone.seg.nrrd").toStdString(), {{7, 0.5}}, {}, {}, true}));
   std::ofstream(folder.path() / "session.json") << sessionToJson(kept);
   ASSERT_TRUE(open(pathTo("session.json")));
-  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5}));
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5, 0.0})) << "the last is the table";
 }
 
-TEST_F(RegionWindow, labelsAndBodyOnlySayThatTheyReplaceEachOtherAndComeBackByAClick) {
+TEST_F(RegionWindow, theTableStaysHiddenWhenLabelsOpenAndBodyOnlyHidesAndShowsIt) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   const Region body = scene().keep;
   ASSERT_EQ(body.kind, Region::Kind::body);
@@ -162,23 +166,66 @@ TEST_F(RegionWindow, labelsAndBodyOnlySayThatTheyReplaceEachOtherAndComeBackByAC
   ASSERT_TRUE(ready());
   const Region labels = scene().keep;
   ASSERT_EQ(labels.kind, Region::Kind::labels);
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("in the place of Body only")));
-  const auto click = [this](const QString& text) {
-    for (QToolButton* button : messages().findChildren<QToolButton*>())
-      if (button->isVisible() && button->text() == text)
-        return QTest::mouseClick(button, Qt::LeftButton);
-    FAIL() << "no button " << text.toStdString();
-  };
-  click(QStringLiteral("Body only again"));
-  EXPECT_EQ(scene().keep, body);
   EXPECT_TRUE(bodyOnly().isChecked());
-  EXPECT_FALSE(messages().isVisible());
-  session().setKeep(labels, {nextGestureId(), QStringLiteral("labels")});
+  EXPECT_FALSE(messages().isVisible()) << "nothing gave way";
+  // Every voxel weighs what body and labels weigh together: labels weigh 1 at first.
+  const auto weighsAsBody = [&](const Region& region, double beside) {
+    int wrong = 0;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(size * size * size); ++n) {
+      const double kept = body.weights[body.labels->placeAt(n)];
+      wrong += region.weights[region.labels->placeAt(n)] != (kept > 0.0 ? 1.0 : beside);
+    }
+    return wrong;
+  };
+  EXPECT_EQ(weighsAsBody(labels, 0.0), 0);
+  const QAbstractItemModel* rows = window->findChild<LabelSection*>()->findChild<QTreeView*>()->model();
+  EXPECT_EQ(rows->rowCount(), 2) << "the file's labels alone are listed";
   bodyOnly().trigger();
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("in the place of the labels")));
-  click(QStringLiteral("Labels again"));
-  EXPECT_EQ(scene().keep, labels);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(weighsAsBody(scene().keep, 1.0), 0);
   EXPECT_FALSE(bodyOnly().isChecked());
+  bodyOnly().trigger();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep, labels);
+  // A session has both.
+  std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("session.json")));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_TRUE(bodyOnly().isChecked());
+  EXPECT_EQ(weighsAsBody(scene().keep, 0.0), 0);
+}
+
+TEST_F(RegionWindow, bodyOnlyIsAskedForBesideLabelsThatAreOpen) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const Region body = scene().keep;
+  bodyOnly().trigger();
+  drop(pathTo("bone.seg.nrrd"));
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(bodyOnly().isChecked());
+  EXPECT_FALSE(isRestricting(scene().keep));
+  bodyOnly().trigger();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_TRUE(isRestricting(scene().keep));
+  EXPECT_TRUE(bodyOnly().isChecked());
+}
+
+TEST_F(RegionWindow, aFolderOfPicturesIsOfferedAsAVolume) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const fs::path pictures = folder.path() / "pictures";
+  fs::create_directory(pictures);
+  fs::copy_file(folder.path() / "head.nrrd", pictures / "first.nrrd");
+  drop(pathTo("pictures"));
+  ASSERT_TRUE(ready());
+  QToolButton* offered = nullptr;
+  for (QToolButton* button : messages().findChildren<QToolButton*>())
+    if (button->isVisible() && button->text() == QStringLiteral("Open it as a volume"))
+      offered = button;
+  ASSERT_NE(offered, nullptr) << messages().sentence().toStdString();
+  const std::shared_ptr<const Volume> before = scene().volume;
+  QTest::mouseClick(offered, Qt::LeftButton);
+  EXPECT_TRUE(test::waitUntil([&] { return scene().volume != before; }));
+  EXPECT_EQ(scene().volume->grid(), before->grid());
 }
 
 TEST_F(RegionWindow, whatIsNoLabelMapIsRefusedInASentence) {
