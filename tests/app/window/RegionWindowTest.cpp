@@ -3,6 +3,7 @@
 #include "app/picture/RegionController.h"
 #include "support/ShortVolume.h"
 #include "widgets/properties/LabelSection.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QDragEnterEvent>
@@ -193,6 +194,91 @@ TEST_F(RegionWindow, theTableStaysHiddenWhenLabelsOpenAndBodyOnlyHidesAndShowsIt
   EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
   EXPECT_TRUE(bodyOnly().isChecked());
   EXPECT_EQ(weighsAsBody(scene().keep, 0.0), 0);
+}
+
+TEST_F(RegionWindow, theCropBoxBeginsAroundTheBodyAndLeavesNoTraceWhereNobodyMovesIt) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  QAction& cropBox = *window->findChild<QAction*>(QStringLiteral("cropBox"));
+  cropBox.trigger();
+  const CropBox around = scene().crop;
+  // The ball reaches 12 voxels around voxel 18; the body has two more of what is not tissue, the box one
+  // more.
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(around.lower[axis], (18.0 - 12.0 - 3.0) / size, 1e-12);
+    EXPECT_NEAR(around.upper[axis], (18.0 + 12.0 + 3.0 + 1.0) / size, 1e-12);
+  }
+  EXPECT_EQ(undo().count(), 1);
+  cropBox.trigger();
+  EXPECT_EQ(scene().crop, CropBox{});
+  EXPECT_EQ(undo().count(), 0);
+  cropBox.trigger();
+  CropBox moved = around;
+  moved.lower.x = 0.5;
+  session().setCrop(moved, {nextGestureId(), QStringLiteral("move")});
+  cropBox.trigger();
+  EXPECT_EQ(scene().crop, moved) << "what somebody moved stays";
+  cropBox.trigger();
+  EXPECT_EQ(scene().crop, moved);
+}
+
+TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  bodyOnly().trigger(); // all is kept
+  session().setCamera(orbited(scene().camera, 0.5, 0.4));
+  ASSERT_TRUE(rest());
+  const int steps = undo().count();
+  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
+  const auto& turned = view().order().comparison.turnedBox;
+  ASSERT_TRUE(turned);
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  EXPECT_EQ(undo().count(), steps) << "it takes nothing away yet";
+  const CameraBasis basis = basisOf(scene().camera);
+  EXPECT_NEAR(glm::length(turned->grid.direction[0] - basis.right), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(turned->grid.direction[2] - basis.up), 0.0, 1e-12);
+
+  // Its upper face is dragged 60 pixels down.
+  const ViewProjection projection = viewProjection(scene().camera, view().logicalRect(0));
+  const CropBoxShape shape = cropBoxShape(turned->crop, turned->grid, projection);
+  const auto top = std::ranges::find_if(shape.handles, [](const CropHandle& handle) {
+    return handle.face == CropFace{2, true};
+  });
+  ASSERT_NE(top, shape.handles.end());
+  const QPoint from = view().mapTo(window.get(), top->centre.toPoint());
+  QWindow* handle = window->windowHandle();
+  QTest::mousePress(handle, Qt::LeftButton, {}, from);
+  for (int step = 1; step <= 6; ++step)
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(0, 10 * step));
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(0, 60));
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(turned);
+  ASSERT_EQ(scene().keep.cuts.size(), 2u);
+  EXPECT_EQ(scene().keep.cuts[0].name, "Turned box");
+  EXPECT_EQ(undo().count(), steps + 1) << "one drag";
+  EXPECT_LT(turned->crop.upper.z, 1.0);
+  const Grid& grid = scene().volume->grid();
+  int gone = 0, wrong = 0;
+  for (int k = 0; k < size; ++k)
+    for (int j = 0; j < size; ++j)
+      for (int i = 0; i < size; ++i) {
+        const glm::dvec3 at =
+            (worldToIndex(turned->grid, indexToWorld(grid, {i, j, k})) + 0.5) / glm::dvec3(turned->grid.dims);
+        // Places on a face may fall to either side by rounding.
+        const bool isInside = glm::all(glm::greaterThan(at, turned->crop.lower - 1e-9)) &&
+                              glm::all(glm::lessThan(at, turned->crop.upper + 1e-9));
+        const bool isOnFace = glm::any(glm::lessThan(glm::abs(at - turned->crop.lower), glm::dvec3(1e-6))) ||
+                              glm::any(glm::lessThan(glm::abs(at - turned->crop.upper), glm::dvec3(1e-6)));
+        const bool isKept = weightAt(scene().keep, {i, j, k}) > 0.0;
+        gone += !isKept;
+        wrong += !isOnFace && isKept != isInside;
+      }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(gone, 1000);
+  EXPECT_LT(gone, size * size * size - 1000);
+  undo().undo();
+  EXPECT_TRUE(scene().keep.cuts.empty());
+  EXPECT_FALSE(turned) << "the box is the crop's again";
 }
 
 TEST_F(RegionWindow, bodyOnlyIsAskedForBesideLabelsThatAreOpen) {

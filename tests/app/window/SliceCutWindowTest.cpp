@@ -213,6 +213,44 @@ TEST_F(SliceCutWindow, anotherToolInThePictureLeavesTheSlicesTheirs) {
   EXPECT_EQ(planeTool(), PlaneTool::distance);
 }
 
+TEST_F(SliceCutWindow, theBarHasRoomForItsButtonsBesideALargeSlice) {
+  window->findChild<QAction*>(QStringLiteral("planes-one_large"))->trigger();
+  QCoreApplication::processEvents();
+  press(axial(), Qt::Key_X);
+  const CutBar& bar = *view().findChild<CutBar*>();
+  ASSERT_TRUE(bar.isVisible());
+  EXPECT_TRUE(view().rect().contains(bar.geometry()));
+  int seen = 0;
+  for (const QPushButton* button : bar.findChildren<QPushButton*>())
+    if (button->isVisible()) {
+      ++seen;
+      EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
+    }
+  EXPECT_EQ(seen, 5);
+}
+
+TEST_F(SliceCutWindow, theJawIsAwayInThreeGestures) {
+  // Counted as a person does them: look from the left, take the scissors, draw around it.
+  QTest::keyClick(&view(), Qt::Key_L);
+  QTest::keyClick(&view(), Qt::Key_X);
+  ASSERT_TRUE(rest());
+  const QRectF picture = view().logicalRect(0);
+  // In front (left in a picture from the left) and below: a third of the picture each way.
+  const auto corner = [&](double x, double y) {
+    return view().mapTo(window.get(), QPoint(static_cast<int>(picture.left() + x * picture.width()),
+                                             static_cast<int>(picture.top() + y * picture.height())));
+  };
+  QWindow* handle = window->windowHandle();
+  QTest::mousePress(handle, Qt::LeftButton, {}, corner(0.05, 0.6));
+  for (const QPoint& to : {corner(0.4, 0.6), corner(0.4, 0.98), corner(0.05, 0.98)})
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, to);
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, corner(0.05, 0.98));
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  EXPECT_TRUE(isCutAway(scene().keep));
+  EXPECT_EQ(undo().count(), 1);
+}
+
 TEST_F(SliceCutWindow, aSliceIsCopiedAndSavedWithItsMarksAndWithoutTheCrosshair) {
   const glm::dvec3 middle = crosshairOf(axial().content());
   session().setMeasurements({{Measurement::Kind::distance,

@@ -49,18 +49,23 @@ CutBar::CutBar(QWidget* parent)
   m_look->setToolTip(tr("Gives this piece a curve of its own, which the curve panel then shows."));
   auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
   close->setToolTip(tr("Lays the tool aside (Esc)."));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 6, 6, 6);
-  row->setSpacing(6);
-  row->addWidget(m_text);
-  row->addSpacing(6);
-  row->addWidget(m_inside);
-  row->addWidget(m_outside);
-  row->addSpacing(6);
+  m_rows = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  m_rows->setContentsMargins(12, 6, 6, 6);
+  auto* first = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  m_rows->addLayout(first);
+  m_rows->addLayout(second);
+  for (QBoxLayout* part : {m_rows, static_cast<QBoxLayout*>(first), static_cast<QBoxLayout*>(second)})
+    part->setSpacing(6);
+  first->addWidget(m_text);
+  first->addSpacing(6);
+  first->addWidget(m_inside);
+  first->addWidget(m_outside);
+  first->addSpacing(6);
   for (QPushButton* button : {m_through, m_seen, m_hide, m_alone, m_look})
-    row->addWidget(button);
-  row->addSpacing(6);
-  row->addWidget(close);
+    second->addWidget(button);
+  second->addSpacing(6);
+  second->addWidget(close);
   connect(m_inside, &QPushButton::toggled, this, &CutBar::insideChosen);
   connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
   connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
@@ -132,15 +137,19 @@ void CutBar::showEvent(QShowEvent* event) {
   place();
 }
 
-// In a narrow view the sentence gives way: it says what the tool's tip does.
+// In a narrow view the sentence gives way: it says what the tool's tip does. Beside slices the view may have
+// no room for all buttons either: then they stand in two rows.
 void CutBar::place() {
   const QWidget* view = parentWidget();
-  m_text->show();
-  layout()->activate();
-  if (sizeHint().width() > view->width() - 16) {
-    m_text->hide();
+  const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
+    m_text->setVisible(hasText);
+    m_rows->setDirection(direction);
     layout()->activate();
-  }
+    return sizeHint().width() <= view->width() - 16;
+  };
+  if (!fits(true, QBoxLayout::LeftToRight) && !fits(false, QBoxLayout::LeftToRight) &&
+      !fits(true, QBoxLayout::TopToBottom))
+    fits(false, QBoxLayout::TopToBottom);
   const QSize size = sizeHint().boundedTo(view->size());
   setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - aboveEdge - size.height()),
               size.width(), size.height());
