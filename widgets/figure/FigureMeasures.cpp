@@ -18,12 +18,13 @@ namespace {
 constexpr int screenText = 12;    // the height of the text on screen for which marks are laid out, pixels
 constexpr double inkBeside = 8.0; // handles and dark edges reach as far from the lines, of the same layout
 
-// In a picture of so many pixels of the layout.
+// In the plane as the figure shows it, `scale` of its pixels one of the layout.
 std::vector<MeasureShape> shapesInPlane(const FigurePanel& panel, const std::vector<Measured>& measured,
-                                        const QSizeF& size) {
+                                        const QSize& pixels, double scale) {
   PlaneContent content = planeContentOf(panel);
   content.measured = measured;
-  const PlaneFrame frame = planeFrame(seenGrid(content), *panel.plane, crosshairOf(content), size, 1.0, {});
+  PlaneFrame frame = planeFrameOf(panel, pixels);
+  frame.pixelRatio = scale;
   return measureShapes(content, *panel.plane, frame);
 }
 
@@ -59,7 +60,8 @@ FigureMeasures figureMeasures(const FigurePanel& panel, const FigureLayout& layo
   const std::vector<Measured> measured = measuredIn(panel.scene.volume.get(), panel.measurements);
   const QSizeF size = picture.size() / measures.scale;
   const std::vector<MeasureShape> shapes =
-      panel.plane ? shapesInPlane(panel, measured, size) : shapesInScene(panel, measured, size);
+      panel.plane ? shapesInPlane(panel, measured, picture.size().toSize(), measures.scale)
+                  : shapesInScene(panel, measured, size);
   const QTransform fromFigure = toFigure(measures).inverted();
   std::vector<QRectF> kept;
   std::transform(plates.begin(), plates.end(), std::back_inserter(kept),

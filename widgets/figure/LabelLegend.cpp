@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/figure/LabelLegend.h"
 
+#include "planes/LabelsOnPlane.h"
 #include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/regions/LabelColor.h"
+#include "widgets/figure/FigureText.h"
 #include "widgets/theme/Theme.h"
 
 #include <QFontMetricsF>
@@ -22,12 +25,32 @@ constexpr double swatchOfText = 0.95;
 constexpr double besideSwatch = 0.5;
 constexpr double betweenColumns = 1.6;
 
-// Those that a picture, or a slice that is tinted, shows by curves of their own.
+// Of a slice: those that lie in it and are outlined in their colours.
+std::vector<std::size_t> labelsInSlice(const FigurePanel& panel) {
+  const Region& keep = panel.scene.keep;
+  const LabelMap& map = keep.isCut ? *keep.uncut : *keep.labels;
+  constexpr int side = 256; // what is smaller in it than a pixel of that is not looked for
+  const PlanePlaces found = placesOn(map, panel.scene.volume->grid(), planeFrameOf(panel, {side, side}).grid);
+  std::vector<bool> isThere(map.labels().size());
+  for (const std::uint32_t place : found.places)
+    if (place != PlanePlaces::nowhere)
+      isThere[place] = true;
+  std::vector<std::size_t> places;
+  for (std::size_t place = 0; place < listedLabels(keep); ++place)
+    if (isThere[place] && map.labels()[place].value != 0 && keep.weights[place] > 0.0)
+      places.push_back(place);
+  return places;
+}
+
+// Those that a picture shows by curves of their own; of a slice those that it outlines.
 std::vector<std::size_t> labelsShown(const FigurePanel& panel) {
   const Region& keep = panel.scene.keep;
-  const bool hasAny = panel.plane ? panel.planes.isTinted : integrates(panel.scene.projection);
   std::vector<std::size_t> places;
-  if (!hasAny || keep.kind != Region::Kind::labels || !keep.labels)
+  if (keep.kind != Region::Kind::labels || !keep.labels)
+    return places;
+  if (panel.plane && panel.planes.outlinesRegion)
+    return labelsInSlice(panel);
+  if (panel.plane ? !panel.planes.isTinted : !integrates(panel.scene.projection))
     return places;
   for (std::size_t place = 0; place < ownLabels(keep); ++place) {
     const VoxelBox& box = keep.labels->boxAround(place);
@@ -52,8 +75,11 @@ std::vector<LabelRow> labelRows(const FigurePanel& panel) {
   for (const std::size_t place : places) {
     if (rows.size() == mostLabelRows)
       break;
-    rows.push_back({toQColor(shownColor(*panel.scene.volume, panel.scene.keep, place)),
-                    QString::fromStdString(panel.scene.keep.labels->labels()[place].name)});
+    const Label& label = panel.scene.keep.labels->labels()[place];
+    const bool hasOutline = panel.plane && !panel.planes.isTinted;
+    rows.push_back(
+        {toQColor(hasOutline ? label.color : shownColor(*panel.scene.volume, panel.scene.keep, place)),
+         QString::fromStdString(label.name)});
   }
   if (places.size() > rows.size())
     rows.push_back({std::nullopt, QObject::tr("and %1 more").arg(places.size() - rows.size())});

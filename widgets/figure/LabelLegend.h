@@ -23,7 +23,8 @@ struct LabelRow {
 /// So many labels stand in a legend.
 inline constexpr std::size_t mostLabelRows = 12;
 
-/// The labels that a panel shows by curves of their own, in the order of their list; behind `mostLabelRows`
+/// The labels that a panel shows by curves of their own, of a slice those that it outlines, in the order of
+/// their list; behind `mostLabelRows`
 /// one row says how many more there are. None where its picture classifies by one curve alone.
 std::vector<LabelRow> labelRows(const FigurePanel& panel);
 

@@ -318,6 +318,10 @@ TEST(LabelLegend, namesTheLabelsThatAreShownByCurvesOfTheirOwn) {
   panel.scene.projection = Projection::mip;
   EXPECT_TRUE(labelRows(panel).empty()) << "which takes the scene's curve";
   panel.plane = PatientPlane::axial;
+  rows = labelRows(panel);
+  ASSERT_EQ(rows.size(), 4u) << "a slice outlines them, whoever's curve they have";
+  EXPECT_EQ(rows[0], (LabelRow{QColor(255, 255, 255), QStringLiteral("organ 1")})) << "in their own colours";
+  panel.planes.outlinesRegion = false;
   EXPECT_TRUE(labelRows(panel).empty()) << "plain grey";
   panel.planes.isTinted = true;
   EXPECT_EQ(labelRows(panel).size(), 3u);
