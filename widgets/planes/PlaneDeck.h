@@ -60,7 +60,7 @@ private:
   PlaneContent m_content;
   QBoxLayout* m_row;
   std::array<QWidget*, 2> m_groups{};
-  std::array<QToolButton*, 2> m_tools{}; ///< in the order of PlaneTool, up to those that measure
+  std::array<QToolButton*, 2> m_tools{}; ///< crosshair and window/level, the first of PlaneTool
   QToolButton* m_measure = nullptr;      ///< the tool that measured last, the others in its menu
   PlaneTool m_measureTool = PlaneTool::distance;
   QToolButton* m_windows = nullptr;

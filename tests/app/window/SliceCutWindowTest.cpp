@@ -231,8 +231,8 @@ TEST_F(SliceCutWindow, theBarHasRoomForItsButtonsBesideALargeSlice) {
 
 TEST_F(SliceCutWindow, theJawIsAwayInThreeGestures) {
   // Counted as a person does them: look from the left, take the scissors, draw around it.
-  QTest::keyClick(&view(), Qt::Key_L);
-  QTest::keyClick(&view(), Qt::Key_X);
+  press(view(), Qt::Key_L);
+  press(view(), Qt::Key_X);
   ASSERT_TRUE(rest());
   const QRectF picture = view().logicalRect(0);
   // In front (left in a picture from the left) and below: a third of the picture each way.
