@@ -85,7 +85,7 @@ TurnedBoxController::TurnedBoxController(WindowContext& context)
     : QObject(&context.window), m_context(context) {
   const QAction* turn = context.actions.add(
       QStringLiteral("turnCropBox"),
-      {.text = tr("&Turn the crop box to this view"),
+      {.text = tr("Turn the crop bo&x to this view"),
        .place = {Menu::view, 2, 9},
        .toolTip =
            tr("Puts a box over the picture that lies as the picture is seen now; what its faces, which "

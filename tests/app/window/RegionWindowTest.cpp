@@ -225,7 +225,7 @@ TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   setLayout(CompareLayout::single);
   bodyOnly().trigger(); // all is kept
-  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.4)); // all of a box around it is seen
+  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3)); // all of a box around it is seen
   ASSERT_TRUE(rest());
   const int steps = undo().count();
   window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
