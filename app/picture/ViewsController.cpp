@@ -21,6 +21,7 @@ namespace limn {
 namespace {
 
 constexpr qsizetype mostKeys = 9; // Alt with a digit
+constexpr int mostInMenu = 30;    // letters, beside the keys
 constexpr int keptToldForMs = 6000;
 
 QString nameOfView(const NamedView& view) {
@@ -221,7 +222,8 @@ void ViewsController::showViews(const std::vector<NamedView>& views) {
       action->deleteLater();
     }
   for (const NamedView& view : views) {
-    auto* action = new QAction(shortName(view).replace(QLatin1Char('&'), QStringLiteral("&&")), m_actions);
+    auto* action =
+        new QAction(shortName(view, mostInMenu).replace(QLatin1Char('&'), QStringLiteral("&&")), m_actions);
     m_menu.insertAction(m_manage, action);
     m_actions->addAction(action);
     if (const qsizetype number = m_actions->actions().size() - 1; number <= mostKeys)

@@ -241,10 +241,10 @@ TEST_F(SliceCutWindow, theJawIsAwayInThreeGestures) {
                                              static_cast<int>(picture.top() + y * picture.height())));
   };
   QWindow* handle = window->windowHandle();
-  QTest::mousePress(handle, Qt::LeftButton, {}, corner(0.05, 0.6));
-  for (const QPoint& to : {corner(0.4, 0.6), corner(0.4, 0.98), corner(0.05, 0.98)})
+  QTest::mousePress(handle, Qt::LeftButton, {}, corner(0.4, 0.6));
+  for (const QPoint& to : {corner(0.4, 0.98), corner(0.05, 0.98), corner(0.05, 0.6)})
     QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, to);
-  QTest::mouseRelease(handle, Qt::LeftButton, {}, corner(0.05, 0.98));
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, corner(0.05, 0.6));
   ASSERT_TRUE(ready());
   ASSERT_EQ(cuts().size(), 1u);
   EXPECT_TRUE(isCutAway(scene().keep));

@@ -53,19 +53,22 @@ CutBar::CutBar(QWidget* parent)
   m_rows->setContentsMargins(12, 6, 6, 6);
   auto* first = new QHBoxLayout;
   auto* second = new QHBoxLayout;
-  m_rows->addLayout(first);
-  m_rows->addLayout(second);
-  for (QBoxLayout* part : {m_rows, static_cast<QBoxLayout*>(first), static_cast<QBoxLayout*>(second)})
+  auto* third = new QHBoxLayout;
+  m_rows->setSpacing(6);
+  for (QHBoxLayout* part : {first, second, third}) {
     part->setSpacing(6);
+    m_rows->addLayout(part);
+  }
   first->addWidget(m_text);
   first->addSpacing(6);
   first->addWidget(m_inside);
   first->addWidget(m_outside);
   first->addSpacing(6);
-  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone, m_look})
+  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone})
     second->addWidget(button);
-  second->addSpacing(6);
-  second->addWidget(close);
+  third->addWidget(m_look);
+  third->addSpacing(6);
+  third->addWidget(close);
   connect(m_inside, &QPushButton::toggled, this, &CutBar::insideChosen);
   connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
   connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
@@ -138,7 +141,7 @@ void CutBar::showEvent(QShowEvent* event) {
 }
 
 // In a narrow view the sentence gives way: it says what the tool's tip does. Beside slices the view may have
-// no room for all buttons either: then they stand in two rows.
+// no room for all buttons either: then they stand in three rows.
 void CutBar::place() {
   const QWidget* view = parentWidget();
   const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
