@@ -181,6 +181,7 @@ void RegionController::setCuts(const std::vector<Cut>& cuts, const QString& gest
 
 void RegionController::setCutsOf(const std::vector<Cut>& cuts, const Gesture& gesture) {
   cut(m_context.session.scene().keep, cuts, gesture);
+  m_goesOn = m_work.isRunning();
 }
 
 void RegionController::addCut(const Cut& cut, const QString& gesture) {
@@ -267,6 +268,7 @@ void RegionController::offerCutsOfBefore(const Scene& scene) {
 
 void RegionController::start(const QString& what, const Gesture& gesture, Work work) {
   cancel();
+  m_goesOn = false;
   if (!m_volume)
     return;
   m_doing = what;
@@ -288,7 +290,7 @@ void RegionController::start(const QString& what, const Gesture& gesture, Work w
 
 void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
   const std::size_t before = m_context.session.scene().keep.cuts.size();
-  if (found.takesNothing && found.region.cuts.size() > before) {
+  if (!m_goesOn && found.takesNothing && found.region.cuts.size() > before) {
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
     return;
   }
@@ -296,6 +298,8 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
   const std::size_t cuts = found.region.cuts.size();
   if (const auto label = cuts > before ? labelOfCut(found.region, cuts - 1) : std::nullopt)
     emit curveGiven(*label);
+  if (m_goesOn)
+    return showScene(m_context.session.scene());
   if (!found.remark.empty() && isRestricting(found.region))
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
                             {tr("Show everything"), [this] { showEverything(); }});

@@ -81,6 +81,7 @@ private:
   QString m_doing;                        ///< what is worked at, in words
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
+  bool m_goesOn = false;                        ///< as a part of a gesture, of which none need take anything
   BackgroundWork m_work;
   std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
   BackgroundWork m_measuring;

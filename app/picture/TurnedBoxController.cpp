@@ -76,9 +76,13 @@ TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene) {
 }
 
 std::vector<Cut> cutsOf(const TurnedBox& box) {
-  if (box.crop == CropBox{})
-    return {};
-  return {sideCut(box, 1, 0, 2), sideCut(box, 2, 0, 1)};
+  const auto isCut = [&](int axis) { return box.crop.lower[axis] > 0.0 || box.crop.upper[axis] < 1.0; };
+  std::vector<Cut> cuts;
+  if (isCut(0) || isCut(2))
+    cuts.push_back(sideCut(box, 1, 0, 2));
+  if (isCut(1))
+    cuts.push_back(sideCut(box, 2, 0, 1));
+  return cuts;
 }
 
 TurnedBoxController::TurnedBoxController(WindowContext& context)

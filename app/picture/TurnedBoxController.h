@@ -20,12 +20,12 @@ struct WindowContext;
 TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene);
 
 /// The scissors that leave what lies in the box; none where it takes nothing away. A scene has no key for a
-/// box that is turned, so it is kept as two lines: a rectangle seen along one of its axes, and one along
-/// another.
+/// box that is turned, so it is kept as lines: a rectangle seen along its second axis, and where that cuts,
+/// too, one seen along the third.
 std::vector<Cut> cutsOf(const TurnedBox& box);
 
 /// The crop box turned as the picture is seen: its faces are dragged as those of the crop box, and what they
-/// take away are two cuts at the end of the list, which go on until the list is edited otherwise.
+/// take away are cuts at the end of the list, which go on until the list is edited otherwise.
 class TurnedBoxController : public QObject {
   Q_OBJECT
 
