@@ -327,6 +327,8 @@ LabelSection::LabelSection(QWidget* parent)
   contents()->addWidget(m_table);
   contents()->addLayout(buttons);
   connect(m_labels, &LabelTable::regionEdited, this, &LabelSection::keepEdited);
+  connect(m_table, &QTreeView::expanded, this, &LabelSection::fitTable);
+  connect(m_table, &QTreeView::collapsed, this, &LabelSection::fitTable);
   connect(m_tree, &LabelTree::groupShown, m_labels, &LabelTable::showRows);
   connect(m_labels, &LabelTable::refused, this, &LabelSection::refused);
   connect(m_labels, &QAbstractItemModel::modelReset, this, [this] {
@@ -361,13 +363,21 @@ void LabelSection::setScene(const Scene& scene) {
     m_search->clear();
   if (rows > 0 && !hadRows)
     setFolded(false);
-  // Room for labels of a group that is opened, too.
-  fitToRows(*m_table, m_tree->hasGroups() ? rows : m_tree->rowCount(), mostRowsShown);
+  fitTable();
   m_open->setEnabled(scene.volume != nullptr);
   m_showAll->setVisible(rows > 0);
   m_showAll->setEnabled(rows > 0 &&
                         ownWeights(scene.keep) != std::vector<double>(listedLabels(scene.keep), 1.0));
   setSummary(summaryOf(scene.keep));
+}
+
+// As high as its rows, whatever is searched for: an open group has more.
+void LabelSection::fitTable() {
+  int rows = m_tree->rowCount();
+  for (int row = 0; row < m_tree->rowCount(); ++row)
+    if (const QModelIndex group = m_tree->index(row, 0); m_table->isExpanded(m_found->mapFromSource(group)))
+      rows += m_tree->rowCount(group);
+  fitToRows(*m_table, rows, mostRowsShown);
 }
 
 void LabelSection::select(std::size_t place) {

@@ -96,6 +96,8 @@ signals:
   void refused(const QString& sentence);
 
 private:
+  void fitTable();
+
   LabelTable* m_labels;
   LabelTree* m_tree;
   QSortFilterProxyModel* m_found;
