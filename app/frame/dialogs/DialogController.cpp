@@ -62,7 +62,7 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("R"), QObject::tr("reset the camera")},
       {QObject::tr("Space"), QObject::tr("swap the two sides while held")},
       {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
-      {keys({"O", "Shift+O"}), QObject::tr("cut open to the crosshair: plane, corner; Esc: as it was")},
+      {QObject::tr("O · Shift+O"), QObject::tr("cut open to the crosshair: plane, corner; Esc: as it was")},
       {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
       {QObject::tr("F11, double click"), QObject::tr("picture and curve only; F11 or Esc: all again")},
       {{}, QObject::tr("Window")},
