@@ -78,6 +78,8 @@ void MainWindow::connectPictureAndPanels() {
           &RegionController::setKeep);
   connect(properties->labelSection(), &LabelSection::curveRequested, &m_panels.curves(),
           &CurveController::takeInHand);
+  connect(&m_picture.regions(), &RegionController::volumeMeant, this,
+          [this](const QString& path) { openSource(path); });
   connect(&m_picture, &PictureArea::labelChosen, &m_panels, &Panels::takeLabel);
   connect(properties->labelSection(), &LabelSection::refused, this,
           [this](const QString& sentence) { m_context.showError(sentence); });

@@ -50,6 +50,10 @@ QString ellipseText(const EllipseFigures& figures, const Volume& volume) {
 
 } // namespace
 
+bool isSeenInPicture(const Measurement& measurement) {
+  return measurement.isShown && measurement.kind != Measurement::Kind::ellipse;
+}
+
 QString measureKindText(Measurement::Kind kind) {
   switch (kind) {
   case Measurement::Kind::distance:

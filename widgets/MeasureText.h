@@ -20,6 +20,9 @@ struct MeasurementsEdited {
   Gesture gesture;
 };
 
+/// Whether pictures show it: all but ellipses, which lie in what a slice shows.
+bool isSeenInPicture(const Measurement& measurement);
+
 /// "Distance", "Angle", "Ellipse", "Mark".
 QString measureKindText(Measurement::Kind kind);
 

@@ -111,8 +111,8 @@ void addFigureOptions(CommandSyntax& command, FigureArguments& arguments) {
       .words(wordsOf(byName(figurePages)));
   command
       .option("--marks", arguments.marks,
-              "all, none or a list of letters, names, orientation, scale, curve, labels, accuracy, region, "
-              "note")
+              "all, none or a list of letters, names, orientation, scale, curve, labels, measurements, "
+              "accuracy, region, note")
       .separatedByCommas()
       .words(markWords);
 }

@@ -29,6 +29,8 @@ QString markText(FigureMark mark) {
     return FigureOptions::tr("Curve and colours");
   case FigureMark::labels:
     return FigureOptions::tr("Labels and colours");
+  case FigureMark::measurements:
+    return FigureOptions::tr("Measurements");
   case FigureMark::accuracy:
     return FigureOptions::tr("Accuracy");
   case FigureMark::region:

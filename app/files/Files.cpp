@@ -164,6 +164,10 @@ Files::Files(WindowContext& context, FileSources sources)
   connect(&m_safety, &SessionSafety::saveRequested, &m_saving, &SavingController::saveSession);
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningController::restore);
   connect(&m_saving, &SavingController::sessionSaved, &m_safety, &SessionSafety::noteChange);
+  connect(&m_saving, &SavingController::sessionSaved, this, [this] {
+    const OpenDocument& document = m_context.document;
+    m_opening.remember(document.sessionFile(), labelOf(document), document.volumePath());
+  });
 }
 
 void Files::noteOpened(const LoadedScene& loaded, const Request& request) {

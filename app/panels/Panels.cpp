@@ -185,12 +185,28 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
   m_action->setShortcutContext(Qt::WidgetShortcut);
   context.view.addAction(m_action);
   connect(m_action, &QAction::toggled, this, &CropBoxController::show);
+  connect(m_action, &QAction::triggered, this, &CropBoxController::begin);
   connect(&section, &FoldingSection::foldedByUser, this, [this](bool folded) {
     m_isEdited = !folded;
     show();
   });
   connect(qApp, &QApplication::focusChanged, this,
           [this](const QWidget*, const QWidget* now) { followFocus(now); });
+}
+
+// Air and table would lie between its handles and what is seen.
+void CropBoxController::begin(bool isShown) {
+  const Scene& scene = m_context.session.scene();
+  const CropBox around = isShown ? boxAroundBody(scene) : CropBox{};
+  if (isShown && scene.crop == CropBox{} && around != CropBox{}) {
+    m_begun = Begun{scene.volume, around, nextGestureId()};
+    m_context.session.setCrop(around, {m_begun->gesture, tr("crop box around the body")});
+  } else if (!isShown && m_begun && m_begun->volume == scene.volume && m_begun->crop == scene.crop) {
+    // The same gesture: undo sees that nothing is left of it.
+    m_context.session.setCrop({}, {m_begun->gesture, tr("crop box around the body")});
+  }
+  if (!isShown)
+    m_begun.reset();
 }
 
 bool CropBoxController::isShown() const {

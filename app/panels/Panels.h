@@ -46,7 +46,8 @@ private:
 };
 
 /// Shows the crop box in the picture while its action is checked, and while the crop section is used: on
-/// while one goes from there to its handles in the view.
+/// while one goes from there to its handles in the view. Where nothing is cropped yet and the body is known
+/// the action puts the box around that, and takes it back where nobody has moved it since.
 class CropBoxController : public QObject {
   Q_OBJECT
 
@@ -57,11 +58,20 @@ public:
   void setShown(bool isShown);
 
 private:
+  // The box as the action has put it around the body.
+  struct Begun {
+    std::shared_ptr<const Volume> volume;
+    CropBox crop;
+    std::uint64_t gesture = 0;
+  };
+
   void show();
+  void begin(bool isShown);
   void followFocus(const QWidget* now);
 
   WindowContext& m_context;
   const CropSection& m_section;
+  std::optional<Begun> m_begun;
   QAction* m_action;
   bool m_isEdited = false; ///< in its section, or in the view since
 };

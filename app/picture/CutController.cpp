@@ -9,6 +9,8 @@
 #include "scene/LabelLooks.h"
 #include "scene/volume/VolumePart.h"
 #include "widgets/ValueText.h"
+#include "widgets/planes/PlaneCut.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/Overlay.h"
@@ -87,9 +89,15 @@ CutController::CutController(WindowContext& context)
   connect(input, &ViewInput::lineClosed, this, &CutController::cutAlong);
   connect(input, &ViewInput::pieceRequested, this, &CutController::pick);
   connect(input, &ViewInput::pieceNarrowed, this, &CutController::narrow);
+  const PlaneDeck* planes = &context.planes;
+  connect(planes, &PlaneDeck::toolChanged, this, &CutController::takePlaneTool);
+  connect(planes, &PlaneDeck::pieceRequested, this, &CutController::pickAt);
+  connect(planes, &PlaneDeck::pieceNarrowed, this, &CutController::narrow);
+  connect(planes, &PlaneDeck::lineClosed, this, &CutController::cutInSlice);
   connect(m_bar, &CutBar::insideChosen, this, [this](bool isInside) {
     m_removesInside = isInside;
     m_context.view.setLinesRemoveInside(isInside);
+    m_context.planes.setLinesRemoveInside(isInside);
   });
   connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
   connect(m_bar, &CutBar::hideRequested, this, [this] { finish(ConnectedPiece::Fate::hidden); });
@@ -107,9 +115,27 @@ CutController::CutController(WindowContext& context)
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
 
+// One tool that cuts is in hand everywhere, or nowhere.
 void CutController::showTool() {
   putDown();
   showBar();
+  const ViewTool tool = m_context.view.tool();
+  const PlaneTool before = m_context.planes.tool();
+  const PlaneTool wanted = tool == ViewTool::scissors ? PlaneTool::scissors
+                           : tool == ViewTool::piece  ? PlaneTool::piece
+                           : cuts(before)             ? PlaneTool::crosshair
+                                                      : before;
+  m_context.planes.setTool(wanted);
+}
+
+void CutController::takePlaneTool(PlaneTool tool) {
+  const ViewTool before = m_context.view.tool();
+  if (tool == PlaneTool::scissors)
+    m_context.view.setTool(ViewTool::scissors);
+  else if (tool == PlaneTool::piece)
+    m_context.view.setTool(ViewTool::piece);
+  else if (before == ViewTool::scissors || before == ViewTool::piece)
+    m_context.view.setTool(ViewTool::rotate);
 }
 
 void CutController::showBar() {
@@ -137,6 +163,17 @@ void CutController::cut(const Scissors& scissors) {
                  scissors.removesInside ? tr("cut away inside a line") : tr("cut away outside a line"));
 }
 
+// What is seen of the volume in a slice is the slab that is shown.
+void CutController::cutInSlice(PatientPlane plane, Scissors scissors) {
+  PlaneContent content;
+  content.volume = m_volume;
+  content.settings = m_context.session.planes();
+  scissors.removesInside = m_removesInside;
+  if (m_onlySeen)
+    scissors.depthMm = slabDepthMm(content, plane, scissors);
+  cut(scissors);
+}
+
 void CutController::cutToSeen(Scissors scissors) {
   const int side = m_context.view.ownSide();
   m_work.start([this, scissors = std::move(scissors), scene = m_context.view.sceneOfSide(side),
@@ -158,7 +195,13 @@ void CutController::pick(const Ray& ray, int side) {
   const TurnCentre seen = turnCentreAlong(m_context.view, ray, side);
   if (!seen.placeMm)
     return say(seen.reason);
-  const std::optional<ConnectedPiece> piece = pieceAt(m_context.session.scene(), *seen.placeMm);
+  pickAt(*seen.placeMm);
+}
+
+void CutController::pickAt(const glm::dvec3& worldMm) {
+  if (!m_volume)
+    return;
+  const std::optional<ConnectedPiece> piece = pieceAt(m_context.session.scene(), worldMm);
   if (!piece)
     return say(tr("Nothing that the curve shows lies there, so there is no piece to pick."));
   m_context.view.setTool(ViewTool::piece);
@@ -189,6 +232,13 @@ void CutController::narrow(double notches) {
 void CutController::show(const Shown& shown) {
   m_shown = shown;
   m_context.view.setWheelIsForPiece(true);
+  m_context.planes.setWheelIsForPiece(true);
+  // What fades beside it are labels more, behind those there were.
+  PlaneLit stands{shown.lit.labels, std::vector<bool>(shown.lit.weights.size())};
+  const std::size_t own = std::max<std::size_t>(1, m_keep.labels ? m_keep.weights.size() : 0);
+  for (std::size_t place = 0; place < own; ++place)
+    stands.isLit[place] = shown.lit.weights[place] > 0.0;
+  emit stoodOut(stands);
   showScene(m_context.session.scene());
   showBar();
 }
@@ -216,9 +266,11 @@ void CutController::putDown() {
   m_work.cancel();
   m_piece.reset();
   m_context.view.setWheelIsForPiece(false);
+  m_context.planes.setWheelIsForPiece(false);
   if (!m_shown)
     return;
   m_shown.reset();
+  emit stoodOut({});
   m_context.view.setScene(m_context.session.scene());
   m_context.view.setPreview({});
 }

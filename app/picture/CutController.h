@@ -15,10 +15,14 @@
 namespace limn {
 
 class CutBar;
+struct PlaneLit;
 struct WindowContext;
+enum class PatientPlane;
+enum class PlaneTool;
 
 /// The tools that cut by hand: lines drawn on the picture, and connected pieces that are pointed at and light
-/// up before they are hidden or kept alone. Asks for cuts; RegionController makes them.
+/// up before they are hidden or kept alone. Slices beside the picture cut with the same tools. Asks for cuts;
+/// RegionController makes them.
 class CutController : public QObject {
   Q_OBJECT
 
@@ -32,10 +36,14 @@ public:
 
   /// Lights up the connected piece that is seen along a ray of the picture of a side.
   void pick(const Ray& ray, int side);
+  /// Lights up the connected piece that holds a place of the world, or is nearest to it within two voxels.
+  void pickAt(const glm::dvec3& worldMm);
 
 signals:
   /// One cut more is wanted; `gesture` is what undo calls it.
   void cutWanted(const limn::Cut& cut, const QString& gesture);
+  /// This stands out in the slices from now on.
+  void stoodOut(const limn::PlaneLit& lit);
 
 private:
   // A piece as it is shown before it is cut.
@@ -45,6 +53,8 @@ private:
   };
 
   void showTool();
+  void takePlaneTool(PlaneTool tool);
+  void cutInSlice(PatientPlane plane, Scissors scissors);
   void cutAlong(const std::vector<glm::dvec2>& polygon, double aspect);
   void cut(const Scissors& scissors);
   void cutToSeen(Scissors scissors);

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int measureTellsForMs = 6000;
 
-// Slices have what lies in them; in the picture stands what was made there, and every mark.
-bool isSeenInPicture(const Measurement& measurement) {
-  return measurement.isShown && (!measurement.plane || measurement.kind == Measurement::Kind::mark);
+// What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
+bool isLedInSlices(const Measurement& measurement) {
+  return measurement.plane && measurement.kind != Measurement::Kind::mark;
 }
 
 } // namespace
@@ -73,7 +73,7 @@ void MeasureController::show() {
   for (std::size_t number = 0; m_volume && number < m_measured.size(); ++number)
     if (const Measured& one = m_measured[number]; isSeenInPicture(one.measurement))
       seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
-                      m_inHand == number});
+                      m_inHand == number, isLedInSlices(one.measurement)});
   if (m_open && !m_open->placesMm.empty())
     seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true});
   m_context.view.setMeasures(seen);

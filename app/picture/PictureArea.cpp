@@ -78,7 +78,7 @@ PictureArea::PictureArea(WindowContext& context)
     : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
       m_status(*context.window.statusBar()), m_camera(context), m_comparison(context), m_engines(context),
       m_regions(context), m_cuts(context), m_orientation(context), m_views(context, m_orientation.menu()),
-      m_crosshair(context), m_planes(context), m_measures(context), m_menu(context) {
+      m_crosshair(context), m_turnedBox(context), m_planes(context), m_measures(context), m_menu(context) {
   addTools();
   addCopying();
   const CompareView* view = &context.view;
@@ -94,10 +94,14 @@ PictureArea::PictureArea(WindowContext& context)
   });
   connect(&m_measures, &MeasureController::shown, &m_planes, &PlaneController::setMeasured);
   connect(&m_views, &ViewsController::viewChosen, &m_camera, &CameraController::lookAs);
+  connect(&m_crosshair, &CrosshairController::cutsWanted, &m_regions, &RegionController::setCutsOf);
+  connect(&m_turnedBox, &TurnedBoxController::cutsWanted, &m_regions, &RegionController::setCutsOf);
   connect(&m_menu, &PictureMenu::turnAboutChosen, &m_camera, &CameraController::turnAbout);
   connect(&m_menu, &PictureMenu::placeChosen, &m_planes, &PlaneController::goTo);
   connect(&m_menu, &PictureMenu::pieceChosen, &m_cuts, &CutController::pick);
+  connect(&m_menu, &PictureMenu::pieceInSliceChosen, &m_cuts, &CutController::pickAt);
   connect(&m_menu, &PictureMenu::labelChosen, this, &PictureArea::labelChosen);
+  connect(&m_cuts, &CutController::stoodOut, &m_planes, &PlaneController::setLit);
   connect(&m_cuts, &CutController::cutWanted, &m_regions, &RegionController::addCut);
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {
     m_context.view.setScene(scene); // ends a preview
@@ -173,11 +177,13 @@ void PictureArea::showState(const PictureState& state) {
 void PictureArea::describe(SessionDocument& session) const {
   m_comparison.describe(session);
   m_planes.describe(session);
+  m_crosshair.describe(session);
 }
 
 void PictureArea::restore(const SessionDocument& session) {
   m_comparison.restore(session);
   m_planes.restore(session);
+  m_crosshair.restore(session);
 }
 
 } // namespace limn

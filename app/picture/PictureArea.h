@@ -11,6 +11,7 @@
 #include "app/picture/PictureMenu.h"
 #include "app/picture/PlaneController.h"
 #include "app/picture/RegionController.h"
+#include "app/picture/TurnedBoxController.h"
 #include "app/picture/ViewsController.h"
 
 #include <optional>
@@ -83,6 +84,7 @@ private:
   OrientationController m_orientation;
   ViewsController m_views;
   CrosshairController m_crosshair;
+  TurnedBoxController m_turnedBox;
   PlaneController m_planes;
   MeasureController m_measures;
   PictureMenu m_menu; ///< of what those before it offer

@@ -2,8 +2,10 @@
 #include "app/picture/PictureMenu.h"
 
 #include "app/picture/CameraController.h"
+#include "app/picture/SlicePictures.h"
 #include "app/window/WindowContext.h"
 #include "planes/PlaneGrid.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/regions/LabelAt.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
@@ -56,7 +58,7 @@ void PictureMenu::open(const std::optional<Ray>& ray, int side, const QPoint& at
   menu->popup(m_context.view.mapToGlobal(at));
 }
 
-void PictureMenu::openOnSlice(const glm::dvec3& worldMm, const QPoint& globalAt) {
+void PictureMenu::openOnSlice(PatientPlane plane, const glm::dvec3& worldMm, const QPoint& globalAt) {
   const Volume& volume = *m_context.session.scene().volume;
   const glm::dvec3 index = worldToIndex(volume.grid(), worldMm);
   const std::optional<Probe> probe = isInside(volume.grid(), worldMm)
@@ -64,8 +66,25 @@ void PictureMenu::openOnSlice(const glm::dvec3& worldMm, const QPoint& globalAt)
                                          : std::nullopt;
   QMenu* menu = newMenu("sliceMenu");
   addCopying(*menu, probe);
+  addSlice(*menu, plane);
+  menu->addSeparator();
+  const QAction* pick =
+      addEntry(*menu, "pickPiece", tr("Pick this piece"),
+               tr("Lights up what hangs together here, to be hidden or kept alone."), probe.has_value());
+  connect(pick, &QAction::triggered, this, [this, worldMm] { emit pieceInSliceChosen(worldMm); });
   addLabel(*menu, probe);
   menu->popup(globalAt);
+}
+
+void PictureMenu::addSlice(QMenu& menu, PatientPlane plane) {
+  const QAction* copy = addEntry(menu, "copySlice", tr("Copy this slice"),
+                                 tr("Puts the slice on the clipboard as it is seen, with sides, scale and "
+                                    "measurements, without the crosshair."),
+                                 true);
+  const QAction* save =
+      addEntry(menu, "saveSlice", tr("Save this slice…"), tr("Saves the same as a picture."), true);
+  connect(copy, &QAction::triggered, this, [this, plane] { copySlice(m_context, plane); });
+  connect(save, &QAction::triggered, this, [this, plane] { saveSlice(m_context, plane); });
 }
 
 void PictureMenu::addTurns(QMenu& menu, const std::optional<Ray>& ray, int side) {
@@ -104,7 +123,7 @@ void PictureMenu::addPlace(QMenu& menu, const std::optional<Probe>& probe) {
                : probe    ? tr("Moves the crosshair to what is seen here. Shift+click does the same.")
                           : noPlaceText(),
                probe && hasSlices);
-  menu.addAction(&m_context.actions.find("cutOpen"));
+  menu.addActions({&m_context.actions.find("cutOpen"), &m_context.actions.find("cutOpenCorner")});
   connect(go, &QAction::triggered, this, [this, probe] { emit placeChosen(probe->positionMm); });
 }
 
@@ -117,7 +136,9 @@ void PictureMenu::addPiece(QMenu& menu, const std::optional<Ray>& ray, int side,
 
 void PictureMenu::addLabel(QMenu& menu, const std::optional<Probe>& probe) {
   const Region& keep = m_context.session.scene().keep;
-  const std::optional<std::size_t> place = probe ? voxelLabelAt(keep, probe->index) : std::nullopt;
+  std::optional<std::size_t> place = probe ? voxelLabelAt(keep, probe->index) : std::nullopt;
+  if (place == tableLabel(keep))
+    place.reset();
   QString name = place ? QString::fromStdString(keep.labels->labels()[*place].name) : QString();
   name.replace(u'&', QStringLiteral("&&")); // or it would be a letter of the menu's
   const QAction* take = addEntry(

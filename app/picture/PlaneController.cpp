@@ -50,7 +50,7 @@ void PlaneController::addLayouts() {
       tr("One slice large, the picture and the other slices beside it; a double click on a slice chooses "
          "it."));
   menu->addSeparator();
-  menu->addAction(&m_context.actions.find("cutOpen"));
+  menu->addActions({&m_context.actions.find("cutOpen"), &m_context.actions.find("cutOpenCorner")});
   connect(m_layouts, &QActionGroup::triggered, this,
           [this](const QAction* chosen) { setLayout(static_cast<PlaneLayout>(chosen->data().toInt())); });
 }
@@ -73,6 +73,11 @@ void PlaneController::setMeasured(const std::vector<Measured>& measured, const s
                                   std::optional<std::size_t> inHand) {
   m_content.measured = measured;
   m_content.inHand = inHand;
+  m_context.planes.setContent(m_content);
+}
+
+void PlaneController::setLit(const PlaneLit& lit) {
+  m_content.lit = lit;
   m_context.planes.setContent(m_content);
 }
 

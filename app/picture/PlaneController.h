@@ -37,6 +37,9 @@ public:
   void setMeasured(const std::vector<Measured>& measured, const std::shared_ptr<const Volume>& volume,
                    std::optional<std::size_t> inHand);
 
+  /// What stands out in the slices: a piece before it is cut.
+  void setLit(const limn::PlaneLit& lit);
+
   /// The slices in a session file.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);

@@ -6,11 +6,13 @@
 #include "io/labels/MaskFolder.h"
 #include "regions/Cutting.h"
 #include "regions/LabelVoxels.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -46,6 +48,12 @@ bool areAlike(const Grid& a, const Grid& b) {
       return false;
   }
   return true;
+}
+
+std::vector<Cut> withoutNames(std::vector<Cut> cuts) {
+  for (Cut& cut : cuts)
+    cut.name.clear();
+  return cuts;
 }
 
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
@@ -87,8 +95,18 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
       m_context.view.setLoading(done, m_doing);
   });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
+    const QString folder = m_folder;
     end();
-    m_context.showError(sentence);
+    // Pictures in a folder may as well be what is to be looked at.
+    if (folder.isEmpty())
+      m_context.showError(sentence);
+    else
+      m_context.messages.show(MessageBar::Kind::error, sentence, {},
+                              {tr("Open it as a volume"), [this, folder] {
+                                 m_context.messages.hide();
+                                 const QFileInfoList files = QDir(folder).entryInfoList(QDir::Files);
+                                 emit volumeMeant(files.size() == 1 ? files.front().filePath() : folder);
+                               }});
   });
 }
 
@@ -113,20 +131,41 @@ void RegionController::askForMasks() {
 
 void RegionController::openLabels(const QString& path) {
   start(tr("Opening labels"), {nextGestureId(), tr("open labels")},
-        [path](const Volume& volume, const Progress& progress) {
+        [path, body = m_body, hides = hidesTable(m_context.session.scene().keep)](const Volume& volume,
+                                                                                  const Progress& progress) {
           const Segmentation labels = readSegmentation(path.toStdString(), gridOfFile(volume), progress);
-          return FoundRegion{labels.region, labels.remark, false};
+          // What was hidden beside the body stays hidden.
+          return FoundRegion{hides ? withBodyOf(labels.region, volume, body, progress) : labels.region,
+                             labels.remark, false};
         });
+  m_folder = QFileInfo(path).isDir() ? path : QString();
 }
 
 void RegionController::setBodyOnly(bool isOn) {
   const Gesture gesture{nextGestureId(), tr("body only")};
-  if (!isOn)
+  const Region& kept = m_context.session.scene().keep;
+  if (kept.kind == Region::Kind::labels)
+    hideTableBesideLabels(isOn, gesture);
+  else if (!isOn)
     showEverything();
   else if (m_body.kind == Region::Kind::body)
     cut(m_body, m_context.session.scene().keep.cuts, gesture);
   else
     start(tr("Looking for the body"), gesture, bodyOf);
+}
+
+// The segmentation stays open; what is not the body is a label of its own.
+void RegionController::hideTableBesideLabels(bool isHidden, const Gesture& gesture) {
+  Region kept = m_context.session.scene().keep;
+  if (const std::optional<std::size_t> table = tableLabel(kept)) {
+    kept.weights[*table] = isHidden ? 0.0 : 1.0;
+    setKeep(kept, gesture);
+  } else if (isHidden) {
+    start(tr("Looking for the body"), gesture,
+          [labels = withoutCuts(kept), body = m_body](const Volume& volume, const Progress& progress) {
+            return FoundRegion{withBodyOf(labels, volume, body, progress), {}};
+          });
+  }
 }
 
 void RegionController::setKeep(const Region& region, const Gesture& gesture) {
@@ -140,14 +179,24 @@ void RegionController::setCuts(const std::vector<Cut>& cuts, const QString& gest
   cut(m_context.session.scene().keep, cuts, {nextGestureId(), gesture});
 }
 
+void RegionController::setCutsOf(const std::vector<Cut>& cuts, const Gesture& gesture) {
+  cut(m_context.session.scene().keep, cuts, gesture);
+  m_goesOn = m_work.isRunning();
+}
+
 void RegionController::addCut(const Cut& cut, const QString& gesture) {
   std::vector<Cut> cuts = m_cutsWanted.value_or(m_context.session.scene().keep.cuts);
   cuts.push_back(cut);
   setCuts(cuts, gesture);
 }
 
-// A region with these cuts, which a thread makes where any is on.
+// A region with these cuts, which a thread makes where any is on. Other names take no other voxels.
 void RegionController::cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture) {
+  if (!m_work.isRunning() && !needsCutting(region) && withoutNames(cuts) == withoutNames(region.cuts)) {
+    Region named = region;
+    named.cuts = cuts;
+    return m_context.session.setKeep(named, gesture);
+  }
   if (std::none_of(cuts.begin(), cuts.end(), [](const Cut& cut) { return cut.isOn; })) {
     cancel();
     Region uncut = withoutCuts(region);
@@ -177,7 +226,7 @@ void RegionController::showScene(const Scene& scene) {
     m_cuts = scene.keep.cuts;
   if (scene.keep.kind == Region::Kind::body)
     m_body = withoutCuts(scene.keep);
-  m_bodyOnly->setChecked(scene.keep.kind == Region::Kind::body);
+  m_bodyOnly->setChecked(hidesTable(scene.keep));
   measureLabels(scene);
 }
 
@@ -219,6 +268,7 @@ void RegionController::offerCutsOfBefore(const Scene& scene) {
 
 void RegionController::start(const QString& what, const Gesture& gesture, Work work) {
   cancel();
+  m_goesOn = false;
   if (!m_volume)
     return;
   m_doing = what;
@@ -238,33 +288,18 @@ void RegionController::start(const QString& what, const Gesture& gesture, Work w
   });
 }
 
-// One or the other is kept; what gave way comes back by one click.
-void RegionController::tellReplaced(const Region& before, const Region& now) {
-  if (before.kind == now.kind || before.kind == Region::Kind::all || now.kind == Region::Kind::all)
-    return;
-  const bool wasBody = before.kind == Region::Kind::body;
-  const QString gesture = wasBody ? tr("body only") : tr("labels again");
-  m_context.messages.show(
-      MessageBar::Kind::question,
-      wasBody ? tr("The labels stand in the place of Body only: one of the two decides what is kept.")
-              : tr("Body only stands in the place of the labels: one of the two decides what is kept."),
-      {}, {wasBody ? tr("Body only again") : tr("Labels again"), [this, before, gesture] {
-             m_context.messages.hide();
-             setKeep(before, {nextGestureId(), gesture});
-           }});
-}
-
 void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
-  const Region before = m_context.session.scene().keep;
-  if (found.takesNothing && found.region.cuts.size() > before.cuts.size()) {
+  const std::size_t before = m_context.session.scene().keep.cuts.size();
+  if (!m_goesOn && found.takesNothing && found.region.cuts.size() > before) {
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
     return;
   }
   m_context.session.setKeep(found.region, gesture);
   const std::size_t cuts = found.region.cuts.size();
-  if (const auto label = cuts > before.cuts.size() ? labelOfCut(found.region, cuts - 1) : std::nullopt)
+  if (const auto label = cuts > before ? labelOfCut(found.region, cuts - 1) : std::nullopt)
     emit curveGiven(*label);
-  tellReplaced(before, found.region);
+  if (m_goesOn)
+    return showScene(m_context.session.scene());
   if (!found.remark.empty() && isRestricting(found.region))
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
                             {tr("Show everything"), [this] { showEverything(); }});
@@ -281,10 +316,11 @@ void RegionController::cancel() {
 }
 
 void RegionController::end() {
+  m_folder.clear();
   m_cutsWanted.reset();
   m_context.view.clearLoading();
   // A box that was checked for what did not come of it.
-  m_bodyOnly->setChecked(m_context.session.scene().keep.kind == Region::Kind::body);
+  m_bodyOnly->setChecked(hidesTable(m_context.session.scene().keep));
 }
 
 bool opensAsLabels(const QString& path) {

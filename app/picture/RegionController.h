@@ -43,6 +43,8 @@ public slots:
   void setKeep(const limn::Region& region, const limn::Gesture& gesture);
   /// The list of cuts shall be this.
   void setCuts(const std::vector<limn::Cut>& cuts, const QString& gesture);
+  /// The same as a part of a gesture that goes on.
+  void setCutsOf(const std::vector<limn::Cut>& cuts, const limn::Gesture& gesture);
   /// One cut more, behind those there are or that are being made.
   void addCut(const limn::Cut& cut, const QString& gesture);
   /// Takes back what labels, cuts or Body only hide; a crop stays, and cuts stay in their list.
@@ -51,6 +53,8 @@ public slots:
   void showScene(const limn::Scene& scene);
 
 signals:
+  /// A folder that holds no masks, or the one file in it, shall be opened as a volume.
+  void volumeMeant(const QString& path);
   /// The label at this place, a piece that was picked, has been given a curve of its own.
   void curveGiven(std::size_t label);
   /// What the voxels of each label say of the volume; none as long as it is not known, or without labels.
@@ -64,7 +68,7 @@ private:
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
   void measureLabels(const Scene& scene);
-  void tellReplaced(const Region& before, const Region& now);
+  void hideTableBesideLabels(bool isHidden, const Gesture& gesture);
   void offerCutsOfBefore(const Scene& scene);
   void end();
 
@@ -73,9 +77,11 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
   std::vector<Cut> m_cuts;                ///< of it
   Region m_body;                          ///< of it, where it is known
+  QString m_folder;                       ///< that is being read for masks; empty: none is
   QString m_doing;                        ///< what is worked at, in words
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
+  bool m_goesOn = false;                        ///< as a part of a gesture, of which none need take anything
   BackgroundWork m_work;
   std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
   BackgroundWork m_measuring;

@@ -20,6 +20,8 @@
 namespace limn {
 namespace {
 
+constexpr qsizetype mostKeys = 9; // Alt with a digit
+constexpr int mostInMenu = 30;    // letters, beside the keys
 constexpr int keptToldForMs = 6000;
 
 QString nameOfView(const NamedView& view) {
@@ -193,8 +195,9 @@ void ViewsController::keep(const QString& name) {
   else
     views.push_back(view);
   m_context.session.setViews(views, tr("keep view \"%1\"").arg(shortName(view)));
-  m_context.window.statusBar()->showMessage(tr("Kept. View ▸ Look from has \"%1\".").arg(shortName(view)),
-                                            keptToldForMs);
+  m_context.window.statusBar()->showMessage(
+      tr("Kept. View ▸ Look from has \"%1\", Alt+1 … Alt+9 look from the first nine.").arg(shortName(view)),
+      keptToldForMs);
 }
 
 void ViewsController::manage() {
@@ -219,9 +222,12 @@ void ViewsController::showViews(const std::vector<NamedView>& views) {
       action->deleteLater();
     }
   for (const NamedView& view : views) {
-    auto* action = new QAction(shortName(view).replace(QLatin1Char('&'), QStringLiteral("&&")), m_actions);
+    auto* action =
+        new QAction(shortName(view, mostInMenu).replace(QLatin1Char('&'), QStringLiteral("&&")), m_actions);
     m_menu.insertAction(m_manage, action);
     m_actions->addAction(action);
+    if (const qsizetype number = m_actions->actions().size() - 1; number <= mostKeys)
+      action->setShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + number)));
     connect(action, &QAction::triggered, this, [this, camera = view.camera] { emit viewChosen(camera); });
   }
   m_manage->setEnabled(!views.empty());

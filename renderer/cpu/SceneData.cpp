@@ -7,16 +7,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace limn::cpu {
 namespace {
 
-// Whether the place of a label in its list is its weight: 0, or 0 and 1.
-bool placesAreWeights(const Region& region) {
-  for (std::size_t place = 0; place < region.weights.size(); ++place)
-    if (region.weights[place] != static_cast<double>(place))
-      return false;
-  return std::holds_alternative<StoredVoxels<std::uint8_t>>(region.labels->places());
+// A line on which the weights of labels lie by their places in the list, as any two do: a body's, a cut's.
+struct WeightLine {
+  double scale = 0.0;
+  double shift = 0.0;
+};
+
+// Of labels that are bytes; none where they are not, or their weights lie on no line.
+std::optional<WeightLine> weightLine(const Region& region) {
+  if (!std::holds_alternative<StoredVoxels<std::uint8_t>>(region.labels->places()))
+    return std::nullopt;
+  const std::vector<double>& weights = region.weights;
+  const WeightLine line{weights.size() > 1 ? weights[1] - weights[0] : 0.0, weights[0]};
+  for (std::size_t place = 0; place < weights.size(); ++place)
+    if (weights[place] != line.shift + line.scale * static_cast<double>(place))
+      return std::nullopt;
+  return line;
+}
+
+// Whether every label is kept wholly or not at all: then a byte says it as well as a share of 16 bits.
+bool areWhole(const Region& region) {
+  return std::all_of(region.weights.begin(), region.weights.end(),
+                     [](double weight) { return weight == 0.0 || weight == 1.0; });
+}
+
+void bytesOf(const Region& region, std::size_t first, std::size_t count, std::uint8_t* out) {
+  std::vector<std::uint8_t> kept;
+  for (const double weight : region.weights)
+    kept.push_back(weight > 0.0 ? 1 : 0);
+  std::visit(
+      [&](const auto& places) {
+        for (std::size_t n = 0; n < count; ++n)
+          out[n] = kept[places[first + n]];
+      },
+      region.labels->places());
+}
+
+// Fills the weights of all voxels, piece by piece.
+template <class Weight, class Fill>
+void fillWeights(RoomVector<Weight>& weights, const glm::ivec3& dims, const Effort& effort,
+                 const Fill& fill) {
+  weights.resize(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
+  const std::size_t pieces = (weights.size() + voxelsPerPiece - 1) / voxelsPerPiece;
+  forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
+    const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
+    fill(from, std::min<std::size_t>(voxelsPerPiece, weights.size() - from), &weights[from]);
+  });
 }
 
 template <class Weights>
@@ -109,20 +150,23 @@ void RegionStore::update(const Region& region, const BlockBox& box, const std::s
     return;
   m_region = {}; // should it be cancelled
   m_shares = RoomVector<std::uint16_t>(room);
+  m_bytes = RoomVector<std::uint8_t>(room);
   m_blocks = BlockWeights(room);
   if (isRestricting(region)) {
     m_blocks = blockWeights(region, {box.upper - box.lower, glm::ivec3(blockSize), box.lower}, effort, room);
     const LabelMap& labels = *region.labels;
-    if (placesAreWeights(region)) {
+    if (const std::optional<WeightLine> line = weightLine(region)) {
       m_source = sourceOf(VoxelSource::Kind::byte, std::get<StoredVoxels<std::uint8_t>>(labels.places()),
-                          labels.dims(), 1.0f);
+                          labels.dims(), static_cast<float>(line->scale));
+      m_source.shift = static_cast<float>(line->shift);
+    } else if (areWhole(region)) {
+      fillWeights(m_bytes, labels.dims(), effort, [&region](std::size_t from, std::size_t count, auto* out) {
+        bytesOf(region, from, count, out);
+      });
+      m_source = sourceOf(VoxelSource::Kind::byte, m_bytes, labels.dims(), 1.0f);
     } else {
-      m_shares.resize(static_cast<std::size_t>(labels.dims().x) * labels.dims().y * labels.dims().z);
-      const std::size_t pieces = (m_shares.size() + voxelsPerPiece - 1) / voxelsPerPiece;
-      forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
-        const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
-        const std::size_t count = std::min<std::size_t>(voxelsPerPiece, m_shares.size() - from);
-        sharesOf(region, from, count, &m_shares[from]);
+      fillWeights(m_shares, labels.dims(), effort, [&region](std::size_t from, std::size_t count, auto* out) {
+        sharesOf(region, from, count, out);
       });
       m_source = sourceOf(VoxelSource::Kind::half, m_shares, labels.dims(), 1.0f / 65535.0f);
     }

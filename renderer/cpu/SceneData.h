@@ -14,8 +14,8 @@
 
 namespace limn::cpu {
 
-/// The weights of a kept region as rays read them. Keeps the region; where its labels are bytes that stand
-/// for their weights, as those of a body do, they are not copied.
+/// The weights of a kept region as rays read them. Keeps the region; where its labels are bytes on whose
+/// places the weights lie in a line, as those of a body or of a cut do, they are not copied.
 class RegionStore {
 public:
   /// The weights of the blocks of `box` are found. What it makes lies in the volume's room. Throws Cancelled;
@@ -29,12 +29,15 @@ public:
   const BlockWeights& blocks() const { return m_blocks; }
 
   /// What it takes beside the region, bytes.
-  std::size_t ownBytes() const { return m_shares.size() * sizeof(std::uint16_t) + m_blocks.size(); }
+  std::size_t ownBytes() const {
+    return m_shares.size() * sizeof(std::uint16_t) + m_bytes.size() + m_blocks.size();
+  }
 
 private:
   Region m_region;
   BlockBox m_box;
   RoomVector<std::uint16_t> m_shares;
+  RoomVector<std::uint8_t> m_bytes;
   VoxelSource m_source;
   BlockWeights m_blocks;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planes/PlaneGrid.h"
 
+#include "scene/volume/NearestVoxel.h"
 #include "scene/volume/Orientation.h"
 
 #include <algorithm>
@@ -97,9 +98,7 @@ glm::dvec3 middleVoxelMm(const Grid& volume) {
 }
 
 bool isInside(const Grid& volume, const glm::dvec3& worldMm) {
-  const glm::dvec3 index = worldToIndex(volume, worldMm);
-  return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) &&
-         glm::all(glm::lessThan(index, glm::dvec3(volume.dims) - 0.5));
+  return nearestVoxel(worldToIndex(volume, worldMm), volume.dims).has_value();
 }
 
 } // namespace limn

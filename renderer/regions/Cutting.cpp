@@ -5,6 +5,7 @@
 #include "regions/ScissorSet.h"
 #include "regions/ValueSet.h"
 #include "scene/basics/Error.h"
+#include "scene/volume/NearestVoxel.h"
 
 #include <algorithm>
 #include <map>
@@ -16,12 +17,6 @@ namespace {
 // No file has them: segmentations number from 0.
 constexpr int cutValue = -1, firstPieceValue = -3; // of pieces downwards
 const Label besideLabel{-2, "Beside the piece", glm::dvec3(0.5)};
-
-// Whether an index that was rounded is one of the grid's.
-bool isVoxel(const glm::dvec3& index, const Grid& grid) {
-  return glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
-         glm::all(glm::lessThan(index, glm::dvec3(grid.dims)));
-}
 
 // The voxels whose place among the labels is marked.
 BitGrid voxelsOf(const LabelMap& map, const std::vector<bool>& marked, const std::shared_ptr<Room>& room,
@@ -161,11 +156,10 @@ CutSets cutSetsOf(const Region& region, bool isMade, const Volume& volume, const
 
 // How much of what a piece hangs on was kept before: the weight of the label at its seed.
 double weightAtSeed(const Region& before, const ConnectedPiece& piece, const Grid& grid) {
-  const glm::dvec3 index = glm::floor(worldToIndex(grid, piece.seedMm) + 0.5);
-  if (!before.labels || !isVoxel(index, grid))
+  const std::optional<glm::ivec3> voxel = nearestVoxel(worldToIndex(grid, piece.seedMm), grid.dims);
+  if (!before.labels || !voxel)
     return 1.0;
-  const glm::ivec3 voxel(index);
-  return before.weights[before.labels->placeAt(voxelOffset(grid.dims, voxel.x, voxel.y, voxel.z))];
+  return before.weights[before.labels->placeAt(voxelOffset(grid.dims, voxel->x, voxel->y, voxel->z))];
 }
 
 // The region with the sets as labels more, and the pieces' looks.
@@ -238,13 +232,13 @@ BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPie
                    const Effort& effort) {
   const Grid& grid = volume.grid();
   BitGrid seed = kept.emptyLike();
-  const glm::dvec3 index = glm::floor(worldToIndex(grid, piece.seedMm) + 0.5);
+  const std::optional<glm::ivec3> nearest = nearestVoxel(worldToIndex(grid, piece.seedMm), grid.dims);
   const BitGrid inRange = valuesWithin(volume, piece.range, partOf(effort, 0.0, 0.3));
   BitGrid allowed = inRange;
   allowed &= kept;
-  if (!isVoxel(index, grid) || !allowed.at(glm::ivec3(index)))
+  if (!nearest || !allowed.at(*nearest))
     return seed;
-  seed.set(glm::ivec3(index));
+  seed.set(*nearest);
   BitGrid found = grownWithin(seed, allowed, partOf(effort, 0.3, 0.8));
   if (piece.growVoxels <= 0)
     return found;

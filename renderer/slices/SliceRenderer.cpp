@@ -8,7 +8,6 @@
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "glsl/textures/SceneTextures.h"
-#include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/basics/Error.h"
 #include "scene/steps/RayFrame.h"
@@ -94,9 +93,6 @@ void requireSliceable(const Scene& scene) {
     throw Error(Error::Kind::usage, Message::tr("Slices cannot draw the projection \"%1\", only composite "
                                                 "and xray; use --engine gl or reference for it.")
                                         .arg(nameOf(scene.projection)));
-  if (hasLabelLooks(scene))
-    throw Error(Error::Kind::usage, Message::tr("Slices cannot draw looks of labels; use --engine gl, cpu or "
-                                                "reference, or take the looks out of the scene."));
   if (hasTravellingLight(scene))
     throw Error(Error::Kind::usage,
                 Message::tr("Slices cannot draw shadows and occlusion; use --engine cpu or reference, or set "

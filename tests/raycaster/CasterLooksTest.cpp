@@ -7,7 +7,6 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/light/Shading.h"
-#include "slices/SliceRenderer.h"
 #include "support/GlTest.h"
 #include "support/JudgedTime.h"
 #include "support/LookScenes.h"
@@ -152,18 +151,6 @@ TEST_F(CasterLooks, withoutLooksTheProgramKnowsNothingOfThem) {
     EXPECT_EQ(text.find(std::string("#define EFFECT_") + word), std::string::npos);
   for (const char* name : {"u_labels", "u_cellLooks", "u_lookUnits"})
     EXPECT_EQ(text.find(name), std::string::npos) << name;
-}
-
-TEST_F(CasterLooks, slicesRefuseThemInASentence) {
-  const Scene scene = cubesOfLooks(ShadingModel::classic, 2, Camera::Projection::perspective);
-  SliceRenderer slices;
-  try {
-    slices.render(scene, pictureSize);
-    FAIL() << "drew them";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::usage);
-    EXPECT_NE(std::string(error.what()).find("looks of labels"), std::string::npos);
-  }
 }
 
 } // namespace

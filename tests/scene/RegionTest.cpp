@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/basics/Error.h"
 #include "scene/regions/BlockWeights.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/regions/PackedLabels.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +20,35 @@ Region rowOf(const std::vector<double>& weights) {
   }
   const glm::ivec3 dims(static_cast<int>(weights.size()), 1, 1);
   return {Region::Kind::labels, "", std::make_shared<const LabelMap>(dims, places, labels), weights};
+}
+
+TEST(BodyAndLabels, multiply) {
+  const glm::ivec3 dims(4, 3, 2);
+  std::vector<std::uint8_t> places(24), kept(24);
+  for (std::size_t n = 0; n < 24; ++n) {
+    places[n] = static_cast<std::uint8_t>(n % 3);
+    kept[n] = n % 4 != 0;
+  }
+  const Region labels =
+      withLooks({Region::Kind::labels,
+                 "seg",
+                 std::make_shared<const LabelMap>(
+                     dims, places, std::vector<Label>{{0, "", {}}, {5, "a", {}}, {9, "b", {}}}),
+                 {1.0, 0.25, 0.0}},
+                {{1, {1.0, {{3.0, {1, 0, 0}, 0.5}}}}});
+  const Region body = bodyRegion(dims, kept);
+  const Region both = withBody(labels, body);
+  EXPECT_EQ(both.kind, Region::Kind::labels);
+  EXPECT_TRUE(hidesTable(both));
+  EXPECT_EQ(tableLabel(both), std::optional<std::size_t>(3));
+  EXPECT_EQ(listedLabels(both), 3u);
+  EXPECT_EQ(lookOfLabel(both, 1), 1u);
+  for (std::size_t n = 0; n < 24; ++n)
+    EXPECT_EQ(both.weights[both.labels->placeAt(n)],
+              labels.weights[labels.labels->placeAt(n)] * body.weights[body.labels->placeAt(n)]);
+  EXPECT_FALSE(hidesTable(labels));
+  EXPECT_FALSE(tableLabel(labels));
+  EXPECT_TRUE(hidesTable(body));
 }
 
 TEST(LabelMap, refusesWhatDoesNotFit) {

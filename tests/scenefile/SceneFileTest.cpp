@@ -2,6 +2,7 @@
 #include "io/scenefile/SceneFile.h"
 
 #include "scene/basics/Error.h"
+#include "scene/regions/BodyAndLabels.h"
 
 #include <gtest/gtest.h>
 
@@ -335,6 +336,28 @@ TEST(SceneFile, cutsAreReadBackInTheirOrderBesideWhatTheyCut) {
   EXPECT_EQ(typed.cuts[1], (Cut{Scissors{Camera(), 1.0, {{0, 0}, {1, 0}, {0, 1}}, true, {}}, true}));
 }
 
+TEST(SceneFile, keepsTheBodyBesideASegmentationAndNamesOfCuts) {
+  Cut cut{ConnectedPiece{{1.0, 2.0, 3.0}, {100.0, 200.0}}, true, "kn\u00f6cherner Kiefer"};
+  const KeptPart both{Region::Kind::labels, "seg.nrrd", {{3, 0.5}}, {cut}, {}, true};
+  const std::string text = R"(["body", {"labels": "seg.nrrd", "weights": {"3": 0.5}},
+      {"piece": {"seed_mm": [1, 2, 3], "range": [100, 200]}, "name": "kn\u00f6cherner Kiefer"}])";
+  EXPECT_EQ(parseScene(withKeep(text), "t").keep, both);
+  const std::string turned = R"([{"labels": "seg.nrrd", "weights": {"3": 0.5}}, "body",
+      {"piece": {"seed_mm": [1, 2, 3], "range": [100, 200]}, "name": "kn\u00f6cherner Kiefer"}])";
+  EXPECT_EQ(parseScene(withKeep(turned), "t").keep, both) << "they multiply, in either order";
+
+  Scene scene;
+  const Region labels{Region::Kind::labels,
+                      "seg.nrrd",
+                      std::make_shared<const LabelMap>(glm::ivec3(2, 1, 1), std::vector<std::uint8_t>{1, 0},
+                                                       std::vector<Label>{{0, "", {}}, {3, "", {}}}),
+                      {1.0, 0.5}};
+  scene.keep = withBody(labels, bodyRegion({2, 1, 1}, std::vector<std::uint8_t>{1, 0}));
+  EXPECT_EQ(keptPartOf(scene.keep), (KeptPart{Region::Kind::labels, "seg.nrrd", {{3, 0.5}}, {}, {}, true}));
+  scene.volume = nullptr;
+  EXPECT_EQ(parseScene(sceneToJson(documentOf(scene, "v.nrrd")), "t").keep, keptPartOf(scene.keep));
+}
+
 TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
   for (const auto& [keep, named] : std::map<std::string, std::string>{
            {R"("head")", "\"body\""},
@@ -355,7 +378,8 @@ TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
             "keep.looks.3.points[0].opacity"},
            {R"([{"labels": "s", "looks": {"3": {"points": 4}}}])", "keep[0].looks.3"},
            {R"({"labels": "s", "looks": {"3": {"points": [], "colour": 1}}})", "keep.looks.3.colour"},
-           {R"(["body", {"labels": "s"}])", "two things"},
+           {R"(["body", {"labels": "s"}, "body"])", "twice"},
+           {R"([{"labels": "s"}, {"labels": "t"}])", "twice"},
            {R"(["head"])", "keep"},
            {R"([{}])", "keep[0].scissors"},
            {R"([{"scissors": {"polygon": [[0,0],[1,0],[0,1]]}}])", "camera"},

@@ -71,6 +71,22 @@ std::string sessionRefusal(const std::string& text) {
   }
 }
 
+TEST(SessionFile, keepsHowTheVolumeIsCutOpen) {
+  SessionDocument session;
+  session.scene.volume = "head.nrrd";
+  CropBox before;
+  before.lower = {0.1, 0.2, 0.3};
+  session.opening = CutOpening{1, true, before, {}};
+  EXPECT_EQ(parseSession(sessionToJson(session), "t").opening, session.opening);
+  session.opening = CutOpening{0, false, {}, std::array<bool, 3>{true, false, true}};
+  EXPECT_EQ(parseSession(sessionToJson(session), "t").opening, session.opening);
+  std::string text = sessionToJson(session);
+  const std::size_t at = text.find("\"x_upper\"");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 9, "\"w_upper\"");
+  EXPECT_THROW(parseSession(text, "t"), Error);
+}
+
 TEST(SessionFile, whatIsWrittenIsReadToTheBit) {
   EXPECT_EQ(parseSession(sessionToJson(unusual()), "session"), unusual());
   SessionDocument plain;

@@ -40,6 +40,10 @@ const Row rows[] = {
      [](Scene& s) {
        s.keep = cubesRegion(s.volume->grid().dims, 9, {1.0, 0.0, 0.4});
      }},
+    {"enhanced, looks of labels", 1.5,
+     [](Scene& s) {
+       s.keep = withVariedLooks(cubesRegion(s.volume->grid().dims, 9, {1.0, 0.0, 0.4}), s.transferFunction);
+     }},
     {"classic, fog, cropped, gradient opacity", 1.0,
      [](Scene& s) {
        s.shading.model = ShadingModel::classic;

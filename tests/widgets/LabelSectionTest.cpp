@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/LabelSection.h"
 
+#include "scene/regions/LabelColor.h"
 #include "scene/volume/Phantom.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/FoldingSection.h"
+#include "widgets/properties/LabelGroups.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -13,6 +15,8 @@
 #include <QTreeView>
 
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 namespace limn {
 namespace {
@@ -70,6 +74,64 @@ TEST_F(LabelSectionTest, restingOnALabelTellsItsSizeAndValues) {
   EXPECT_TRUE(tip(2).endsWith(QStringLiteral("0.26 ml"))) << "without valid voxels its size alone";
   section.setFigures({}, nullptr);
   EXPECT_FALSE(tip(1).contains(QStringLiteral("ml")));
+}
+
+TEST(LabelGroups, areLabelsWhoseNamesBeginWithTheSameWord) {
+  const auto groups = [](const std::vector<const char*>& names) {
+    std::vector<QString> all;
+    for (const char* name : names)
+      all.push_back(QString::fromLatin1(name));
+    return groupsOf(all);
+  };
+  const auto one = [](int label) { return LabelGroup{{}, {label}}; };
+  EXPECT_EQ(groups({"background", "rib_left_1", "liver", "Rib_right_1", "kidney_left", "rib_left_2",
+                    "kidney_right"}),
+            (std::vector<LabelGroup>{one(0), {QStringLiteral("rib"), {1, 3, 5}}, one(2), one(4), one(6)}))
+      << "two kidneys are no group";
+  EXPECT_EQ(groups({"Label 1", "Label 2", "Label 3"}), (std::vector<LabelGroup>{one(0), one(1), one(2)}))
+      << "a word that all have tells nothing";
+  EXPECT_TRUE(groups({}).empty());
+}
+
+TEST_F(LabelSectionTest, aGroupIsShownAndHiddenAtOnceAndOpensForASearch) {
+  std::vector<Label> labels{{0, "background", glm::dvec3(0.5)}, {1, "liver", glm::dvec3(1.0)}};
+  for (int n = 1; n <= 12; ++n)
+    labels.push_back({n + 1, "rib_left_" + std::to_string(n), glm::dvec3(0.9)});
+  scene.keep = labelled(labels);
+  section.setScene(scene);
+  ASSERT_EQ(model().rowCount(), 3);
+  const QModelIndex ribs = model().index(2, 0);
+  EXPECT_EQ(ribs.data().toString(), QStringLiteral("rib (12)"));
+  EXPECT_EQ(model().rowCount(ribs), 12);
+  EXPECT_FALSE(table().isExpanded(ribs)) << "a hundred labels are a dozen rows";
+  EXPECT_TRUE(model().setData(ribs, Qt::Unchecked, Qt::CheckStateRole));
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_EQ(texts.back(), QStringLiteral("hide rib"));
+  EXPECT_EQ(std::accumulate(scene.keep.weights.begin(), scene.keep.weights.end(), 0.0), 2.0);
+  EXPECT_EQ(ribs.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
+  const QModelIndex third = model().index(2, 0, ribs);
+  EXPECT_TRUE(model().setData(third, Qt::Checked, Qt::CheckStateRole));
+  EXPECT_EQ(scene.keep.weights[4], 1.0) << "the third rib";
+  EXPECT_EQ(ribs.data(Qt::CheckStateRole).toInt(), Qt::PartiallyChecked);
+  section.select(5);
+  EXPECT_TRUE(table().isExpanded(ribs));
+  EXPECT_EQ(table().currentIndex().data().toString(), QStringLiteral("rib_left_4"));
+  table().collapseAll();
+  auto* search = section.findChild<QLineEdit*>();
+  ASSERT_TRUE(search->isVisibleTo(&section));
+  search->setText(QStringLiteral("left_11"));
+  ASSERT_EQ(model().rowCount(), 1) << "the group of what was found";
+  ASSERT_EQ(model().rowCount(model().index(0, 0)), 1);
+  EXPECT_TRUE(table().isExpanded(model().index(0, 0)));
+}
+
+TEST_F(LabelSectionTest, aLabelWithItsOwnCurveHasTheColourThatALegendGivesIt) {
+  scene.keep = withLooks(scene.keep, {{0, {1.0, {{-5000.0, {0, 1, 0}, 0.5}, {5000.0, {0, 1, 0}, 0.5}}}}});
+  section.setScene(scene);
+  const QImage swatch = at(0, 0, Qt::DecorationRole).value<QPixmap>().toImage();
+  const glm::dvec3 legend = shownColor(*scene.volume, scene.keep, 0);
+  EXPECT_EQ(swatch.pixelColor(swatch.rect().center()), QColor(0, 255, 0));
+  EXPECT_EQ(legend, glm::dvec3(0, 1, 0));
 }
 
 TEST_F(LabelSectionTest, listsNameColourAndWeight) {

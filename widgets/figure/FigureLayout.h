@@ -23,7 +23,7 @@ struct FigurePanel {
   std::optional<PatientPlane> plane; ///< absent: the picture of the scene
   PlaneSettings planes;              ///< what a slice shows
   GreyWindow firstWindow;            ///< of a slice whose settings have none
-  /// Of the volume: the figure's file keeps them, its picture does not show them.
+  /// Of the volume, in the order of their list.
   std::vector<Measurement> measurements = {};
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;

@@ -304,6 +304,8 @@ void paintPictureMarks(QPainter& painter, const PictureMarks& marks, const Figur
     painter.fillRect(marks.scale->bar, Qt::white);
     paintOutlined(painter, marks.scale->textPlace, marks.scale->text, halo);
   }
+  if (marks.measures)
+    paintFigureMeasures(painter, *marks.measures);
   painter.restore();
 }
 
@@ -317,6 +319,8 @@ PictureMarks pictureMarks(const Figure& figure, const FigureLayout& layout, std:
       marks.letters = edgeLetters(*letters, picture, layout);
   if (figure.settings.shows(FigureMark::scaleBar))
     marks.scale = scaleBarOn(figure.panels[panel], picture, layout);
+  if (figure.settings.shows(FigureMark::measurements) && !figure.panels[panel].measurements.empty())
+    marks.measures = figureMeasures(figure.panels[panel], layout, picture, coveredBy(marks, layout));
   return marks;
 }
 
@@ -329,6 +333,9 @@ std::vector<QRectF> coveredBy(const PictureMarks& marks, const FigureLayout& lay
     covered.push_back(marks.scale->textPlace.adjusted(-reach, -reach, reach, reach));
     covered.push_back(marks.scale->bar.adjusted(-reach, -reach, reach, reach));
   }
+  if (marks.measures)
+    for (const QRectF& part : coveredBy(*marks.measures))
+      covered.push_back(part.adjusted(-1.0, -1.0, 1.0, 1.0));
   return covered;
 }
 

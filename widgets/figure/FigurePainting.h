@@ -4,6 +4,7 @@
 #include "scene/Scene.h"
 #include "scene/view/FigureSettings.h"
 #include "widgets/figure/FigureLayout.h"
+#include "widgets/figure/FigureMeasures.h"
 #include "widgets/figure/FigureText.h"
 
 #include <QColor>
@@ -35,6 +36,7 @@ struct FigureScaleBar {
 struct PictureMarks {
   std::vector<EdgeLetter> letters;
   std::optional<FigureScaleBar> scale;
+  std::optional<FigureMeasures> measures;
 };
 
 /// The marks on the picture of one panel, as the figure asks for them.

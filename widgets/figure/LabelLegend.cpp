@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/figure/LabelLegend.h"
 
+#include "planes/LabelsOnPlane.h"
 #include "scene/LabelLooks.h"
 #include "scene/ProjectionFacts.h"
-#include "scene/function/TransferFunction.h"
-#include "scene/volume/VolumePart.h"
+#include "scene/regions/BodyAndLabels.h"
+#include "scene/regions/LabelColor.h"
+#include "widgets/figure/FigureText.h"
 #include "widgets/theme/Theme.h"
 
 #include <QFontMetricsF>
@@ -23,15 +25,32 @@ constexpr double swatchOfText = 0.95;
 constexpr double besideSwatch = 0.5;
 constexpr double betweenColumns = 1.6;
 
-// Voxels that tell a label's colour.
-constexpr int mostVoxelsAsked = 4096;
+// Of a slice: those that lie in it and are outlined in their colours.
+std::vector<std::size_t> labelsInSlice(const FigurePanel& panel) {
+  const Region& keep = panel.scene.keep;
+  const LabelMap& map = keep.isCut ? *keep.uncut : *keep.labels;
+  constexpr int side = 256; // what is smaller in it than a pixel of that is not looked for
+  const PlanePlaces found = placesOn(map, panel.scene.volume->grid(), planeFrameOf(panel, {side, side}).grid);
+  std::vector<bool> isThere(map.labels().size());
+  for (const std::uint32_t place : found.places)
+    if (place != PlanePlaces::nowhere)
+      isThere[place] = true;
+  std::vector<std::size_t> places;
+  for (std::size_t place = 0; place < listedLabels(keep); ++place)
+    if (isThere[place] && map.labels()[place].value != 0 && keep.weights[place] > 0.0)
+      places.push_back(place);
+  return places;
+}
 
-// Those that a picture, or a slice that is tinted, shows by curves of their own.
+// Those that a picture shows by curves of their own; of a slice those that it outlines.
 std::vector<std::size_t> labelsShown(const FigurePanel& panel) {
   const Region& keep = panel.scene.keep;
-  const bool hasAny = panel.plane ? panel.planes.isTinted : integrates(panel.scene.projection);
   std::vector<std::size_t> places;
-  if (!hasAny || keep.kind != Region::Kind::labels || !keep.labels)
+  if (keep.kind != Region::Kind::labels || !keep.labels)
+    return places;
+  if (panel.plane && panel.planes.outlinesRegion)
+    return labelsInSlice(panel);
+  if (panel.plane ? !panel.planes.isTinted : !integrates(panel.scene.projection))
     return places;
   for (std::size_t place = 0; place < ownLabels(keep); ++place) {
     const VoxelBox& box = keep.labels->boxAround(place);
@@ -56,39 +75,15 @@ std::vector<LabelRow> labelRows(const FigurePanel& panel) {
   for (const std::size_t place : places) {
     if (rows.size() == mostLabelRows)
       break;
-    rows.push_back({toQColor(shownColor(panel.scene, place)),
-                    QString::fromStdString(panel.scene.keep.labels->labels()[place].name)});
+    const Label& label = panel.scene.keep.labels->labels()[place];
+    const bool hasOutline = panel.plane && !panel.planes.isTinted;
+    rows.push_back(
+        {toQColor(hasOutline ? label.color : shownColor(*panel.scene.volume, panel.scene.keep, place)),
+         QString::fromStdString(label.name)});
   }
   if (places.size() > rows.size())
     rows.push_back({std::nullopt, QObject::tr("and %1 more").arg(places.size() - rows.size())});
   return rows;
-}
-
-glm::dvec3 shownColor(const Scene& scene, std::size_t place) {
-  const LabelMap& map = *scene.keep.labels;
-  const TransferFunction& look = scene.keep.looks[lookOfLabel(scene.keep, place) - 1];
-  const VoxelBox& box = map.boxAround(place);
-  const glm::ivec3 size = box.upper - box.lower;
-  const double voxels = 1.0 * size.x * size.y * size.z;
-  const int stride = std::max(1, static_cast<int>(std::ceil(std::cbrt(voxels / mostVoxelsAsked))));
-  glm::dvec3 weighed(0.0), plain(0.0);
-  double opacity = 0.0, count = 0.0;
-  const auto ask = [&](int step) {
-    for (int z = box.lower.z; z < box.upper.z; z += step)
-      for (int y = box.lower.y; y < box.upper.y; y += step)
-        for (int x = box.lower.x; x < box.upper.x; x += step)
-          if (map.placeAt(voxelOffset(map.dims(), x, y, z)) == place) {
-            const Classified shown = classify(look, scene.volume->value({x, y, z}));
-            weighed += shown.opacity * shown.color;
-            opacity += shown.opacity;
-            plain += shown.color;
-            count += 1.0;
-          }
-  };
-  // Thin ones may lie between.
-  for (int step = stride; count == 0.0 && step > 0; step /= 2)
-    ask(step);
-  return opacity > 0.0 ? weighed / opacity : count > 0.0 ? plain / count : map.labels()[place].color;
 }
 
 LabelColumns labelColumns(const std::vector<LabelRow>& rows, double width, double textPixels) {

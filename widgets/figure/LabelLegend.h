@@ -23,14 +23,10 @@ struct LabelRow {
 /// So many labels stand in a legend.
 inline constexpr std::size_t mostLabelRows = 12;
 
-/// The labels that a panel shows by curves of their own, in the order of their list; behind `mostLabelRows`
+/// The labels that a panel shows by curves of their own, of a slice those that it outlines, in the order of
+/// their list; behind `mostLabelRows`
 /// one row says how many more there are. None where its picture classifies by one curve alone.
 std::vector<LabelRow> labelRows(const FigurePanel& panel);
-
-/// What a label looks like by its own curve: the mean colour of its voxels, each as much as the curve makes
-/// it opaque, of some thousand of them; where it makes all of them transparent, of all alike. The label is
-/// shown and has a curve of its own.
-glm::dvec3 shownColor(const Scene& scene, std::size_t place);
 
 /// How rows stand beside and below each other in a width, pixels of a figure.
 struct LabelColumns {

@@ -8,6 +8,13 @@
 
 namespace limn {
 
+/// Labels that stand out in slices, whatever is kept and tinted: a piece before it is cut.
+struct PlaneLit {
+  std::shared_ptr<const LabelMap> map; ///< on the volume's grid; null: nothing stands out
+  std::vector<bool> isLit;             ///< of each label of the map
+  bool operator==(const PlaneLit&) const = default;
+};
+
 /// Everything that slices show.
 struct PlaneContent {
   std::shared_ptr<const Volume> volume; ///< null: nothing is open
@@ -21,6 +28,7 @@ struct PlaneContent {
   std::optional<std::size_t> emphasisedLabel = std::nullopt;
   std::vector<Measured> measured = {};              ///< in the volume
   std::optional<std::size_t> inHand = std::nullopt; ///< of these, which is highlighted
+  PlaneLit lit = {};
   bool operator==(const PlaneContent&) const = default;
 };
 

@@ -19,6 +19,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -28,7 +29,8 @@ constexpr int betweenGroups = 12;
 constexpr double anyNumber = 1e9;
 
 // Of PlaneTool.
-constexpr std::array toolIcons{"crosshair", "tool-window-level", "distance", "angle", "ellipse", "mark"};
+constexpr std::array toolIcons{"crosshair", "tool-window-level", "tool-scissors", "tool-piece", "distance",
+                               "angle",     "ellipse",           "mark"};
 
 // Of a tool that measures: its name with its key, and what it does.
 QString measureToolName(PlaneTool tool) {
@@ -248,7 +250,7 @@ QToolButton* PlaneBar::makeMoreButton() {
       addSwitch("plane-interpolate", tr("Interpolate between voxels"), [](PlaneSettings& s, bool on) {
         s.interpolation = on ? PlaneInterpolation::linear : PlaneInterpolation::nearest;
       });
-  QAction* outline = addSwitch("plane-outline", tr("Outline kept region and crop box"),
+  QAction* outline = addSwitch("plane-outline", tr("Outline labels, kept region and crop box"),
                                [](PlaneSettings& s, bool on) { s.outlinesRegion = on; });
   menu->addSeparator();
   menu->addAction(tr("Crosshair to the middle"), this,
@@ -393,7 +395,12 @@ PlaneDeck::PlaneDeck(QWidget& picture, QWidget* parent)
     connect(view, &PlaneView::settingsEdited, this, &PlaneDeck::settingsEdited);
     connect(view, &PlaneView::measurementsEdited, this, &PlaneDeck::measurementsEdited);
     connect(view, &PlaneView::toolRequested, this, &PlaneDeck::setTool);
-    connect(view, &PlaneView::menuRequested, this, &PlaneDeck::menuRequested);
+    connect(view, &PlaneView::pieceRequested, this, &PlaneDeck::pieceRequested);
+    connect(view, &PlaneView::pieceNarrowed, this, &PlaneDeck::pieceNarrowed);
+    connect(view, &PlaneView::lineClosed, this,
+            [this, plane](const Scissors& scissors) { emit lineClosed(plane, scissors); });
+    connect(view, &PlaneView::menuRequested, this,
+            [this, plane](const glm::dvec3& mm, const QPoint& at) { emit menuRequested(plane, mm, at); });
   }
   connect(m_bar, &PlaneBar::settingsEdited, this, &PlaneDeck::settingsEdited);
   connect(m_bar, &PlaneBar::measurementsEdited, this, &PlaneDeck::measurementsEdited);
@@ -425,6 +432,18 @@ void PlaneDeck::setTool(PlaneTool tool) {
   m_bar->setTool(tool);
   for (PlaneView* view : m_views)
     view->setTool(tool);
+  if (std::exchange(m_tool, tool) != tool)
+    emit toolChanged(tool);
+}
+
+void PlaneDeck::setLinesRemoveInside(bool isInside) {
+  for (PlaneView* view : m_views)
+    view->setLinesRemoveInside(isInside);
+}
+
+void PlaneDeck::setWheelIsForPiece(bool isForPiece) {
+  for (PlaneView* view : m_views)
+    view->setWheelIsForPiece(isForPiece);
 }
 
 PlaneLayout PlaneDeck::shownLayout() const {

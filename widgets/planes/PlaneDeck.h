@@ -60,7 +60,7 @@ private:
   PlaneContent m_content;
   QBoxLayout* m_row;
   std::array<QWidget*, 2> m_groups{};
-  std::array<QToolButton*, 2> m_tools{}; ///< in the order of PlaneTool, up to those that measure
+  std::array<QToolButton*, 2> m_tools{}; ///< crosshair and window/level, the first of PlaneTool
   QToolButton* m_measure = nullptr;      ///< the tool that measured last, the others in its menu
   PlaneTool m_measureTool = PlaneTool::distance;
   QToolButton* m_windows = nullptr;
@@ -85,6 +85,10 @@ public:
 
   /// What the left button does in every slice.
   void setTool(PlaneTool tool);
+  PlaneTool tool() const { return m_tool; }
+  /// As PlaneView has them.
+  void setLinesRemoveInside(bool isInside);
+  void setWheelIsForPiece(bool isForPiece);
   /// A button in the row above the slices, for something that is done elsewhere.
   void addButton(QAction& action) { m_bar->addButton(action); }
 
@@ -96,7 +100,12 @@ public:
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
   void measurementsEdited(const limn::MeasurementsEdited& edited);
-  void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt); ///< as PlaneView says it
+  void toolChanged(limn::PlaneTool tool);
+  // As PlaneView says it, of the slice in a plane:
+  void pieceRequested(const glm::dvec3& worldMm);
+  void pieceNarrowed(double notches);
+  void lineClosed(limn::PatientPlane plane, const limn::Scissors& scissors);
+  void menuRequested(limn::PatientPlane plane, const glm::dvec3& worldMm, const QPoint& globalAt);
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -110,6 +119,7 @@ private:
   PlaneBar* m_bar;
   std::array<PlaneView*, 3> m_views{};
   PlaneContent m_content;
+  PlaneTool m_tool = PlaneTool::crosshair;
 };
 
 /// Where picture and slices lie in a place of this size, logical pixels: the picture first, then the planes

@@ -27,9 +27,9 @@ glm::dvec2 pixelAt(const PlaneFrame& frame, const QPointF& point) {
 }
 
 PlaneDrag::Kind dragOf(PlaneTool tool) {
-  return tool == PlaneTool::crosshair     ? PlaneDrag::Kind::crosshair
-         : tool == PlaneTool::windowLevel ? PlaneDrag::Kind::windowLevel
-                                          : PlaneDrag::Kind::measure;
+  return tool == PlaneTool::windowLevel ? PlaneDrag::Kind::windowLevel
+         : kindOf(tool)                 ? PlaneDrag::Kind::measure
+                                        : PlaneDrag::Kind::crosshair;
 }
 
 std::optional<PlaneDrag::Kind> dragOf(const PlanePress& press, bool isOnHandle) {
@@ -98,6 +98,10 @@ PlaneZoom pannedBy(const PlaneFrame& frame, const QPointF& moved) {
   return {middle - mm * (moved.x() * frame.grid.axes.right + moved.y() * frame.grid.axes.down), mm};
 }
 
+bool cuts(PlaneTool tool) {
+  return tool == PlaneTool::scissors || tool == PlaneTool::piece;
+}
+
 std::optional<Measurement::Kind> kindOf(PlaneTool tool) {
   if (tool < PlaneTool::distance)
     return std::nullopt;
@@ -110,6 +114,8 @@ PlaneTool toolOf(Measurement::Kind kind) {
 
 std::optional<MeasureHandle> handleTaken(const PlaneContent& content, PatientPlane plane,
                                          const PlaneFrame& frame, PlaneTool tool, const QPointF& point) {
+  if (cuts(tool))
+    return std::nullopt;
   const std::optional<MeasureHandle> handle = measureHandleAt(measureShapes(content, plane, frame), point);
   const std::optional<Measurement::Kind> makes = kindOf(tool);
   const bool isTaken = handle && (!makes || content.measured[handle->number].measurement.kind == *makes);

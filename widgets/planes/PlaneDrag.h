@@ -44,8 +44,12 @@ double mmPerLogicalPixel(const PlaneFrame& frame);
 PlaneZoom zoomedAbout(const PlaneFrame& frame, const QPointF& point, double factor);
 PlaneZoom pannedBy(const PlaneFrame& frame, const QPointF& moved);
 
-/// What the left button does in slices. The last four measure, in the order of Measurement::Kind.
-enum class PlaneTool { crosshair, windowLevel, distance, angle, ellipse, mark };
+/// What the left button does in slices. Scissors and piece cut by hand, in picture and slices alike; the last
+/// four measure, in the order of Measurement::Kind.
+enum class PlaneTool { crosshair, windowLevel, scissors, piece, distance, angle, ellipse, mark };
+
+/// Whether it is one of the two that cut by hand.
+bool cuts(PlaneTool tool);
 
 /// What a tool measures, where it does, and the tool that measures so.
 std::optional<Measurement::Kind> kindOf(PlaneTool tool);

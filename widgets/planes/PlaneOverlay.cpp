@@ -149,12 +149,20 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   return overlay;
 }
 
+PlaneOverlay withoutCrosshair(PlaneOverlay overlay) {
+  overlay.hasCrosshair = false;
+  if (overlay.view.height() >= leastHeightForNotes)
+    overlay.notes.erase(overlay.notes.begin() + 1);
+  return overlay;
+}
+
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {
   painter.setFont(overlay.font);
   painter.setRenderHint(QPainter::TextAntialiasing);
   if (!overlay.crop.empty())
     paintCrop(painter, overlay.crop);
-  paintCrosshair(painter, overlay.crosshair, overlay.view);
+  if (overlay.hasCrosshair)
+    paintCrosshair(painter, overlay.crosshair, overlay.view);
   paintMeasures(painter, overlay.measures);
   for (const Note& note : overlay.notes)
     paintNote(painter, note);

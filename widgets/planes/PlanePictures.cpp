@@ -11,6 +11,11 @@ namespace {
 // Told apart from any grey and from the crosshair, by eyes of every kind.
 constexpr std::uint32_t outlineColor = 0xffffc83c;
 
+// Of the colour of a label that covers its tissue: its structure is what the slice is for.
+constexpr double labelCover = 0.2;
+constexpr double litCover = 0.4;
+constexpr std::uint32_t litColor = 0xffff5040;
+
 // What of the content changes the picture of a slice that was read.
 PlaneContent withoutPlaces(PlaneContent content) {
   const PlaneSettings& settings = content.settings;
@@ -19,7 +24,9 @@ PlaneContent withoutPlaces(PlaneContent content) {
   kept.isTinted = settings.isTinted;
   kept.outlinesRegion = settings.outlinesRegion;
   content.settings = kept;
-  content.crop = {}; // stands above the picture
+  content.crop = {}; // stands above the picture, as what was measured does
+  content.measured = {};
+  content.inHand = {};
   content.firstWindow = {};
   if (!kept.isTinted && !content.emphasisedPoint) {
     content.function = {};
@@ -43,6 +50,21 @@ LabelLooks looksIn(const PlaneContent& content) {
   scene.transferFunction = content.function;
   scene.keep = keep;
   return labelLooks(scene);
+}
+
+std::uint32_t opaqueOf(const glm::dvec3& color) {
+  const glm::uvec3 bytes(glm::round(glm::clamp(color, 0.0, 1.0) * 255.0));
+  return 0xff000000U | bytes.r << 16 | bytes.g << 8 | bytes.b;
+}
+
+// Of a segmentation: labels that are shown, but for the background.
+std::vector<std::uint32_t> colorsOf(const Region& keep) {
+  const std::vector<Label>& labels = keep.labels->labels();
+  std::vector<std::uint32_t> colors(ownLabels(keep), 0);
+  for (std::size_t place = 0; place < colors.size(); ++place)
+    if (labels[place].value != 0 && keep.weights[place] > 0.0)
+      colors[place] = opaqueOf(labels[place].color);
+  return colors;
 }
 
 QImage imageOf(const std::vector<std::uint32_t>& pixels, const glm::ivec2& size) {
@@ -83,6 +105,7 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
                                     looksOf(content, plane), content.emphasisedLabel ? 1u : 0u})
           : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
+  paintLabelsOver(pixels, content, plane, outlinePixels);
   if (weighs && content.settings.outlinesRegion) {
     const std::vector<std::uint8_t> edge = outlineOf(m_weights, outlinePixels);
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -92,6 +115,32 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
   m_picture = imageOf(pixels, plane.size);
   m_painted = painted;
   return m_picture;
+}
+
+const PlanePlaces& PlanePictures::placesIn(OnPlane& known, const std::shared_ptr<const LabelMap>& map,
+                                           const PlaneContent& content, const PlaneGrid& plane) {
+  if (known.map != map || !(known.plane == plane))
+    known = {map, plane, placesOn(*map, content.volume->grid(), plane)};
+  return known.labels;
+}
+
+// While a point lights up, its colour is the only one.
+void PlanePictures::paintLabelsOver(std::vector<std::uint32_t>& pixels, const PlaneContent& content,
+                                    const PlaneGrid& plane, int outlinePixels) {
+  const Region& keep = content.keep;
+  if (content.emphasisedPoint)
+    return;
+  // What was cut away is one label more, under which the others lie.
+  const std::shared_ptr<const LabelMap>& map = keep.isCut ? keep.uncut : keep.labels;
+  if (content.settings.outlinesRegion && keep.kind == Region::Kind::labels && map)
+    paintLabels(pixels, placesIn(m_labels, map, content, plane), colorsOf(keep),
+                content.settings.isTinted ? 0.0 : labelCover, outlinePixels);
+  if (!content.lit.map)
+    return;
+  std::vector<std::uint32_t> colors;
+  for (const bool isLit : content.lit.isLit)
+    colors.push_back(isLit ? litColor : 0);
+  paintLabels(pixels, placesIn(m_lit, content.lit.map, content, plane), colors, litCover, outlinePixels);
 }
 
 int PlanePictures::coarseness(const PlaneContent& content, const PlaneGrid& plane, double mostMs) const {

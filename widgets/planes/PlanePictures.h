@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "planes/LabelsOnPlane.h"
 #include "planes/PlanePixels.h"
 #include "planes/Reformat.h"
 #include "widgets/planes/PlaneContent.h"
@@ -24,8 +25,9 @@ PlaneReading readingOf(const PlaneContent& content, const PlaneGrid& plane);
 /// the same slice nothing at all.
 class PlanePictures {
 public:
-  /// The slice on a plane: grey, tinted and outlined as the content's settings ask, transparent outside of
-  /// the volume; outlines are so many pixels thick. There is a volume.
+  /// The slice on a plane: grey, tinted and outlined as the content's settings ask, with labels in their
+  /// colours and what is lit above them, transparent outside of the volume; outlines are so many pixels
+  /// thick. There is a volume.
   const QImage& picture(const PlaneContent& content, const PlaneGrid& plane, int outlinePixels = 1);
 
   /// How many pixels each way had better be read as one (`coarser`) so that it takes at most `mostMs`, judged
@@ -40,8 +42,19 @@ public:
   int readings() const { return m_readings; }
 
 private:
+  // The labels of a map on a plane.
+  struct OnPlane {
+    std::shared_ptr<const LabelMap> map;
+    PlaneGrid plane;
+    PlanePlaces labels;
+  };
+
   void keep(const PlaneReading& read, PlaneImage values, double ms);
   void weigh(const PlaneContent& content, const PlaneGrid& plane);
+  static const PlanePlaces& placesIn(OnPlane& known, const std::shared_ptr<const LabelMap>& map,
+                                     const PlaneContent& content, const PlaneGrid& plane);
+  void paintLabelsOver(std::vector<std::uint32_t>& pixels, const PlaneContent& content,
+                       const PlaneGrid& plane, int outlinePixels);
   const PlaneLooks* looksOf(const PlaneContent& content, const PlaneGrid& plane);
 
   PlaneReading m_read;
@@ -50,6 +63,8 @@ private:
   PlaneImage m_weights;
   Region m_looked;    ///< of whose labels the looks were read
   PlaneLooks m_looks; ///< of the content, or of the label alone of whose curve a point lights up
+  OnPlane m_labels;   ///< of a segmentation
+  OnPlane m_lit;
   PlaneContent m_painted;
   QImage m_picture;
   int m_readings = 0;

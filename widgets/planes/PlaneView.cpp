@@ -4,6 +4,7 @@
 #include "planes/GreyWindows.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/planes/PlaneContent.h"
+#include "widgets/planes/PlaneCut.h"
 #include "widgets/planes/PlaneMeasures.h"
 #include "widgets/planes/PlaneOverlay.h"
 #include "widgets/view/panels/FocusRing.h"
@@ -17,6 +18,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -72,6 +74,10 @@ private:
 QAccessibleInterface* planeInterface(const QString&, QObject* object) {
   auto* view = qobject_cast<PlaneView*>(object);
   return view ? new AccessiblePlane(*view) : nullptr;
+}
+
+std::optional<glm::dvec3> crosshairIn(const PlaneContent& content) {
+  return content.volume ? std::optional(crosshairOf(content)) : std::nullopt;
 }
 
 // Another slice is shown.
@@ -131,6 +137,9 @@ void PlaneView::setContent(const PlaneContent& content) {
   if (m_drag && m_drag->isLoose &&
       (content.measured.size() <= m_drag->handle.number || content.inHand != m_drag->handle.number))
     m_drag.reset();
+  // A line would go around other things in another slice.
+  if (content.volume != m_content.volume || crosshairIn(content) != crosshairIn(m_content))
+    forgetLine();
   m_content = content;
   describe();
   look();
@@ -144,6 +153,7 @@ void PlaneView::look() {
 
 void PlaneView::setTool(PlaneTool tool) {
   endLooseDrag();
+  forgetLine();
   m_tool = tool;
   showCursor(mapFromGlobal(QCursor::pos()));
 }
@@ -188,9 +198,26 @@ void PlaneView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform, coarseness > 1);
   painter.drawImage(QRectF({0.0, 0.0}, QSizeF(picture.size()) * coarseness / shown.pixelRatio), picture);
   paintPlaneOverlay(painter, planeOverlay(m_content, m_plane, shown, size(), font()));
+  if (m_line)
+    paintCutLine(painter, *m_line);
+}
+
+QImage PlaneView::picture() const {
+  PlaneContent shown = m_content;
+  shown.inHand.reset();
+  const PlaneFrame all = frame();
+  QImage picture(all.grid.size.x, all.grid.size.y, QImage::Format_RGB32);
+  picture.fill(Qt::black);
+  QPainter painter(&picture);
+  painter.drawImage(0, 0, PlanePictures().picture(shown, all.grid, static_cast<int>(all.pixelRatio + 0.5)));
+  painter.scale(all.pixelRatio, all.pixelRatio);
+  paintPlaneOverlay(painter, withoutCrosshair(planeOverlay(shown, m_plane, all, size(), font())));
+  return picture;
 }
 
 void PlaneView::mousePressEvent(QMouseEvent* event) {
+  if (pressCut(*event))
+    return;
   if (m_drag && m_drag->isLoose && event->button() == Qt::LeftButton) {
     m_drag->isLoose = false; // the release ends it
     emit measurementsEdited(measuredAfter(*m_drag, event->position()));
@@ -208,7 +235,59 @@ void PlaneView::mousePressEvent(QMouseEvent* event) {
     emit measurementsEdited({m_drag->measurements, m_drag->handle.number, m_drag->gesture});
 }
 
+// What a button that goes down is to a tool that cuts; false where it leaves it to others.
+bool PlaneView::pressCut(const QMouseEvent& event) {
+  const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+  if (!m_content.volume || m_drag || event.button() != Qt::LeftButton || others != Qt::NoModifier)
+    return false;
+  if (m_tool == PlaneTool::piece && !(event.modifiers() & Qt::ShiftModifier)) {
+    emit pieceRequested(worldAt(frame(), event.position()));
+    return true;
+  }
+  if (m_tool != PlaneTool::scissors)
+    return false;
+  if (!m_line) {
+    m_line = lineFrom(event.position(), rect());
+    m_line->removesInside = m_linesRemoveInside;
+  } else if (pressLine(*m_line, event.position())) {
+    closeLine();
+  }
+  update();
+  return true;
+}
+
+void PlaneView::closeLine() {
+  const CutLine line = *std::exchange(m_line, std::nullopt);
+  update();
+  if (isArea(line))
+    emit lineClosed(scissorsOn(m_content, frame(), line, m_linesRemoveInside));
+}
+
+void PlaneView::forgetLine() {
+  if (m_line)
+    update();
+  m_line.reset();
+}
+
+// Keys that belong to a line while one is open.
+bool PlaneView::obeyInLine(int key) {
+  if (!m_line)
+    return false;
+  if (key == Qt::Key_Return || key == Qt::Key_Enter)
+    closeLine();
+  else if (key == Qt::Key_Escape || (key == Qt::Key_Backspace && !shortenLine(*m_line)))
+    forgetLine();
+  else if (key != Qt::Key_Backspace)
+    return false;
+  update();
+  return true;
+}
+
 void PlaneView::mouseMoveEvent(QMouseEvent* event) {
+  if (m_line && !m_drag) {
+    moveLine(*m_line, event->position(), event->modifiers() == Qt::ShiftModifier);
+    return update();
+  }
   if (!m_drag)
     return showCursor(event->position());
   if (m_drag->kind == PlaneDrag::Kind::measure) {
@@ -220,10 +299,16 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   m_zoom = pannedBy(m_drag->frame, event->position() - m_drag->press);
+  forgetLine();
   look();
 }
 
 void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (m_line && m_line->isHeld && event->button() == Qt::LeftButton) {
+    if (releaseLine(*m_line, event->position()))
+      closeLine();
+    return update();
+  }
   if (!m_drag || m_drag->isLoose || event->button() != m_drag->button)
     return;
   const PlaneDrag drag = *m_drag;
@@ -261,7 +346,9 @@ void PlaneView::endLooseDrag() {
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (m_content.volume && event->button() == Qt::LeftButton && !kindOf(m_tool))
+  if (m_line && event->button() == Qt::LeftButton)
+    return closeLine();
+  if (m_content.volume && event->button() == Qt::LeftButton && !kindOf(m_tool) && !cuts(m_tool))
     emit settingsEdited(withLargeToggled(m_content.settings, m_plane));
 }
 
@@ -272,6 +359,10 @@ void PlaneView::wheelEvent(QWheelEvent* event) {
   endLooseDrag();
   if (event->modifiers() & Qt::ControlModifier)
     return zoom(event->position(), std::pow(zoomStep, event->angleDelta().y() / static_cast<double>(notch)));
+  if (m_wheelIsForPiece) {
+    emit pieceNarrowed(event->angleDelta().y() / static_cast<double>(notch));
+    return;
+  }
   // Touch pads turn by less than a notch at a time.
   m_turned += event->angleDelta().y();
   const int slices = m_turned / notch;
@@ -301,6 +392,8 @@ void PlaneView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 bool PlaneView::obey(int key, bool isFast) {
+  if (obeyInLine(key))
+    return true;
   if (key != Qt::Key_Escape)
     endLooseDrag();
   if (moveByKey(key, isFast ? fastSlices : 1))
@@ -322,6 +415,12 @@ bool PlaneView::obey(int key, bool isFast) {
     return true;
   case Qt::Key_W:
     emit toolRequested(PlaneTool::windowLevel);
+    return true;
+  case Qt::Key_X:
+    emit toolRequested(PlaneTool::scissors);
+    return true;
+  case Qt::Key_K:
+    emit toolRequested(PlaneTool::piece);
     return true;
   case Qt::Key_D:
     emit toolRequested(PlaneTool::distance);
@@ -418,6 +517,7 @@ void PlaneView::cancel() {
 }
 
 void PlaneView::zoom(const QPointF& about, double factor) {
+  forgetLine();
   m_zoom = zoomedAbout(frame(), about, factor);
   look();
 }
@@ -426,7 +526,9 @@ void PlaneView::showCursor(const QPointF& point) {
   if (m_content.volume && handleTaken(m_content, m_plane, frame(), m_tool, point))
     setCursor(Qt::SizeAllCursor);
   else
-    setCursor(m_tool == PlaneTool::windowLevel ? Qt::SizeAllCursor : Qt::CrossCursor);
+    setCursor(m_tool == PlaneTool::windowLevel ? Qt::SizeAllCursor
+              : m_tool == PlaneTool::piece     ? Qt::PointingHandCursor
+                                               : Qt::CrossCursor);
 }
 
 } // namespace limn

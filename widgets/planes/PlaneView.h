@@ -4,6 +4,7 @@
 #include "widgets/controls/BackgroundWork.h"
 #include "widgets/planes/PlaneDrag.h"
 #include "widgets/planes/PlanePictures.h"
+#include "widgets/view/overlay/CutLine.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -16,8 +17,9 @@ namespace limn {
 /// The left button does what the tool says: crosshair, window/level, or it measures; the right one always
 /// drags the window and asks with a click for a menu, the middle one pans, the wheel leads through the
 /// slices, with Ctrl it zooms. Keys: arrows, Page up and down, Home (middle), + − and F (all of the slice), 0
-/// (full window) and 1 … 4 (those of tissues), C W D G E N and Esc (tools), Delete (the measurement in hand).
-/// An angle is drawn from one end to its corner, then follows the pointer to its other end until a click.
+/// (full window) and 1 … 4 (those of tissues), C W X K D G E N and Esc (tools), Delete (the measurement in
+/// hand). An angle is drawn from one end to its corner, then follows the pointer to its other end until a
+/// click. A line to cut along is drawn as on the picture, and lasts while the slice stays where it is.
 class PlaneView : public QWidget {
   Q_OBJECT
 
@@ -31,6 +33,16 @@ public:
   const PlaneContent& content() const { return m_content; }
 
   void setTool(PlaneTool tool);
+  /// Whether lines of the scissors take away what they go around, or all else.
+  void setLinesRemoveInside(bool isInside) { m_linesRemoveInside = isInside; }
+  /// Whether the wheel widens and narrows a piece that was picked; else it leads through the slices.
+  void setWheelIsForPiece(bool isForPiece) { m_wheelIsForPiece = isForPiece; }
+
+  /// The slice with its marks, but without the crosshair and what is in hand, in device pixels; there is a
+  /// volume.
+  QImage picture() const;
+  /// The line that is being drawn to cut along.
+  const std::optional<CutLine>& cutLine() const { return m_line; }
 
   /// How the slice lies in the view; there is a volume.
   PlaneFrame frame() const;
@@ -48,6 +60,12 @@ signals:
   void settingsEdited(const limn::PlaneSettings& settings);
   void measurementsEdited(const limn::MeasurementsEdited& edited);
   void toolRequested(limn::PlaneTool tool);
+  /// The connected piece that holds this place shall be picked.
+  void pieceRequested(const glm::dvec3& worldMm);
+  /// The range of the picked piece shall be narrower by so many notches, or wider.
+  void pieceNarrowed(double notches);
+  /// A line was closed that goes around something; these scissors cut through everything.
+  void lineClosed(const limn::Scissors& scissors);
   /// What can be done with a place of the slice, by a right click on it or the key for menus at the
   /// crosshair.
   void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);
@@ -69,6 +87,10 @@ private:
   bool chooseWindow(int number);
   void cancel();
   void endLooseDrag();
+  bool pressCut(const QMouseEvent& event);
+  void closeLine();
+  void forgetLine();
+  bool obeyInLine(int key);
   bool releaseMeasure(const QPointF& point);
   void zoom(const QPointF& about, double factor);
   void showCursor(const QPointF& point);
@@ -81,6 +103,9 @@ private:
   PlaneTool m_tool = PlaneTool::crosshair;
   std::optional<PlaneZoom> m_zoom; ///< absent: all of the slice
   std::optional<PlaneDrag> m_drag;
+  std::optional<CutLine> m_line;
+  bool m_linesRemoveInside = true;
+  bool m_wheelIsForPiece = false;
   int m_turned = 0; ///< of the wheel, less than a notch
   PlanePictures m_pictures;
   QTimer m_rest;            ///< runs while what is shown is coarse

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/CropFaces.h"
 
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/Orientation.h"
 
 #include <QObject>
@@ -64,6 +65,26 @@ CropBox withFaceAt(const CropBox& crop, const Grid& grid, CropFace face, double 
   else
     edited.lower[axis] = std::clamp(fraction, 0.0, std::max(0.0, crop.upper[axis] - thinnest));
   return edited;
+}
+
+CropBox boxAroundBody(const Scene& scene) {
+  if (!scene.volume || !hidesTable(scene.keep))
+    return {};
+  // Of a body what is kept, of a segmentation beside it all that is not the table; cuts take none of that.
+  const LabelMap& map = scene.keep.isCut ? *scene.keep.uncut : *scene.keep.labels;
+  const std::size_t own = ownLabels(scene.keep);
+  const std::size_t table = tableLabel(scene.keep).value_or(0);
+  VoxelBox tight;
+  for (std::size_t place = 0; place < own; ++place)
+    if (const VoxelBox& box = map.boxAround(place); place != table && box.lower != box.upper)
+      tight = tight.lower == tight.upper
+                  ? box
+                  : VoxelBox{glm::min(tight.lower, box.lower), glm::max(tight.upper, box.upper)};
+  if (tight.lower == tight.upper)
+    return {};
+  const VoxelBox box = widened(tight, scene.volume->grid());
+  const glm::dvec3 dims(scene.volume->grid().dims);
+  return {glm::dvec3(box.lower) / dims, glm::dvec3(box.upper) / dims};
 }
 
 double shareLeft(const CropBox& crop) {

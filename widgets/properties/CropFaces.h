@@ -26,6 +26,9 @@ double placeOf(const CropBox& crop, CropFace face);
 /// that something is always left.
 CropBox withFaceAt(const CropBox& crop, const Grid& grid, CropFace face, double fraction);
 
+/// The box around a body that is kept, a voxel wider on each side; the whole volume where no body is known.
+CropBox boxAroundBody(const Scene& scene);
+
 /// The share of the volume that the box leaves, 0..1.
 double shareLeft(const CropBox& crop);
 
@@ -38,6 +41,14 @@ struct VoxelSpan {
 
 /// `axis` is 0, 1 or 2 of the grid.
 VoxelSpan voxelsInside(const CropBox& crop, const Grid& grid, int axis);
+
+/// A crop box whose faces do not follow the volume: the part `crop` of a box of its own around it, which is
+/// told as a grid (its axes are the faces' normals, its voxels the least that a face leaves).
+struct TurnedBox {
+  Grid grid;
+  CropBox crop;
+  bool operator==(const TurnedBox&) const = default;
+};
 
 /// What a clinician calls an axis of the voxel grid: by the patient's directions where they are known, by
 /// what is stacked along it where not.

@@ -5,9 +5,11 @@
 #include "widgets/controls/ListRows.h"
 
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -17,6 +19,26 @@ namespace limn {
 namespace {
 
 constexpr int mostCutsShown = 6;
+
+constexpr int nameRole = Qt::UserRole; // what a person calls a cut; else it is called by what it does
+
+// Edits the name alone, without the number before it.
+class CutNameDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    static_cast<QLineEdit*>(editor)->setText(index.data(nameRole).toString());
+  }
+  void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+    model->setData(index, static_cast<QLineEdit*>(editor)->text().simplified(), nameRole);
+  }
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    auto* editor = new QLineEdit(parent);
+    editor->setAccessibleName(CutSection::tr("Name of the cut"));
+    return editor;
+  }
+};
 
 QString summaryOf(const std::vector<Cut>& cuts) {
   if (cuts.empty())
@@ -33,7 +55,13 @@ QString cutText(const Cut& cut, const Volume& volume) {
   if (const auto* scissors = std::get_if<Scissors>(&cut.how)) {
     const QString where =
         scissors->removesInside ? CutSection::tr("Scissors, inside") : CutSection::tr("Scissors, outside");
-    return scissors->depthMm ? CutSection::tr("%1, what is seen").arg(where) : where;
+    // What is seen in the picture begins at the eye; a slab of slices lies within the volume.
+    const bool isSlab = scissors->depthMm && scissors->depthMm->x > 0.0;
+    return isSlab ? CutSection::tr("%1, %2 deep")
+                        .arg(where,
+                             valueText(scissors->depthMm->y - scissors->depthMm->x, CutSection::tr("mm"), 1))
+           : scissors->depthMm ? CutSection::tr("%1, what is seen").arg(where)
+                               : where;
   }
   const auto& piece = std::get<ConnectedPiece>(cut.how);
   const QString unit = QString::fromStdString(volume.info().unit);
@@ -57,8 +85,10 @@ CutSection::CutSection(QWidget* parent)
       m_up(new QPushButton(tr("Up"))), m_down(new QPushButton(tr("Down"))),
       m_delete(new QPushButton(tr("Delete"))) {
   m_list->setAccessibleName(tr("Cuts"));
-  m_list->setToolTip(tr("What was cut away or told apart, in order; marked cuts hold. A piece with its own "
-                        "curve comes into the curve panel by a click."));
+  m_list->setToolTip(tr("What was cut away or told apart, in order; marked cuts hold. A double click or F2 "
+                        "names one; a piece with its own curve comes into the curve panel by a click."));
+  m_list->setItemDelegate(new CutNameDelegate(m_list));
+  m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   m_scissors->setToolTip(tr("Cuts along a line that you draw on the picture (X)."));
   m_piece->setToolTip(tr("Hides the connected piece that you click, or all but it, or gives it a curve of "
                          "its own (K)."));
@@ -81,8 +111,16 @@ CutSection::CutSection(QWidget* parent)
   connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
     std::vector<Cut> cuts = m_cuts;
     const auto row = static_cast<std::size_t>(m_list->row(item));
-    cuts[row].isOn = item->checkState() == Qt::Checked;
     const QString number = QString::number(row + 1);
+    if (const std::string name = item->data(nameRole).toString().toStdString(); name != cuts[row].name) {
+      cuts[row].name = name;
+      // Once the editor is closed, which until then holds the item.
+      QMetaObject::invokeMethod(
+          this, [this, cuts, number] { emit cutsEdited(cuts, tr("name cut %1").arg(number)); },
+          Qt::QueuedConnection);
+      return;
+    }
+    cuts[row].isOn = item->checkState() == Qt::Checked;
     emit cutsEdited(cuts, cuts[row].isOn ? tr("switch cut %1 on").arg(number)
                                          : tr("switch cut %1 off").arg(number));
   });
@@ -118,9 +156,14 @@ void CutSection::showCuts() {
   const QSignalBlocker blocker(m_list);
   m_list->clear();
   for (std::size_t n = 0; n < m_cuts.size(); ++n) {
-    auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(cutText(m_cuts[n], *m_volume)), m_list);
+    const QString what = cutText(m_cuts[n], *m_volume);
+    const QString name = QString::fromStdString(m_cuts[n].name);
+    auto* item = new QListWidgetItem(tr("%1  %2").arg(n + 1).arg(name.isEmpty() ? what : name), m_list);
+    item->setData(nameRole, name);
+    if (!name.isEmpty())
+      item->setToolTip(what);
     item->setSizeHint({0, listRowHeight});
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
     item->setCheckState(m_cuts[n].isOn ? Qt::Checked : Qt::Unchecked);
   }
   const int rows = m_list->count();

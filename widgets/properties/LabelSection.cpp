@@ -3,9 +3,12 @@
 
 #include "scene/LabelLooks.h"
 #include "scene/basics/Error.h"
+#include "scene/regions/BodyAndLabels.h"
+#include "scene/regions/LabelColor.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/ListRows.h"
+#include "widgets/properties/LabelGroups.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -74,10 +77,10 @@ public:
   }
 };
 
-// Of the segmentation's own labels: what was cut away by hand is none of them.
+// Of the segmentation's own labels: what was cut away by hand is none of them, nor is what is not the body.
 std::vector<double> ownWeights(const Region& region) {
   std::vector<double> weights = region.weights;
-  weights.resize(ownLabels(region));
+  weights.resize(listedLabels(region));
   return weights;
 }
 
@@ -119,10 +122,12 @@ Region withWeight(Region region, std::size_t place, double weight) {
 
 } // namespace
 
-void LabelTable::setRegion(const Region& region, const TransferFunction& function) {
-  m_function = function;
+void LabelTable::setScene(const Scene& scene) {
+  const Region& region = scene.keep;
+  m_function = scene.transferFunction;
   if (region == m_region)
     return;
+  findColors(scene);
   // Other weights of the same labels leave selection and scrolling alone.
   if (region.labels == m_region.labels && region.weights.size() == m_region.weights.size()) {
     m_region = region;
@@ -135,6 +140,31 @@ void LabelTable::setRegion(const Region& region, const TransferFunction& functio
   endResetModel();
 }
 
+// Of those whose curve is another than before: it takes some thousand voxels each.
+void LabelTable::findColors(const Scene& scene) {
+  const Region& region = scene.keep;
+  std::map<std::size_t, glm::dvec3> colors;
+  const std::size_t listed = region.labels && scene.volume ? listedLabels(region) : 0;
+  for (std::size_t place = 0; place < listed; ++place) {
+    const std::size_t look = lookOfLabel(region, place), before = lookOfLabel(m_region, place);
+    if (look == 0)
+      continue;
+    const auto known = m_colors.find(place);
+    const bool isSame = known != m_colors.end() && region.labels == m_region.labels && before > 0 &&
+                        region.looks[look - 1] == m_region.looks[before - 1];
+    colors[place] = isSame ? known->second : shownColor(*scene.volume, region, place);
+  }
+  m_colors = std::move(colors);
+}
+
+void LabelTable::showRows(const std::vector<int>& rows, bool isShown, const QString& name) {
+  Region edited = m_region;
+  for (const int row : rows)
+    edited.weights[static_cast<std::size_t>(row)] = isShown ? 1.0 : 0.0;
+  if (edited != m_region)
+    emit regionEdited(edited, {nextGestureId(), (isShown ? tr("show %1") : tr("hide %1")).arg(name)});
+}
+
 void LabelTable::setFigures(const std::vector<LabelFigures>& figures,
                             const std::shared_ptr<const Volume>& volume) {
   m_figures = figures;
@@ -143,7 +173,7 @@ void LabelTable::setFigures(const std::vector<LabelFigures>& figures,
 
 int LabelTable::rowCount(const QModelIndex& parent) const {
   const bool hasLabels = m_region.kind == Region::Kind::labels && m_region.labels && !parent.isValid();
-  return hasLabels ? static_cast<int>(ownLabels(m_region)) : 0;
+  return hasLabels ? static_cast<int>(listedLabels(m_region)) : 0;
 }
 
 int LabelTable::columnCount(const QModelIndex& parent) const {
@@ -165,7 +195,7 @@ QVariant LabelTable::nameData(std::size_t place, int role) const {
   case Qt::DisplayRole:
     return QString::fromStdString(label.name);
   case Qt::DecorationRole:
-    return swatchOf(label.color);
+    return swatchOf(m_colors.contains(place) ? m_colors.at(place) : label.color);
   case Qt::CheckStateRole:
     return markOf(m_region.weights[place]);
   case Qt::ToolTipRole:
@@ -253,10 +283,12 @@ bool LabelTable::setCurve(std::size_t place, bool isOwn) {
 }
 
 LabelSection::LabelSection(QWidget* parent)
-    : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)),
+    : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)), m_tree(new LabelTree(this)),
       m_found(new QSortFilterProxyModel(this)), m_search(new QLineEdit), m_table(new QTreeView),
       m_open(new QPushButton(tr("Open labels…"))), m_showAll(new QPushButton(tr("Show all"))) {
-  m_found->setSourceModel(m_labels);
+  m_tree->setSourceModel(m_labels);
+  m_found->setSourceModel(m_tree);
+  m_found->setRecursiveFilteringEnabled(true);
   m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
   m_search->setPlaceholderText(tr("Search labels"));
   m_search->setAccessibleName(tr("Search labels"));
@@ -264,7 +296,11 @@ LabelSection::LabelSection(QWidget* parent)
   m_search->setClearButtonEnabled(true);
   for (QToolButton* button : m_search->findChildren<QToolButton*>()) // Qt's own, without a name
     button->setAccessibleName(tr("Clear the search"));
-  connect(m_search, &QLineEdit::textChanged, m_found, &QSortFilterProxyModel::setFilterFixedString);
+  connect(m_search, &QLineEdit::textChanged, this, [this](const QString& words) {
+    m_found->setFilterFixedString(words);
+    if (!words.isEmpty())
+      m_table->expandAll(); // what was found is seen
+  });
   m_table->setModel(m_found);
   m_table->setItemDelegate(new RowDelegate(m_table));
   m_table->setItemDelegateForColumn(LabelTable::weightColumn, new PercentDelegate(m_table));
@@ -274,7 +310,6 @@ LabelSection::LabelSection(QWidget* parent)
                            QAbstractItemView::AnyKeyPressed);
   m_table->setToolTip(tr("Marked labels are shown; a number says how much of its opacity one keeps. One with "
                          "its own curve comes into the curve panel by a click."));
-  m_table->setRootIsDecorated(false);
   m_table->setUniformRowHeights(true); // ten thousand rows are not measured
   m_table->header()->setStretchLastSection(false);
   m_table->header()->setSectionResizeMode(LabelTable::nameColumn, QHeaderView::Stretch);
@@ -292,6 +327,9 @@ LabelSection::LabelSection(QWidget* parent)
   contents()->addWidget(m_table);
   contents()->addLayout(buttons);
   connect(m_labels, &LabelTable::regionEdited, this, &LabelSection::keepEdited);
+  connect(m_table, &QTreeView::expanded, this, &LabelSection::fitTable);
+  connect(m_table, &QTreeView::collapsed, this, &LabelSection::fitTable);
+  connect(m_tree, &LabelTree::groupShown, m_labels, &LabelTable::showRows);
   connect(m_labels, &LabelTable::refused, this, &LabelSection::refused);
   connect(m_labels, &QAbstractItemModel::modelReset, this, [this] {
     if (m_labels->rowCount() > 0)
@@ -299,14 +337,17 @@ LabelSection::LabelSection(QWidget* parent)
   });
   connect(m_labels, &LabelTable::curveGiven, this, &LabelSection::curveRequested);
   connect(m_table, &QTreeView::clicked, this, [this](const QModelIndex& index) {
-    const auto place = static_cast<std::size_t>(m_found->mapToSource(index).row());
+    const QModelIndex row = m_tree->mapToSource(m_found->mapToSource(index));
+    if (!row.isValid())
+      return; // a group
+    const auto place = static_cast<std::size_t>(row.row());
     if (lookOfLabel(m_labels->region(), place) > 0)
       emit curveRequested(place);
   });
   connect(m_open, &QAbstractButton::clicked, this, &LabelSection::openRequested);
   connect(m_showAll, &QAbstractButton::clicked, this, [this] {
     Region all = m_labels->region();
-    std::fill_n(all.weights.begin(), ownLabels(all), 1.0);
+    std::fill_n(all.weights.begin(), listedLabels(all), 1.0);
     emit keepEdited(all, {nextGestureId(), tr("show all labels")});
   });
   setScene({});
@@ -314,19 +355,29 @@ LabelSection::LabelSection(QWidget* parent)
 
 void LabelSection::setScene(const Scene& scene) {
   const bool hadRows = m_labels->rowCount() > 0;
-  m_labels->setRegion(scene.keep, scene.transferFunction);
+  m_labels->setScene(scene);
+  m_table->setRootIsDecorated(m_tree->hasGroups());
   const int rows = m_labels->rowCount();
   m_search->setVisible(rows > mostRowsShown);
   if (rows <= mostRowsShown)
     m_search->clear();
   if (rows > 0 && !hadRows)
     setFolded(false);
-  fitToRows(*m_table, rows, mostRowsShown);
+  fitTable();
   m_open->setEnabled(scene.volume != nullptr);
   m_showAll->setVisible(rows > 0);
   m_showAll->setEnabled(rows > 0 &&
-                        ownWeights(scene.keep) != std::vector<double>(ownLabels(scene.keep), 1.0));
+                        ownWeights(scene.keep) != std::vector<double>(listedLabels(scene.keep), 1.0));
   setSummary(summaryOf(scene.keep));
+}
+
+// As high as its rows, whatever is searched for: an open group has more.
+void LabelSection::fitTable() {
+  int rows = m_tree->rowCount();
+  for (int row = 0; row < m_tree->rowCount(); ++row)
+    if (const QModelIndex group = m_tree->index(row, 0); m_table->isExpanded(m_found->mapFromSource(group)))
+      rows += m_tree->rowCount(group);
+  fitToRows(*m_table, rows, mostRowsShown);
 }
 
 void LabelSection::select(std::size_t place) {
@@ -334,9 +385,11 @@ void LabelSection::select(std::size_t place) {
     return;
   setFolded(false);
   const QModelIndex row = m_labels->index(static_cast<int>(place), LabelTable::nameColumn);
-  if (!m_found->mapFromSource(row).isValid())
+  const QModelIndex inTree = m_tree->mapFromSource(row);
+  if (!m_found->mapFromSource(inTree).isValid())
     m_search->clear();
-  m_table->setCurrentIndex(m_found->mapFromSource(row));
+  m_table->expand(m_found->mapFromSource(inTree.parent()));
+  m_table->setCurrentIndex(m_found->mapFromSource(inTree));
   m_table->scrollTo(m_table->currentIndex(), QAbstractItemView::PositionAtCenter);
 }
 

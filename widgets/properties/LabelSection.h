@@ -9,6 +9,8 @@
 
 #include <QAbstractTableModel>
 
+#include <map>
+
 class QLineEdit;
 class QPushButton;
 class QSortFilterProxyModel;
@@ -16,9 +18,11 @@ class QTreeView;
 
 namespace limn {
 
+class LabelTree;
+
 /// The labels of a region as rows: colour and name with a mark (shown, hidden, or between), the weight in
 /// percent, and whether the label has a curve of its own. Edits change nothing here: they are asked for, and
-/// the answer comes by setRegion.
+/// the answer comes by setScene.
 class LabelTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -27,8 +31,9 @@ public:
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// `function` is the scene's: with its opacities, in the label's colour, a label's own curve begins.
-  void setRegion(const Region& region, const TransferFunction& function);
+  /// With the opacities of the scene's function, in the label's colour, a label's own curve begins; rows have
+  /// the colour in which the scene shows their label.
+  void setScene(const Scene& scene);
   const Region& region() const { return m_region; }
 
   /// What the voxels of each label say of `volume`, for their tool tips; null: nothing is known yet.
@@ -41,6 +46,9 @@ public:
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
+  /// Asks for labels, rows of the table, to be shown or hidden; `name` is what undo calls them.
+  void showRows(const std::vector<int>& rows, bool isShown, const QString& name);
+
 signals:
   void regionEdited(const limn::Region& region, const limn::Gesture& gesture);
   /// The label at this place was given a curve of its own.
@@ -49,18 +57,20 @@ signals:
 
 private:
   bool setCurve(std::size_t place, bool isOwn);
+  void findColors(const Scene& scene);
   QVariant nameData(std::size_t place, int role) const;
   QVariant weightData(std::size_t place, int role) const;
   QVariant curveData(std::size_t place, int role) const;
 
   Region m_region;
   TransferFunction m_function;
+  std::map<std::size_t, glm::dvec3> m_colors; ///< of labels with curves of their own
   std::vector<LabelFigures> m_figures;
   std::shared_ptr<const Volume> m_volume; ///< of which they are
 };
 
 /// The labels of a segmentation that is open beside the volume: each is shown, hidden or faded, with the
-/// scene's curve or its own.
+/// scene's curve or its own. Many of one kind stand in a group, which is shown and hidden at once.
 class LabelSection : public FoldingSection {
   Q_OBJECT
 
@@ -86,7 +96,10 @@ signals:
   void refused(const QString& sentence);
 
 private:
+  void fitTable();
+
   LabelTable* m_labels;
+  LabelTree* m_tree;
   QSortFilterProxyModel* m_found;
   QLineEdit* m_search;
   QTreeView* m_table;

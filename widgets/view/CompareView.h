@@ -82,6 +82,9 @@ public:
 
   /// Whether the crop box stands over the pictures with a handle on each face; it does not by default.
   void setCropBoxVisible(bool visible);
+  /// A box that stands in the place of the crop's, or none; none at first. Its faces are dragged as the
+  /// crop's, and asked for by ViewInput::turnedBoxEdited.
+  void setTurnedBox(const std::optional<TurnedBox>& box) { set(m_order.comparison.turnedBox, box); }
   bool cropBoxIsVisible() const { return m_order.hasCropBox; }
 
   /// Whether a cube shows how the picture lies, of which each face leads to the view from there; none does by

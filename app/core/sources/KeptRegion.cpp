@@ -5,6 +5,7 @@
 #include "regions/Body.h"
 #include "regions/Cutting.h"
 #include "scene/presets/PresetFit.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/Orientation.h"
 #include "scene/volume/VolumePart.h"
 
@@ -43,6 +44,13 @@ Region sureBodyOf(const Volume& volume, const Progress& progress) {
   return found.isSure ? std::move(found.region) : Region{};
 }
 
+Region withBodyOf(const Region& labels, const Volume& volume, const Region& known, const Progress& progress) {
+  const Region body = known.kind == Region::Kind::body ? known : bodyOf(volume, progress).region;
+  return body.kind == Region::Kind::body
+             ? withBody(labels, body, volume.room(), effortOf(progress, findingBody))
+             : labels;
+}
+
 FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress) {
   FoundRegion found;
   if (part.kind == Region::Kind::body)
@@ -53,6 +61,8 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
     const std::string name = std::filesystem::path(part.labels).filename().string();
     found.region.weights = weightsOf(found.region.labels->labels(), part.weights, name);
     found.region = withLooksOf(found.region, part.looks, name);
+    if (part.hidesTable)
+      found.region = withBodyOf(found.region, volume, {}, progress);
   }
   return part.cuts.empty() ? found : cutIn(volume, found, part.cuts, progress);
 }

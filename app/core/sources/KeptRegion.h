@@ -22,6 +22,11 @@ FoundRegion bodyOf(const Volume& volume, const Progress& progress = {});
 /// The body of a CT volume, unasked: everything where it is not sure or there is nothing to hide.
 Region sureBodyOf(const Volume& volume, const Progress& progress = {});
 
+/// A segmentation with what is not the body hidden beside it (scene/regions/BodyAndLabels.h); as it is where
+/// no body is found. `known` is the body where it was found before. Throws Error (input), Cancelled.
+Region withBodyOf(const Region& labels, const Volume& volume, const Region& known,
+                  const Progress& progress = {});
+
 /// A region with other cuts in the place of its own (regions/Cutting.h), and which of those it did not have
 /// takes nothing away. Throws Error (input), Cancelled.
 FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,

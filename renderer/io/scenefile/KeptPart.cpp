@@ -3,6 +3,7 @@
 
 #include "io/scenefile/SceneJson.h"
 #include "scene/basics/Error.h"
+#include "scene/regions/BodyAndLabels.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,8 @@ KeptPart keptPartOf(const Region& region) {
   KeptPart part{region.kind, region.kind == Region::Kind::labels ? region.source : "", {}, region.cuts};
   if (region.kind != Region::Kind::labels || !region.labels)
     return part;
-  for (std::size_t place = 0; place < ownLabels(region); ++place) {
+  part.hidesTable = hidesTable(region);
+  for (std::size_t place = 0; place < listedLabels(region); ++place) {
     const int value = region.labels->labels()[place].value;
     if (region.weights[place] != 1.0)
       part.weights[value] = region.weights[place];
@@ -45,7 +47,7 @@ Region withLooksOf(const Region& region, const std::map<int, TransferFunction>& 
                    const std::string& labelMap) {
   std::map<int, TransferFunction> left = looks;
   std::map<std::size_t, TransferFunction> ofPlaces;
-  const std::size_t labels = region.labels ? ownLabels(region) : 0;
+  const std::size_t labels = region.labels ? listedLabels(region) : 0;
   for (std::size_t place = 0; place < labels; ++place)
     if (const auto look = left.find(region.labels->labels()[place].value); look != left.end()) {
       ofPlaces[place] = look->second;
@@ -162,6 +164,7 @@ Cut readCut(JsonFields fields) {
   else
     fields.fail("scissors", Message::tr("is missing, and so are piece and labels; an entry is one of these"));
   fields.boolean("on", cut.isOn);
+  fields.text("name", cut.name);
   fields.finish();
   return cut;
 }
@@ -174,11 +177,19 @@ KeptPart readEntries(JsonFields& scene, const nlohmann::json& entries) {
     const bool isLabels = entry.is_object() && entry.contains("labels");
     if (entry == "all")
       continue;
-    if ((isLabels || entry == "body") && part.kind != Region::Kind::all)
-      scene.fail("keep", Message::tr("names two things to be kept; the body or one segmentation can be"));
-    if (entry == "body")
+    const bool isBody = entry == "body";
+    const bool hasBody = part.kind == Region::Kind::body || part.hidesTable;
+    if ((isLabels && part.kind == Region::Kind::labels) || (isBody && hasBody))
+      scene.fail("keep", Message::tr("names the body or a segmentation twice; each can stand there once"));
+    if (isBody && part.kind == Region::Kind::labels)
+      part.hidesTable = true;
+    else if (isBody)
       part.kind = Region::Kind::body;
-    else if (isLabels)
+    else if (isLabels && hasBody)
+      part.hidesTable = true;
+    if (isBody)
+      continue;
+    if (isLabels)
       readLabelsPart(JsonFields(entry, scene.document(), placeIn("keep", n)), part);
     else if (entry.is_object())
       part.cuts.push_back(readCut(JsonFields(entry, scene.document(), placeIn("keep", n))));
@@ -213,6 +224,8 @@ nlohmann::ordered_json cutJson(const Cut& cut) {
   }
   if (!cut.isOn)
     json["on"] = false;
+  if (!cut.name.empty())
+    json["name"] = cut.name;
   return json;
 }
 
@@ -253,9 +266,11 @@ KeptPart readKeptPart(JsonFields& scene) {
 
 nlohmann::ordered_json keptPartJson(const KeptPart& part) {
   nlohmann::ordered_json base = baseJson(part);
-  if (part.cuts.empty())
+  if (part.cuts.empty() && !part.hidesTable)
     return base;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  if (part.hidesTable)
+    list.push_back("body");
   if (part.kind != Region::Kind::all)
     list.push_back(base);
   for (const Cut& cut : part.cuts)

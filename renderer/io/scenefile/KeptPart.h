@@ -16,6 +16,7 @@ struct KeptPart {
   std::map<int, double> weights; ///< 0..1, by the labels' values; what is not named weighs 1
   std::vector<Cut> cuts{};       ///< in order
   std::map<int, TransferFunction> looks{}; ///< of their own, by the labels' values
+  bool hidesTable = false;                 ///< of kind labels: what is not the body is hidden, too
   bool operator==(const KeptPart&) const = default;
 };
 

@@ -39,6 +39,45 @@ void readWindow(JsonFields fields, SessionDocument& session) {
   fields.finish();
 }
 
+CropBox readCropBefore(JsonFields fields) {
+  CropBox crop;
+  fields.vector("lower", crop.lower, fraction);
+  fields.vector("upper", crop.upper, fraction);
+  if (!glm::all(glm::lessThan(crop.lower, crop.upper)))
+    fields.fail("lower", Message::tr("must be smaller than the upper ends on every axis"));
+  fields.finish();
+  return crop;
+}
+
+CutOpening readOpening(JsonFields fields) {
+  CutOpening opening;
+  if (fields.has("corner")) {
+    JsonFields corner = fields.object("corner");
+    std::array<bool, 3>& ends = opening.corner.emplace();
+    corner.boolean("x_upper", ends[0]);
+    corner.boolean("y_upper", ends[1]);
+    corner.boolean("z_upper", ends[2]);
+    corner.finish();
+  } else {
+    fields.integer("axis", opening.axis, 0, 2);
+    fields.boolean("upper", opening.isUpper);
+    if (fields.has("crop_before"))
+      opening.before = readCropBefore(fields.object("crop_before"));
+  }
+  fields.finish();
+  return opening;
+}
+
+Json openingJson(const CutOpening& opening) {
+  if (const auto& corner = opening.corner)
+    return {{"corner", {{"x_upper", (*corner)[0]}, {"y_upper", (*corner)[1]}, {"z_upper", (*corner)[2]}}}};
+  const glm::dvec3& lower = opening.before.lower;
+  const glm::dvec3& upper = opening.before.upper;
+  return {{"axis", opening.axis},
+          {"upper", opening.isUpper},
+          {"crop_before", {{"lower", {lower.x, lower.y, lower.z}}, {"upper", {upper.x, upper.y, upper.z}}}}};
+}
+
 void readVolumeOptions(JsonFields& fields, SessionDocument& session) {
   if (fields.has("series"))
     fields.integer("series", session.series.emplace(), 1, 100000);
@@ -68,6 +107,8 @@ SessionDocument parseSession(std::string_view text, const std::string& name) {
     session.planes = readPlanes(fields.object("slices"), session.scene.measurements);
   if (fields.has("window"))
     readWindow(fields.object("window"), session);
+  if (fields.has("cut_open"))
+    session.opening = readOpening(fields.object("cut_open"));
   fields.text("label", session.label);
   fields.text("saved_as", session.savedAs);
   fields.boolean("unsaved", session.isUnsaved);
@@ -101,6 +142,8 @@ std::string sessionToJson(const SessionDocument& session) {
                     {"preset", session.preset},
                     {"crop_box", session.cropBoxIsShown},
                     {"gradient_curve", session.gradientCurveIsShown}};
+  if (session.opening)
+    json["cut_open"] = openingJson(*session.opening);
   if (!session.label.empty())
     json["label"] = session.label;
   if (!session.savedAs.empty())

@@ -5,9 +5,20 @@
 #include "scene/view/CompareLayout.h"
 #include "scene/view/PlaneSettings.h"
 
+#include <array>
 #include <optional>
 
 namespace limn {
+
+/// How the volume is cut open to the crosshair of the slices: by a face of its crop, or at a corner, which is
+/// the last of its cuts.
+struct CutOpening {
+  int axis = 0; ///< of the grid; with `isUpper` the face
+  bool isUpper = false;
+  CropBox before;                            ///< what the crop was
+  std::optional<std::array<bool, 3>> corner; ///< of each axis whether it is its upper end; then no face is
+  bool operator==(const CutOpening&) const = default;
+};
 
 /// A session file as read: the scene, how its volume is read, and what the window showed beside it.
 struct SessionDocument {
@@ -30,6 +41,7 @@ struct SessionDocument {
   Panel panel = Panel::properties; ///< on top of those at the right
   std::string preset;              ///< the one whose curves are shown, empty where there is none
   bool cropBoxIsShown = false;
+  std::optional<CutOpening> opening;
   bool gradientCurveIsShown = false; ///< instead of the curve over the value
 
   std::string label;      ///< what it shows, for a list of sessions that nobody saved; names nobody

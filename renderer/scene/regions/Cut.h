@@ -40,6 +40,7 @@ struct ConnectedPiece {
 struct Cut {
   std::variant<Scissors, ConnectedPiece> how;
   bool isOn = true;
+  std::string name = {}; ///< given by a person, UTF-8; empty: none
   bool operator==(const Cut&) const = default;
 };
 

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/regions/LabelAt.h"
 
+#include "scene/volume/NearestVoxel.h"
+
 namespace limn {
 
 namespace {
 
 std::optional<std::size_t> placeNearest(const LabelMap& map, const glm::dvec3& index) {
-  const glm::dvec3 nearest = glm::floor(index + 0.5);
-  const bool isInside = glm::all(glm::greaterThanEqual(nearest, glm::dvec3(0.0))) &&
-                        glm::all(glm::lessThan(nearest, glm::dvec3(map.dims())));
-  if (!isInside)
-    return std::nullopt;
-  const glm::ivec3 voxel(nearest);
-  return map.placeAt(voxelOffset(map.dims(), voxel.x, voxel.y, voxel.z));
+  const std::optional<glm::ivec3> voxel = nearestVoxel(index, map.dims());
+  return voxel ? std::optional(map.placeAt(voxelOffset(map.dims(), voxel->x, voxel->y, voxel->z)))
+               : std::nullopt;
 }
 
 } // namespace

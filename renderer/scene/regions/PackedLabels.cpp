@@ -65,28 +65,41 @@ LabelMap::Places unpacked(const std::vector<std::vector<std::uint8_t>>& slices, 
   return StoredVoxels<Place>(std::move(places));
 }
 
+std::vector<std::vector<std::uint8_t>> slicesOf(const LabelMap& map) {
+  const glm::ivec3& dims = map.dims();
+  std::vector<std::vector<std::uint8_t>> slices(static_cast<std::size_t>(dims.z));
+  std::visit(
+      [&](const auto& places) {
+        forEachPiece(dims.z, {}, [&](int z) {
+          slices[static_cast<std::size_t>(z)] =
+              packed(places.data() + voxelOffset(dims, 0, 0, z), dims.x, dims.y);
+        });
+      },
+      map.places());
+  return slices;
+}
+
 } // namespace
 
 PackedLabels::PackedLabels(const std::shared_ptr<const LabelMap>& map, std::shared_ptr<Room> room)
-    : m_dims(map->dims()), m_labels(map->labels()), m_slices(static_cast<std::size_t>(map->dims().z)),
-      m_isOfBytes(map->places().index() == 0), m_room(std::move(room)), m_map(map) {
-  std::visit(
-      [this](const auto& places) {
-        forEachPiece(m_dims.z, {}, [&](int z) {
-          m_slices[static_cast<std::size_t>(z)] =
-              packed(places.data() + voxelOffset(m_dims, 0, 0, z), m_dims.x, m_dims.y);
-        });
-      },
-      map->places());
+    : m_dims(map->dims()), m_labels(map->labels()), m_isOfBytes(map->places().index() == 0),
+      m_room(std::move(room)), m_map(map) {
+  // What was asked for outlives its answer: the map is let go by hand.
+  m_slices = std::async(std::launch::async, [held = map]() mutable {
+               Slices slices = slicesOf(*held);
+               held.reset();
+               return slices;
+             }).share();
 }
 
 std::shared_ptr<const LabelMap> PackedLabels::map() const {
   if (std::shared_ptr<const LabelMap> known = m_map.lock())
     return known;
   const std::size_t voxels = static_cast<std::size_t>(m_dims.x) * static_cast<std::size_t>(m_dims.y);
+  const Slices& slices = m_slices.get();
   auto map = std::make_shared<const LabelMap>(m_dims,
-                                              m_isOfBytes ? unpacked<std::uint8_t>(m_slices, voxels, m_room)
-                                                          : unpacked<std::uint16_t>(m_slices, voxels, m_room),
+                                              m_isOfBytes ? unpacked<std::uint8_t>(slices, voxels, m_room)
+                                                          : unpacked<std::uint16_t>(slices, voxels, m_room),
                                               m_labels);
   m_map = map;
   return map;
@@ -94,7 +107,7 @@ std::shared_ptr<const LabelMap> PackedLabels::map() const {
 
 std::size_t PackedLabels::bytes() const {
   std::size_t bytes = 0;
-  for (const std::vector<std::uint8_t>& slice : m_slices)
+  for (const std::vector<std::uint8_t>& slice : m_slices.get())
     bytes += slice.size();
   return bytes;
 }

@@ -5,13 +5,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <vector>
 
 namespace limn {
 
 /// A label map as the runs of equal labels of its rows: what steps of a history hold, of which many differ by
-/// a cut and all but one are not looked at. No larger than the map but by a few bytes a slice.
+/// a cut and all but one are not looked at. No larger than the map but by a few bytes a slice. They are found
+/// beside whoever asks for them, on a thread that holds the map until it is done.
 class PackedLabels {
 public:
   /// Of a map whose voxels lay in `room`, where they are put again.
@@ -23,14 +25,15 @@ public:
   /// Whether it is of this very map.
   bool isOf(const std::shared_ptr<const LabelMap>& map) const { return m_map.lock() == map; }
 
-  /// Of the runs.
+  /// Of the runs, once they are found.
   std::size_t bytes() const;
 
 private:
   glm::ivec3 m_dims;
   std::vector<Label> m_labels;
-  std::vector<std::vector<std::uint8_t>> m_slices; ///< runs, or voxels where these are fewer bytes
-  bool m_isOfBytes;                                ///< a voxel, else of two
+  using Slices = std::vector<std::vector<std::uint8_t>>;
+  std::shared_future<Slices> m_slices; ///< runs, or voxels where these are fewer bytes
+  bool m_isOfBytes;                    ///< a voxel, else of two
   std::shared_ptr<Room> m_room;
   mutable std::weak_ptr<const LabelMap> m_map;
 };

@@ -15,15 +15,16 @@ enum class FigureMark {
   scaleBar,     ///< in millimetres
   curve,        ///< the transfer function over its colours, with an axis in the volume's unit
   labels,       ///< that have curves of their own, with their colours
+  measurements, ///< distances, angles, ellipses and marks that are seen in the pictures
   accuracy,     ///< how far a picture is from the exact one
   region,       ///< what is hidden of the volume
   notForDiagnosis
 };
 
 inline constexpr std::array figureMarks{
-    FigureMark::panelLetters, FigureMark::names,  FigureMark::orientation,
-    FigureMark::scaleBar,     FigureMark::curve,  FigureMark::labels,
-    FigureMark::accuracy,     FigureMark::region, FigureMark::notForDiagnosis};
+    FigureMark::panelLetters, FigureMark::names,          FigureMark::orientation,  FigureMark::scaleBar,
+    FigureMark::curve,        FigureMark::labels,         FigureMark::measurements, FigureMark::accuracy,
+    FigureMark::region,       FigureMark::notForDiagnosis};
 
 /// The size of a figure, and what it shows beside its pictures. What the pictures are is told by scenes.
 struct FigureSettings {
@@ -37,7 +38,7 @@ struct FigureSettings {
   double panelAspect = 1.0; ///< width over height of a picture, where no height is given
   double textPoints = 8.0;  ///< of the body, 1/72 inch
   Page page = Page::white;  ///< what lies around the pictures, and under them where they are transparent
-  std::array<bool, figureMarks.size()> marks{true, true, true, true, true, true, true, true, true};
+  std::array<bool, figureMarks.size()> marks{true, true, true, true, true, true, true, true, true, true};
 
   bool shows(FigureMark mark) const { return marks[static_cast<std::size_t>(mark)]; }
   bool operator==(const FigureSettings&) const = default;
@@ -74,8 +75,8 @@ inline constexpr std::array figurePages{FigureSettings::Page::white, FigureSetti
 
 /// The words in files and on the command line.
 inline const char* nameOf(FigureMark mark) {
-  constexpr std::array names{"letters", "names",    "orientation", "scale", "curve",
-                             "labels",  "accuracy", "region",      "note"};
+  constexpr std::array names{"letters", "names",        "orientation", "scale",  "curve",
+                             "labels",  "measurements", "accuracy",    "region", "note"};
   return names[static_cast<std::size_t>(mark)];
 }
 inline const char* nameOf(FigureSettings::Unit unit) {

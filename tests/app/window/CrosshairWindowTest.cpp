@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/picture/CrosshairController.h"
+#include "app/picture/RegionController.h"
+#include "regions/ScissorSet.h"
 #include "scene/light/Gradient.h"
 #include "scene/volume/Phantom.h"
 #include "widgets/planes/PlaneDeck.h"
@@ -68,6 +70,31 @@ TEST(CutOpen, neverShowsWhatWasCroppedAndLeavesAVoxel) {
   const CropBox thin = openedAt(crop, grid, front, indexToWorld(grid, {0, 19, 0}));
   EXPECT_NEAR(thin.lower.y, 0.75, 1e-12) << "one of twenty voxels is left";
   EXPECT_EQ(thin.upper.y, 0.8);
+}
+
+TEST(CutOpen, aCornerIsWhatLiesOnTheEyesSideAlongAllThreeAxes) {
+  for (const glm::dmat3& direction : {glm::dmat3(1.0), mirroredAndTurned()}) {
+    const Grid grid = gridOf(direction);
+    const glm::ivec3 voxel(4, 12, 30);
+    const glm::dvec3 place = indexToWorld(grid, voxel);
+    for (int n = 0; n < 8; ++n) {
+      const glm::dvec3 side(n & 1 ? 1 : -1, n & 2 ? 1 : -1, n & 4 ? 1 : -1);
+      Camera camera;
+      camera.target = boxCentreMm(grid);
+      camera.position = place + 400.0 * (grid.direction * side);
+      const std::array<bool, 3> corner = cornerTowards(camera, grid, place);
+      EXPECT_EQ(corner, (std::array<bool, 3>{side.x > 0, side.y > 0, side.z > 0}));
+      const BitGrid taken = takenBy(cornerAt(grid, corner, place), grid);
+      int wrong = 0;
+      for (int k = 0; k < grid.dims.z; ++k)
+        for (int j = 0; j < grid.dims.y; ++j)
+          for (int i = 0; i < grid.dims.x; ++i)
+            wrong +=
+                taken.at({i, j, k}) !=
+                glm::all(glm::greaterThan(side * glm::dvec3(glm::ivec3(i, j, k) - voxel), glm::dvec3(0.0)));
+      EXPECT_EQ(wrong, 0) << "corner " << n;
+    }
+  }
 }
 
 TEST(HiddenPlace, isOneBehindWhatGivesHalfOfTheLight) {
@@ -268,6 +295,64 @@ TEST_F(CrosshairWindow, withoutSlicesItIsOutOfUseAndSaysWhy) {
   named("planes-picture").trigger();
   EXPECT_TRUE(cutOpen().isEnabled()) << "what is open can be closed";
   cutOpen().trigger();
+  EXPECT_EQ(crop(), CropBox{});
+}
+
+TEST_F(CrosshairWindow, shiftOCutsTheCornerOpenInOneGestureAndEscClosesItWithoutATrace) {
+  const auto ready = [this] {
+    const RegionController* regions = window->findChild<RegionController*>();
+    return test::waitUntil([&] { return !regions->isBusy(); });
+  };
+  const auto weight = [this](const glm::dvec3& offMm) {
+    return weightAt(scene().keep, worldToIndex(scene().volume->grid(), crosshair() + offMm));
+  };
+  view().setFocus();
+  QTest::keyClick(window->windowHandle(), Qt::Key_O, Qt::ShiftModifier);
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(scene().keep.cuts.size(), 1u);
+  EXPECT_TRUE(named("cutOpenCorner").isChecked());
+  EXPECT_EQ(crop(), CropBox{});
+  // From the front: the eye is at the patient's anterior side, a little above or below and beside.
+  const glm::dvec3 toEye = glm::sign(scene().camera.position - crosshair() + glm::dvec3(0, -1e-9, 0));
+  EXPECT_LT(toEye.y, 0.0);
+  int gone = 0;
+  for (const double x : {-20.0, 20.0})
+    for (const double z : {-20.0, 20.0})
+      gone += weight({x, -20.0, z}) == 0.0;
+  EXPECT_EQ(gone, 1) << "one of the four corners in front";
+  EXPECT_EQ(weight({0.0, 20.0, 0.0}), 1.0) << "nothing behind";
+
+  // It goes with the crosshair, in the same step of undo.
+  const Cut before = scene().keep.cuts.front();
+  clickIn(PatientPlane::axial, crosshair() + glm::dvec3(12.0, 12.0, 0.0));
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(scene().keep.cuts.size(), 1u);
+  EXPECT_NE(scene().keep.cuts.front(), before);
+  EXPECT_EQ(undo().count(), 1);
+
+  // A session that is opened again has it open.
+  saving().writeSession(pathTo("corner.json"));
+  ASSERT_TRUE(open(pathTo("corner.json")));
+  ASSERT_TRUE(ready());
+  EXPECT_TRUE(named("cutOpenCorner").isChecked());
+  press(Qt::Key_Escape, view());
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_FALSE(named("cutOpenCorner").isChecked());
+}
+
+TEST_F(CrosshairWindow, aPlaneThatIsOpenIsOpenInASessionThatIsOpenedAgain) {
+  press(Qt::Key_O, view());
+  const CropBox opened = crop();
+  ASSERT_NE(opened, CropBox{});
+  saving().writeSession(pathTo("plane.json"));
+  ASSERT_TRUE(open(pathTo("plane.json")));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(crop(), opened);
+  EXPECT_TRUE(cutOpen().isChecked());
+  clickIn(PatientPlane::axial, crosshair() + glm::dvec3(0.0, 12.0, 0.0));
+  EXPECT_GT(crop().lower.y, opened.lower.y) << "it goes with the crosshair";
+  press(Qt::Key_Escape, view());
   EXPECT_EQ(crop(), CropBox{});
 }
 

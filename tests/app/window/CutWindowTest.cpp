@@ -12,6 +12,7 @@
 #include "widgets/view/overlay/Titles.h"
 #include "widgets/view/panels/CutBar.h"
 
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QStatusBar>
@@ -207,6 +208,30 @@ TEST_F(CutWindow, aLineAroundNothingSaysSoAndCutsNothing) {
                   ->sentence()
                   .contains(QStringLiteral("takes nothing away")));
   EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(CutWindow, aCutIsNamedByF2AndKeepsItsNameInTheSession) {
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  const std::shared_ptr<const LabelMap> made = scene().keep.labels;
+  list().setFocus();
+  list().setCurrentRow(0);
+  QTest::keyClick(&list(), Qt::Key_F2);
+  auto* editor = list().findChild<QLineEdit*>();
+  ASSERT_NE(editor, nullptr);
+  EXPECT_TRUE(editor->text().isEmpty()) << "a name, not what it does";
+  QTest::keyClicks(editor, QStringLiteral("the jaw"));
+  QTest::keyClick(editor, Qt::Key_Return);
+  ASSERT_TRUE(test::waitUntil([this] { return cuts().front().name == "the jaw"; }));
+  EXPECT_EQ(list().item(0)->text(), QStringLiteral("1  the jaw"));
+  EXPECT_EQ(scene().keep.labels, made) << "nothing is cut again";
+  EXPECT_EQ(undo().undoText(), QStringLiteral("name cut 1"));
+  saving().writeSession(pathTo("named.json"));
+  ASSERT_TRUE(open(pathTo("named.json")));
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(list().item(0)->text(), QStringLiteral("1  the jaw"));
+  EXPECT_EQ(list().item(0)->toolTip(), QStringLiteral("Scissors, inside"));
 }
 
 TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {

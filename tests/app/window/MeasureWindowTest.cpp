@@ -380,7 +380,7 @@ TEST_F(MeasureWindow, hundredsAreDrawnAndListed) {
   EXPECT_EQ(list().topLevelItemCount(), 300);
   EXPECT_FALSE(axial().grab().isNull());
   ASSERT_TRUE(rest());
-  EXPECT_EQ(view().order().comparison.measures.size(), 150u) << "the marks";
+  EXPECT_EQ(view().order().comparison.measures.size(), 300u) << "of slices, too";
   undo().undo();
   EXPECT_EQ(list().topLevelItemCount(), 0);
 }

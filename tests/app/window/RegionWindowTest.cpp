@@ -3,18 +3,22 @@
 #include "app/picture/RegionController.h"
 #include "support/ShortVolume.h"
 #include "widgets/properties/LabelSection.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QTreeView>
 
+#include <filesystem>
 #include <fstream>
 
 // What is kept of a volume, in the program's window.
 
 namespace limn {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr int size = 40;
 
@@ -138,7 +142,7 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   ASSERT_TRUE(ready());
   ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
   EXPECT_EQ(undo().undoText(), QStringLiteral("open labels"));
-  EXPECT_FALSE(bodyOnly().isChecked());
+  EXPECT_TRUE(bodyOnly().isChecked()) << "the table stays hidden";
   const QAbstractItemModel* rows = window->findChild<LabelSection*>()->findChild<QTreeView*>()->model();
   EXPECT_TRUE(test::waitUntil([&] {
     return rows->data(rows->index(1, 0), Qt::ToolTipRole).toString().contains(QStringLiteral("ml ·"));
@@ -147,14 +151,15 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   faded.weights[1] = 0.5;
   session().setKeep(faded, {nextGestureId(), QStringLiteral("fade")});
   const SessionDocument kept = window->sessionDocument();
-  EXPECT_EQ(kept.scene.keep,
-            (KeptPart{Region::Kind::labels, pathTo("bone.seg.nrrd").toStdString(), {{7, 0.5}}}));
+  EXPECT_EQ(
+      kept.scene.keep,
+      (KeptPart{Region::Kind::labels, pathTo("bone.seg.nrrd").toStdString(), {{7, 0.5}}, {}, {}, true}));
   std::ofstream(folder.path() / "session.json") << sessionToJson(kept);
   ASSERT_TRUE(open(pathTo("session.json")));
-  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5}));
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5, 0.0})) << "the last is the table";
 }
 
-TEST_F(RegionWindow, labelsAndBodyOnlySayThatTheyReplaceEachOtherAndComeBackByAClick) {
+TEST_F(RegionWindow, theTableStaysHiddenWhenLabelsOpenAndBodyOnlyHidesAndShowsIt) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   const Region body = scene().keep;
   ASSERT_EQ(body.kind, Region::Kind::body);
@@ -162,23 +167,151 @@ TEST_F(RegionWindow, labelsAndBodyOnlySayThatTheyReplaceEachOtherAndComeBackByAC
   ASSERT_TRUE(ready());
   const Region labels = scene().keep;
   ASSERT_EQ(labels.kind, Region::Kind::labels);
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("in the place of Body only")));
-  const auto click = [this](const QString& text) {
-    for (QToolButton* button : messages().findChildren<QToolButton*>())
-      if (button->isVisible() && button->text() == text)
-        return QTest::mouseClick(button, Qt::LeftButton);
-    FAIL() << "no button " << text.toStdString();
-  };
-  click(QStringLiteral("Body only again"));
-  EXPECT_EQ(scene().keep, body);
   EXPECT_TRUE(bodyOnly().isChecked());
-  EXPECT_FALSE(messages().isVisible());
-  session().setKeep(labels, {nextGestureId(), QStringLiteral("labels")});
+  EXPECT_FALSE(messages().isVisible()) << "nothing gave way";
+  // Every voxel weighs what body and labels weigh together: labels weigh 1 at first.
+  const auto weighsAsBody = [&](const Region& region, double beside) {
+    int wrong = 0;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(size * size * size); ++n) {
+      const double kept = body.weights[body.labels->placeAt(n)];
+      wrong += region.weights[region.labels->placeAt(n)] != (kept > 0.0 ? 1.0 : beside);
+    }
+    return wrong;
+  };
+  EXPECT_EQ(weighsAsBody(labels, 0.0), 0);
+  const QAbstractItemModel* rows = window->findChild<LabelSection*>()->findChild<QTreeView*>()->model();
+  EXPECT_EQ(rows->rowCount(), 2) << "the file's labels alone are listed";
   bodyOnly().trigger();
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("in the place of the labels")));
-  click(QStringLiteral("Labels again"));
-  EXPECT_EQ(scene().keep, labels);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(weighsAsBody(scene().keep, 1.0), 0);
   EXPECT_FALSE(bodyOnly().isChecked());
+  bodyOnly().trigger();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep, labels);
+  // A session has both.
+  std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("session.json")));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_TRUE(bodyOnly().isChecked());
+  EXPECT_EQ(weighsAsBody(scene().keep, 0.0), 0);
+}
+
+TEST_F(RegionWindow, theCropBoxBeginsAroundTheBodyAndLeavesNoTraceWhereNobodyMovesIt) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  QAction& cropBox = *window->findChild<QAction*>(QStringLiteral("cropBox"));
+  cropBox.trigger();
+  const CropBox around = scene().crop;
+  // The ball reaches 12 voxels around voxel 18; the body has two more of what is not tissue, the box one
+  // more.
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(around.lower[axis], (18.0 - 12.0 - 3.0) / size, 1e-12);
+    EXPECT_NEAR(around.upper[axis], (18.0 + 12.0 + 3.0 + 1.0) / size, 1e-12);
+  }
+  EXPECT_EQ(undo().count(), 1);
+  cropBox.trigger();
+  EXPECT_EQ(scene().crop, CropBox{});
+  EXPECT_EQ(undo().count(), 0);
+  cropBox.trigger();
+  CropBox moved = around;
+  moved.lower.x = 0.5;
+  session().setCrop(moved, {nextGestureId(), QStringLiteral("move")});
+  cropBox.trigger();
+  EXPECT_EQ(scene().crop, moved) << "what somebody moved stays";
+  cropBox.trigger();
+  EXPECT_EQ(scene().crop, moved);
+}
+
+TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  bodyOnly().trigger();                                                // all is kept
+  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3)); // all of a box around it is seen
+  ASSERT_TRUE(rest());
+  const int steps = undo().count();
+  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
+  const auto& turned = view().order().comparison.turnedBox;
+  ASSERT_TRUE(turned);
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  EXPECT_EQ(undo().count(), steps) << "it takes nothing away yet";
+  const CameraBasis basis = basisOf(scene().camera);
+  EXPECT_NEAR(glm::length(turned->grid.direction[0] - basis.right), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(turned->grid.direction[2] - basis.up), 0.0, 1e-12);
+
+  // Its upper face is dragged 60 pixels down.
+  const ViewProjection projection = viewProjection(scene().camera, view().logicalRect(0));
+  const CropBoxShape shape = cropBoxShape(turned->crop, turned->grid, projection);
+  const auto top = std::ranges::find_if(shape.handles, [](const CropHandle& handle) {
+    return handle.face == CropFace{2, true};
+  });
+  ASSERT_NE(top, shape.handles.end());
+  const QPoint from = view().mapTo(window.get(), top->centre.toPoint());
+  QWindow* handle = window->windowHandle();
+  QTest::mousePress(handle, Qt::LeftButton, {}, from);
+  for (int step = 1; step <= 6; ++step)
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(0, 10 * step));
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(0, 60));
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(turned);
+  ASSERT_EQ(scene().keep.cuts.size(), 1u) << "one line says what one face cuts";
+  EXPECT_EQ(scene().keep.cuts[0].name, "Turned box");
+  EXPECT_EQ(undo().count(), steps + 1) << "one drag";
+  EXPECT_LT(turned->crop.upper.z, 1.0);
+  const Grid& grid = scene().volume->grid();
+  int gone = 0, wrong = 0;
+  for (int k = 0; k < size; ++k)
+    for (int j = 0; j < size; ++j)
+      for (int i = 0; i < size; ++i) {
+        const glm::dvec3 at =
+            (worldToIndex(turned->grid, indexToWorld(grid, {i, j, k})) + 0.5) / glm::dvec3(turned->grid.dims);
+        // Places on a face may fall to either side by rounding.
+        const bool isInside = glm::all(glm::greaterThan(at, turned->crop.lower - 1e-9)) &&
+                              glm::all(glm::lessThan(at, turned->crop.upper + 1e-9));
+        const bool isOnFace = glm::any(glm::lessThan(glm::abs(at - turned->crop.lower), glm::dvec3(1e-6))) ||
+                              glm::any(glm::lessThan(glm::abs(at - turned->crop.upper), glm::dvec3(1e-6)));
+        const bool isKept = weightAt(scene().keep, {i, j, k}) > 0.0;
+        gone += !isKept;
+        wrong += !isOnFace && isKept != isInside;
+      }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(gone, 1000);
+  EXPECT_LT(gone, size * size * size - 1000);
+  undo().undo();
+  EXPECT_TRUE(scene().keep.cuts.empty());
+  EXPECT_FALSE(turned) << "the box is the crop's again";
+}
+
+TEST_F(RegionWindow, bodyOnlyIsAskedForBesideLabelsThatAreOpen) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const Region body = scene().keep;
+  bodyOnly().trigger();
+  drop(pathTo("bone.seg.nrrd"));
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(bodyOnly().isChecked());
+  EXPECT_FALSE(isRestricting(scene().keep));
+  bodyOnly().trigger();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_TRUE(isRestricting(scene().keep));
+  EXPECT_TRUE(bodyOnly().isChecked());
+}
+
+TEST_F(RegionWindow, aFolderOfPicturesIsOfferedAsAVolume) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const fs::path pictures = folder.path() / "pictures";
+  fs::create_directory(pictures);
+  fs::copy_file(folder.path() / "head.nrrd", pictures / "first.nrrd");
+  drop(pathTo("pictures"));
+  ASSERT_TRUE(ready());
+  QToolButton* offered = nullptr;
+  for (QToolButton* button : messages().findChildren<QToolButton*>())
+    if (button->isVisible() && button->text() == QStringLiteral("Open it as a volume"))
+      offered = button;
+  ASSERT_NE(offered, nullptr) << messages().sentence().toStdString();
+  const std::shared_ptr<const Volume> before = scene().volume;
+  QTest::mouseClick(offered, Qt::LeftButton);
+  EXPECT_TRUE(test::waitUntil([&] { return scene().volume != before; }));
+  EXPECT_EQ(scene().volume->grid(), before->grid());
 }
 
 TEST_F(RegionWindow, whatIsNoLabelMapIsRefusedInASentence) {

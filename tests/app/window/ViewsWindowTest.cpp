@@ -118,6 +118,25 @@ TEST_F(ViewsWindow, aViewIsKeptUnderANameAndOneChoiceLeadsBack) {
   EXPECT_EQ(camera(), left);
 }
 
+TEST_F(ViewsWindow, altAndADigitLookFromTheFirstNineInOneGesture) {
+  press(Qt::Key_L);
+  const Camera left = camera();
+  keep(QStringLiteral("left"));
+  press(Qt::Key_P);
+  const Camera back = camera();
+  keep(QStringLiteral("back"));
+  press(Qt::Key_A);
+  press(Qt::Key_1, Qt::AltModifier);
+  EXPECT_EQ(camera(), left);
+  press(Qt::Key_2, Qt::AltModifier);
+  EXPECT_EQ(camera(), back);
+  for (int n = 3; n <= 10; ++n)
+    keep(QString::number(n));
+  ASSERT_EQ(entries().size(), 10);
+  EXPECT_EQ(entries()[8]->shortcut(), QKeySequence(Qt::ALT | Qt::Key_9));
+  EXPECT_TRUE(entries()[9]->shortcut().isEmpty());
+}
+
 TEST_F(ViewsWindow, theSameNameReplacesAndNoNameKeepsNothing) {
   press(Qt::Key_L);
   keep(QStringLiteral("ear"));

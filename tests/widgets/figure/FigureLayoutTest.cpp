@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/figure/FigureLayout.h"
 
+#include "planes/PlaneGrid.h"
 #include "scene/basics/Error.h"
+#include "scene/regions/LabelColor.h"
 #include "scene/volume/Phantom.h"
 #include "widgets/figure/FigurePainting.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/figure/LabelLegend.h"
+
+#include <QLineF>
 
 #include <gtest/gtest.h>
 
@@ -210,6 +214,52 @@ TEST(PictureMarks, scaleBarIsAsLongAsItSays) {
   EXPECT_NEAR(mm, 50.0, 1e-6);
 }
 
+TEST(FigurePainting, drawsWhatWasMeasuredInSlicesAndPicturesAndNowhereElse) {
+  Figure figure = figureOf(2);
+  const glm::dvec3 middle = middleVoxelMm(volume()->grid());
+  const glm::dvec3 across(60.0, 0.0, 0.0);
+  figure.panels[1].plane = PatientPlane::axial;
+  figure.panels[1].firstWindow = {0.0, 2000.0};
+  for (FigurePanel& panel : figure.panels)
+    panel.measurements = {
+        {Measurement::Kind::distance, PatientPlane::axial, {middle - across, middle + across}},
+        {Measurement::Kind::distance, PatientPlane::coronal, {middle - across, middle + across}, {}, false}};
+  const FigureLayout layout = figureLayout(figure);
+  std::vector<QImage> pictures(2, QImage(layout.pictureSize(), QImage::Format_RGB32));
+  for (QImage& picture : pictures)
+    picture.fill(QColor(40, 80, 40));
+  const QImage image = figureImage(figure, layout, pictures);
+  for (std::size_t panel = 0; panel < 2; ++panel) {
+    const std::optional<FigureMeasures> measures = pictureMarks(figure, layout, panel).measures;
+    ASSERT_TRUE(measures);
+    ASSERT_EQ(measures->marks.size(), 1u) << "the other one is hidden, and lies in another plane";
+    const MeasureShape& shape = measures->marks.front().shape;
+    EXPECT_TRUE(shape.text.startsWith(QStringLiteral("120"))) << shape.text.toStdString();
+    // 120 mm at the scale of the panel; in perspective both ends lie about as deep as the target.
+    const double pixels = measures->scale * QLineF(shape.places[0], shape.places[1]).length();
+    const double mm = mmPerPixelOf(figure.panels[panel], layout.pictureSize());
+    EXPECT_NEAR(pixels * mm, 120.0,
+                panel == 1 ? 1e-6
+                           : 120.0 * 16.0 / glm::length(middle - figure.panels[0].scene.camera.position));
+    const QPointF between =
+        measures->picture.topLeft() + measures->scale * (0.4 * shape.places[0] + 0.6 * shape.places[1]);
+    int white = 0; // a line with a light core, wherever between two rows it lies
+    for (int row = -3; row <= 3; ++row)
+      white += image.pixelColor(between.toPoint() + QPoint(0, row)).lightness() > 200;
+    EXPECT_GT(white, 0) << "panel " << panel;
+    const std::vector<QRectF> covered = coveredBy(pictureMarks(figure, layout, panel), layout);
+    const QRect& place = layout.pictures[panel];
+    for (int y = place.top(); y <= place.bottom(); ++y)
+      for (int x = place.left(); x <= place.right(); ++x) {
+        const bool isCovered = std::ranges::any_of(
+            covered, [&](const QRectF& mark) { return mark.contains(QPointF(x + 0.5, y + 0.5)); });
+        ASSERT_TRUE(isCovered || image.pixelColor(x, y) == QColor(40, 80, 40)) << x << ", " << y;
+      }
+  }
+  hide(figure, FigureMark::measurements);
+  EXPECT_FALSE(pictureMarks(figure, layout, 0).measures);
+}
+
 TEST(FigurePainting, changesNoPixelOfAPictureOutsideItsMarks) {
   for (const FigureSettings::Page page : figurePages) {
     Figure figure = figureOf(2);
@@ -280,6 +330,10 @@ TEST(LabelLegend, namesTheLabelsThatAreShownByCurvesOfTheirOwn) {
   panel.scene.projection = Projection::mip;
   EXPECT_TRUE(labelRows(panel).empty()) << "which takes the scene's curve";
   panel.plane = PatientPlane::axial;
+  rows = labelRows(panel);
+  ASSERT_EQ(rows.size(), 4u) << "a slice outlines them, whoever's curve they have";
+  EXPECT_EQ(rows[0], (LabelRow{QColor(255, 255, 255), QStringLiteral("organ 1")})) << "in their own colours";
+  panel.planes.outlinesRegion = false;
   EXPECT_TRUE(labelRows(panel).empty()) << "plain grey";
   panel.planes.isTinted = true;
   EXPECT_EQ(labelRows(panel).size(), 3u);
@@ -311,7 +365,7 @@ TEST(LabelLegend, aColourIsTheMeanOfWhatTheCurveShowsOfTheVoxels) {
                                                            std::vector<Label>{{0, "", {}}, {1, "", {}}}),
                           {1.0, 1.0}},
                          {{1, look}});
-  const glm::dvec3 color = shownColor(scene, 1);
+  const glm::dvec3 color = shownColor(*scene.volume, scene.keep, 1);
   EXPECT_NEAR(color.r, 0.25, 1e-12);
   EXPECT_NEAR(color.g, 0.0, 1e-12);
   EXPECT_NEAR(color.b, 0.75, 1e-12);

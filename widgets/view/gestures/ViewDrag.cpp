@@ -58,6 +58,8 @@ ViewClick clickOf(const Press& press, ViewTool tool) {
 }
 
 QString textOf(const ViewDrag& drag) {
+  if (drag.kind == DragKind::cropFace && drag.box.grid != drag.before.volume->grid())
+    return QObject::tr("move a face of the turned box");
   if (drag.kind == DragKind::cropFace)
     return QObject::tr("move crop face: %1").arg(cropFaceName(*drag.before.volume, drag.face));
   return drag.kind == DragKind::opacity ? QObject::tr("change opacity")
@@ -71,10 +73,10 @@ ViewEdit unlessShown(const Value& wanted, const Value& shown) {
 }
 
 CropBox croppedTo(const ViewDrag& drag, const Scene& shown, const QPointF& point) {
-  const Grid& grid = shown.volume->grid();
+  const auto& [grid, crop] = drag.box;
   const ViewProjection projection = viewProjection(shown.camera, drag.picture);
-  const double place = placeUnder(drag.before.crop, grid, drag.face, projection, point - drag.grip);
-  return withFaceAt(drag.before.crop, grid, drag.face, place);
+  const double place = placeUnder(crop, grid, drag.face, projection, point - drag.grip);
+  return withFaceAt(crop, grid, drag.face, place);
 }
 
 } // namespace
@@ -208,6 +210,7 @@ ViewDrag dragFrom(const Press& press, const Comparison& comparison, const ViewGe
   if (handle) {
     drag.kind = DragKind::cropFace;
     drag.face = handle->face;
+    drag.box = boxOver(comparison);
     drag.grip = press.point - handle->centre;
   } else {
     const bool isLeft = press.button == Qt::LeftButton;
@@ -230,7 +233,8 @@ ViewEdit editAt(ViewDrag& drag, const Scene& shown, const QPointF& point) {
   const TransferFunction& function = drag.before.transferFunction;
   switch (drag.kind) {
   case DragKind::cropFace:
-    return unlessShown(croppedTo(drag, shown, point), shown.crop);
+    return drag.box.grid == shown.volume->grid() ? unlessShown(croppedTo(drag, shown, point), shown.crop)
+                                                 : ViewEdit(croppedTo(drag, shown, point));
   case DragKind::opacity:
     return unlessShown(opacityDragged(function, moved), shown.transferFunction);
   case DragKind::windowLevel:
@@ -247,7 +251,8 @@ ViewEdit undone(const ViewDrag& drag, const Scene& shown) {
   case DragKind::wipe:
     return WipeTo{drag.first.x() / drag.viewWidth};
   case DragKind::cropFace:
-    return unlessShown(drag.before.crop, shown.crop);
+    return drag.box.grid == shown.volume->grid() ? unlessShown(drag.box.crop, shown.crop)
+                                                 : ViewEdit(drag.box.crop);
   case DragKind::opacity:
   case DragKind::windowLevel:
     return unlessShown(drag.before.transferFunction, shown.transferFunction);

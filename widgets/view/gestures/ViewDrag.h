@@ -99,6 +99,7 @@ struct ViewDrag {
   double viewWidth = 1;                 ///< ≥ 1
   Scene before;                         ///< what was shown when it began
   CropFace face;                        ///< of the crop box, where that is dragged
+  TurnedBox box;                        ///< that box, as it was
   QPointF grip;                         ///< from the handle's centre to the pointer
   std::optional<glm::dvec3> turnsAbout; ///< world; absent: the target
   Gesture gesture;

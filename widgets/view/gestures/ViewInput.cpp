@@ -121,9 +121,16 @@ void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
   else if (const auto* function = std::get_if<TransferFunction>(&edit))
     emit functionEdited(*function, gesture);
   else if (const auto* crop = std::get_if<CropBox>(&edit))
-    emit cropEdited(*crop, gesture);
+    askForCrop(*crop, gesture);
   else if (const auto* wipe = std::get_if<WipeTo>(&edit))
     emit wipeEdited(wipe->fraction);
+}
+
+void ViewInput::askForCrop(const CropBox& crop, const Gesture& gesture) {
+  if (m_facts.shown().comparison.turnedBox)
+    emit turnedBoxEdited(crop, gesture);
+  else
+    emit cropEdited(crop, gesture);
 }
 
 void ViewInput::press(const QMouseEvent& event) {
@@ -287,18 +294,21 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
   if (m_tool == ViewTool::scissors || kindOf(m_tool))
     return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
-    uncut(source.comparison.scene, handle->face);
+    uncut(source.comparison, handle->face);
   else if (isOnWipeBorder(source.geometry, event.position()))
     emit wipeEdited(0.5);
   else
     emit maximiseRequested();
 }
 
-void ViewInput::uncut(const Scene& shown, CropFace face) {
-  const CropBox crop = withFaceAt(shown.crop, shown.volume->grid(), face, face.isUpper ? 1.0 : 0.0);
-  if (crop != shown.crop)
-    emit cropEdited(crop,
-                    {nextGestureId(), tr("reset crop face: %1").arg(cropFaceName(*shown.volume, face))});
+void ViewInput::uncut(const Comparison& shown, CropFace face) {
+  const TurnedBox box = boxOver(shown);
+  const CropBox crop = withFaceAt(box.crop, box.grid, face, face.isUpper ? 1.0 : 0.0);
+  const QString text = shown.turnedBox
+                           ? tr("reset a face of the turned box")
+                           : tr("reset crop face: %1").arg(cropFaceName(*shown.scene.volume, face));
+  if (crop != box.crop)
+    askForCrop(crop, {nextGestureId(), text});
 }
 
 void ViewInput::turnWheel(QWheelEvent& event) {

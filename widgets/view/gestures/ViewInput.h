@@ -85,6 +85,8 @@ signals:
   void cameraEdited(const limn::Camera& camera, std::uint64_t gesture);
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
+  /// The same of the turned box, while one stands over the pictures.
+  void turnedBoxEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void wipeEdited(double fraction);
   void probed(const std::optional<limn::Probe>& probe);
   /// The ray that is probed, whatever it meets, of the picture of a side.
@@ -125,7 +127,8 @@ private:
   void cancelDrag(const Scene& shown);
   void showCursor(const std::optional<CropHandle>& handle);
   void hover(const QMouseEvent& event);
-  void uncut(const Scene& shown, CropFace face);
+  void uncut(const Comparison& shown, CropFace face);
+  void askForCrop(const CropBox& crop, const Gesture& gesture);
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
   void lookFromFace(const OverlaySource& source, std::size_t face);
   void obeyClick(ViewClick click, const QPointF& point);

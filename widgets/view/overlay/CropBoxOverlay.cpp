@@ -127,13 +127,15 @@ void addEdges(CropBoxShape& shape, const CropBox& crop, const Grid& grid, const 
 Note cropNote(const OverlaySource& source, const QRectF& picture, const CropHandle& handle) {
   const Volume& volume = source.volume();
   const CropFace face = handle.face;
-  const double place = placeOf(source.comparison.scene.crop, face);
+  const TurnedBox box = boxOver(source.comparison);
+  const double place = placeOf(box.crop, face);
   const double cut = face.isUpper ? 1.0 - place : place;
-  QString text = cropFaceName(volume, face);
+  // A side of the patient is none of a box that is turned.
+  QString text = source.comparison.turnedBox ? QObject::tr("Turned box") : cropFaceName(volume, face);
   if (cut > 0.0)
     text = QObject::tr("%1: %2 % cut").arg(text, plainNumber(100.0 * cut, 1));
   if (cut > 0.0 && volume.info().spacingKnown)
-    text += QObject::tr(" · %1 mm").arg(plainNumber(cut * boxSizeMm(volume.grid())[face.axis], 1));
+    text += QObject::tr(" · %1 mm").arg(plainNumber(cut * boxSizeMm(box.grid)[face.axis], 1));
   Note note = noteAt(source.font, text, {0.0, 0.0}, Qt::AlignLeft, source.geometry.size.width());
   note.plate.moveCenter(handle.centre + QPointF(0.0, -28.0));
   const QRectF room = picture.adjusted(4.0, 4.0, -4.0, -4.0);
@@ -286,8 +288,13 @@ std::vector<CropBoxOverlay> cropBoxesOf(const OverlaySource& source) {
   return boxes;
 }
 
+TurnedBox boxOver(const Comparison& comparison) {
+  return comparison.turnedBox.value_or(TurnedBox{comparison.scene.volume->grid(), comparison.scene.crop});
+}
+
 CropBoxShape cropShapeAt(const Comparison& comparison, const ViewGeometry& geometry, int position) {
-  return cropBoxShape(comparison.scene.crop, comparison.scene.volume->grid(),
+  const TurnedBox box = boxOver(comparison);
+  return cropBoxShape(box.crop, box.grid,
                       viewProjection(comparison.scene.camera, pictureRect(geometry, position)));
 }
 

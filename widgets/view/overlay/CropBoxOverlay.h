@@ -69,6 +69,9 @@ struct CropBoxOverlay {
 /// One for each picture that the box stands over; empty where it is not shown.
 std::vector<CropBoxOverlay> cropBoxesOf(const OverlaySource& source);
 
+/// The box that stands over the pictures: the turned one, or the crop's.
+TurnedBox boxOver(const Comparison& comparison);
+
 /// The crop box as it stands over the picture at `position`.
 CropBoxShape cropShapeAt(const Comparison& comparison, const ViewGeometry& geometry, int position);
 

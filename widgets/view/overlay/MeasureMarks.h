@@ -25,7 +25,7 @@ struct MeasureShape {
   std::vector<QPointF> places; ///< at least one
   QString text;                ///< empty: none stands beside it
   bool isInHand = false;
-  bool isOpen = false; ///< it is being measured: nothing of it can be taken yet
+  bool isOpen = false; ///< nothing of it can be taken: it is being measured, or is led elsewhere
 };
 
 /// With the place of its text: beside an end and clear of what was measured, with a thin leader.

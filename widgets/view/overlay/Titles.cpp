@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/Titles.h"
 
+#include "scene/regions/BodyAndLabels.h"
 #include "widgets/ValueText.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/ModelSection.h"
@@ -209,12 +210,12 @@ QString regionText(const Region& region) {
   if (isCutAway(region) && region.kind == Region::Kind::body)
     return QObject::tr("Body only, cut by hand");
   QStringList notes;
-  const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(ownLabels(region));
+  const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(listedLabels(region));
   const auto weighed =
       std::count_if(region.weights.begin(), own, [](double weight) { return weight != 1.0; });
-  if (region.kind == Region::Kind::body)
+  if (hidesTable(region))
     notes << QObject::tr("Body only: table hidden");
-  else if (weighed > 0)
+  if (region.kind == Region::Kind::labels && weighed > 0)
     notes << (weighed == 1 ? QObject::tr("1 label hidden or faded")
                            : QObject::tr("%1 labels hidden or faded").arg(weighed));
   if (isCutAway(region))

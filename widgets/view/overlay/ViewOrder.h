@@ -36,7 +36,7 @@ struct SeenMeasure {
   std::vector<glm::dvec3> placesMm; ///< world; the last are absent while it is being measured
   QString text;
   bool isInHand = false;
-  bool isOpen = false; ///< it is being measured: nothing of it can be taken yet
+  bool isOpen = false; ///< nothing of it can be taken here: it is being measured, or lies in a slice
   bool operator==(const SeenMeasure&) const = default;
 };
 
@@ -56,6 +56,7 @@ struct Comparison {
   std::optional<glm::dvec3> halfMm;       ///< where half of a ray's light is gathered, world; marked, too
   std::optional<glm::dvec3> turnsAboutMm; ///< about which turns go, world; absent: the camera's target
   std::vector<SeenMeasure> measures;      ///< drawn over the pictures
+  std::optional<TurnedBox> turnedBox;     ///< in the place of the crop's, as long as there is one
   std::string preview;                    ///< the preset that the scene is a preview of; empty: none
   bool operator==(const Comparison&) const = default;
 };

@@ -41,24 +41,34 @@ CutBar::CutBar(QWidget* parent)
   m_inside->setToolTip(tr("Takes away what the line goes around."));
   m_outside->setToolTip(tr("Takes away all that the line does not go around."));
   m_through->setToolTip(tr("Cuts through the whole volume."));
-  m_seen->setToolTip(tr("Cuts only as deep as what is seen inside the line."));
+  m_seen->setToolTip(
+      tr("Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at "
+         "least one slice."));
   m_hide->setToolTip(tr("Hides this piece."));
   m_alone->setToolTip(tr("Hides all but this piece."));
   m_look->setToolTip(tr("Gives this piece a curve of its own, which the curve panel then shows."));
   auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
   close->setToolTip(tr("Lays the tool aside (Esc)."));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 6, 6, 6);
-  row->setSpacing(6);
-  row->addWidget(m_text);
-  row->addSpacing(6);
-  row->addWidget(m_inside);
-  row->addWidget(m_outside);
-  row->addSpacing(6);
-  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone, m_look})
-    row->addWidget(button);
-  row->addSpacing(6);
-  row->addWidget(close);
+  m_rows = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  m_rows->setContentsMargins(12, 6, 6, 6);
+  auto* first = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  auto* third = new QHBoxLayout;
+  m_rows->setSpacing(6);
+  for (QHBoxLayout* part : {first, second, third}) {
+    part->setSpacing(6);
+    m_rows->addLayout(part);
+  }
+  first->addWidget(m_text);
+  first->addSpacing(6);
+  first->addWidget(m_inside);
+  first->addWidget(m_outside);
+  first->addSpacing(6);
+  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone})
+    second->addWidget(button);
+  third->addWidget(m_look);
+  third->addSpacing(6);
+  third->addWidget(close);
   connect(m_inside, &QPushButton::toggled, this, &CutBar::insideChosen);
   connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
   connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
@@ -130,15 +140,19 @@ void CutBar::showEvent(QShowEvent* event) {
   place();
 }
 
-// In a narrow view the sentence gives way: it says what the tool's tip does.
+// In a narrow view the sentence gives way: it says what the tool's tip does. Beside slices the view may have
+// no room for all buttons either: then they stand in three rows.
 void CutBar::place() {
   const QWidget* view = parentWidget();
-  m_text->show();
-  layout()->activate();
-  if (sizeHint().width() > view->width() - 16) {
-    m_text->hide();
+  const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
+    m_text->setVisible(hasText);
+    m_rows->setDirection(direction);
     layout()->activate();
-  }
+    return sizeHint().width() <= view->width() - 16;
+  };
+  if (!fits(true, QBoxLayout::LeftToRight) && !fits(false, QBoxLayout::LeftToRight) &&
+      !fits(true, QBoxLayout::TopToBottom))
+    fits(false, QBoxLayout::TopToBottom);
   const QSize size = sizeHint().boundedTo(view->size());
   setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - aboveEdge - size.height()),
               size.width(), size.height());

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -45,6 +46,7 @@ private:
   void place();
   void follow();
 
+  QBoxLayout* m_rows = nullptr;
   QLabel* m_text;
   QPushButton* m_inside;
   QPushButton* m_outside;

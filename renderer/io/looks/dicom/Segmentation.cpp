@@ -2,6 +2,7 @@
 #include "io/looks/dicom/Segmentation.h"
 
 #include "io/dicom/DicomSegmentation.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/VolumePart.h"
 
 #include <dcmtk/dcmfg/fgderimg.h>
@@ -35,7 +36,8 @@ std::vector<Written> writtenOf(const Region& keep) {
     return written;
   const std::vector<Label>& labels = keep.labels->labels();
   for (std::size_t place = 0; place < labels.size(); ++place) {
-    const bool isBackground = keep.kind == Region::Kind::labels && labels[place].value == 0;
+    const bool isBackground = keep.kind == Region::Kind::labels &&
+                              (labels[place].value == 0 || labels[place].value == tableLabelValue);
     if (isBackground || isEmpty(keep.labels->boxAround(place)))
       continue;
     const bool isEverything = keep.kind == Region::Kind::all && place == 0;

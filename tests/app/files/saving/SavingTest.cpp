@@ -55,6 +55,9 @@ TEST_F(Saving, aSessionNamedWithoutEndingOpensAgain) {
   EXPECT_FALSE(window->isWindowModified());
   EXPECT_FALSE(fs::exists(folder.path() / "mysession"));
   ASSERT_TRUE(fs::exists(folder.path() / "mysession.limn.json"));
+  const QList<RecentSource> recent = Settings(UserFolders::below(folder.path()).settings).recentSources();
+  ASSERT_FALSE(recent.isEmpty());
+  EXPECT_EQ(recent.front().path, pathTo("mysession.limn.json")) << "listed as soon as it is saved";
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(pathTo("mysession.limn.json")));
   EXPECT_EQ(window->sessionDocument(), before);
