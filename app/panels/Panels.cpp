@@ -41,16 +41,32 @@ TransferFunction averageCurve() {
            {500.0, glm::dvec3(1.0), 1.0}}};
 }
 
-// Edits are named as undo says them, "move point"; a list of them begins each with a capital.
-class CapitalDelegate : public QStyledItemDelegate {
+// Edits are named as undo says them, "move point"; a list of them begins each with a capital, and those that
+// are undone step back.
+class HistoryDelegate : public QStyledItemDelegate {
 public:
-  using QStyledItemDelegate::QStyledItemDelegate;
+  HistoryDelegate(const QUndoStack& stack, QObject* parent) : QStyledItemDelegate(parent), m_stack(stack) {}
+
   QString displayText(const QVariant& value, const QLocale& locale) const override {
     QString text = QStyledItemDelegate::displayText(value, locale);
     if (!text.isEmpty())
       text[0] = text[0].toUpper();
     return text;
   }
+
+protected:
+  // The first row is the scene as it was opened.
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (index.row() <= m_stack.index())
+      return;
+    option->font.setItalic(true);
+    option->palette.setBrush(QPalette::Text, option->palette.placeholderText());
+    option->palette.setBrush(QPalette::HighlightedText, option->palette.placeholderText());
+  }
+
+private:
+  const QUndoStack& m_stack;
 };
 
 // The docks stand in the order in which they are added, which is that of the members.
@@ -163,7 +179,7 @@ void EarlierLook::use() {
                               {nextGestureId(), tr("use the look of the volume before")});
   if (!haveOneScale)
     m_context.messages.show(
-        MessageBar::Kind::warning,
+        MessageBar::Kind::note,
         tr("The look of the volume before was fitted to the values of this one: not both are in "
            "Hounsfield units."));
 }
@@ -257,7 +273,8 @@ void Panels::addHistory() {
   history->setEmptyLabel(tr("As opened"));
   history->setAccessibleName(tr("History"));
   history->setSpacing(2);
-  history->setItemDelegate(new CapitalDelegate(history));
+  history->setItemDelegate(new HistoryDelegate(m_context.session.undoStack(), history));
+  history->setWordWrap(true);
   // Where it lies on top the presets must not become narrower than they can be.
   history->setMinimumWidth(m_presets.browser().minimumSizeHint().width());
   m_context.docks.add({tr("&History"), "historyDock", history, Qt::LeftDockWidgetArea});
@@ -312,6 +329,7 @@ void Panels::showPreview(const Scene& scene, const std::string& preset) {
 
 void Panels::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
   m_curves.showVolume(volume, histogram);
+  m_cropBox.setShown(false); // the frame was around another volume
   if (volume)
     m_properties.foldUnused();
 }

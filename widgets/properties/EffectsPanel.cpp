@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -24,6 +25,15 @@ QString sentence(QString phrase) {
   if (!phrase.isEmpty())
     phrase[0] = phrase[0].toUpper();
   return phrase;
+}
+
+// "12 ms ± 3"; a cost that is lost in its spread is about none.
+QString costWithSpread(const EffectCost& cost) {
+  const QString text = translated(costText(cost));
+  const bool isLost = std::abs(cost.ms) <= cost.spreadMs || std::abs(cost.ms) < 0.05;
+  return isLost ? text
+                : EffectsPanel::tr("%1 ± %2").arg(text,
+                                                  fixedNumber(cost.spreadMs, cost.spreadMs < 10.0 ? 1 : 0));
 }
 
 void setTextColor(QLabel& label, const QColor& color) {
@@ -64,7 +74,7 @@ void EffectRowWidget::setRow(const EffectRow& row) {
 }
 
 void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
-  m_cost->setText(cost ? translated(costText(*cost)) : QString());
+  m_cost->setText(cost ? costWithSpread(*cost) : QString());
   m_cost->setToolTip(
       cost ? tr("The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.")
                  .arg(fixedNumber(std::abs(cost->ms), 1))
