@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/Panels.h"
 
+#include "app/panels/EffectSwitches.h"
 #include "app/window/WindowContext.h"
 #include "scene/function/PointShare.h"
 #include "scene/presets/PresetFit.h"
@@ -308,9 +309,44 @@ void Panels::connectProperties() {
 void Panels::addEffects() {
   connect(&m_context.view, &CompareView::told, this, [this](const ViewNews& news) {
     m_effects.setRows(news.effects, news.effectsOf);
+    m_effects.setSwitchable(switchableEffects(news.effects));
     m_effects.setTimes(news.times);
   });
+  connect(&m_effects, &EffectsPanel::effectSwitched, this, &Panels::switchEffect);
   connect(&m_effects, &EffectsPanel::measureRequested, &m_context.view, &CompareView::measureEffects);
+}
+
+// What is off may be so because nothing in the picture calls for it: only what was switched off here is
+// offered.
+std::set<std::string> Panels::switchableEffects(const std::vector<EffectRow>& rows) const {
+  std::set<std::string> switchable;
+  const Scene& scene = m_context.session.scene();
+  for (const EffectRow& row : rows)
+    if (scene.volume &&
+        (row.isOn ? withoutEffect(scene, row.name).has_value() : m_switchedOff.contains(row.name)))
+      switchable.insert(row.name);
+  return switchable;
+}
+
+void Panels::switchEffect(const QString& effect, bool isOn) {
+  const std::string name = effect.toStdString();
+  const Scene& scene = m_context.session.scene();
+  const auto before = m_switchedOff.find(name);
+  std::optional<Scene> next;
+  if (!isOn)
+    next = withoutEffect(scene, name);
+  else if (before != m_switchedOff.end())
+    next = withEffect(scene, name, before->second);
+  if (!next)
+    return;
+  if (!isOn) {
+    Scene kept = scene;
+    kept.volume.reset(); // its numbers are enough
+    kept.keep = {};
+    m_switchedOff[name] = kept;
+  }
+  m_context.session.edit(*next,
+                         {nextGestureId(), isOn ? tr("switch an effect on") : tr("switch an effect off")});
 }
 
 void Panels::showScene(const Scene& scene) {
@@ -330,6 +366,7 @@ void Panels::showPreview(const Scene& scene, const std::string& preset) {
 void Panels::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
   m_curves.showVolume(volume, histogram);
   m_cropBox.setShown(false); // the frame was around another volume
+  m_switchedOff.clear();
   if (volume)
     m_properties.foldUnused();
 }

@@ -3,6 +3,7 @@
 #include "app/presets/PresetStore.h"
 #include "scene/presets/PresetFit.h"
 
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QInputDialog>
@@ -268,6 +269,28 @@ TEST_F(Looks, thePapersNumbersAreOneClickAway) {
   EXPECT_FALSE(button.isEnabled());
   undo().undo();
   EXPECT_EQ(scene().shading, tuned);
+}
+
+TEST_F(Looks, effectsAreSwitchedWhereTheyAreListed) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::single);
+  window->findChild<QDockWidget*>(QStringLiteral("effectsDock"))->raise();
+  ASSERT_TRUE(rest());
+  const auto highlights = [this]() -> QCheckBox* {
+    for (QCheckBox* one : window->findChildren<QCheckBox*>())
+      if (one->accessibleName() == QStringLiteral("Highlights"))
+        return one;
+    return nullptr;
+  };
+  ASSERT_TRUE(test::waitUntil([&] { return highlights() && highlights()->isVisible(); }));
+  const Scene before = scene();
+  ASSERT_GT(before.shading.specular, 0.0);
+  highlights()->click();
+  EXPECT_EQ(scene().shading.specular, 0.0);
+  ASSERT_TRUE(test::waitUntil([&] { return highlights()->isVisible() && !highlights()->isChecked(); }));
+  highlights()->click();
+  EXPECT_EQ(scene().shading, before.shading);
+  EXPECT_EQ(undo().count(), 2);
 }
 
 TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
