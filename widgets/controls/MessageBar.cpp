@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/MessageBar.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -96,7 +97,7 @@ void MessageBar::layOver() {
 
 // Under the pointer or with the keyboard in it, it is being read.
 void MessageBar::goInTime() {
-  const bool goes = m_goes && isVisible() && !underMouse() && !isAncestorOf(focusWidget());
+  const bool goes = m_goes && isVisible() && !underMouse() && !isAncestorOf(QApplication::focusWidget());
   if (goes)
     m_end->start(readingMs(sentence()));
   else

@@ -7,6 +7,7 @@
 #include "widgets/controls/TrackSlider.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 
 #include <algorithm>
 
@@ -26,15 +27,13 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
     : QWidget(parent), m_spec(spec), m_label(new ResetLabel(spec.label)),
       m_slider(new TrackSlider(spec.scale, 1)),
       m_field(new NumberField(spec.lowest, spec.highest, spec.decimals)) {
-  // As rows of ranges have it: the number beside its name, the track below over the whole width.
-  auto* layout = new QGridLayout(this);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setHorizontalSpacing(8);
-  layout->setVerticalSpacing(4);
-  layout->addWidget(m_label, 0, 0);
-  layout->addWidget(m_field, 0, 1);
-  layout->addWidget(m_slider, 1, 0, 1, 2);
-  layout->setColumnStretch(0, 1);
+  layout->setSpacing(8);
+  layout->addWidget(m_label);
+  layout->addWidget(m_slider, 1);
+  layout->addWidget(m_field);
+  m_label->setFixedWidth(labelColumn);
   m_label->setWordWrap(true);
   m_slider->setMinimumWidth(shortestTrack);
 

@@ -116,7 +116,7 @@ struct LegendParts {
 
 // The values over which a scene's curve is shown: those between its outermost points with some room beside
 // them, or the volume's where there are none.
-ValueRange legendRange(const Scene& scene) {
+ValueRange ownRange(const Scene& scene) {
   const auto& points = scene.transferFunction.points;
   if (points.empty() || !(points.back().value > points.front().value))
     return scene.volume->range().lowest < scene.volume->range().highest
@@ -124,18 +124,6 @@ ValueRange legendRange(const Scene& scene) {
                : ValueRange{scene.volume->range().lowest - 0.5, scene.volume->range().lowest + 0.5};
   const double room = 0.06 * (points.back().value - points.front().value);
   return {points.front().value - room, points.back().value + room};
-}
-
-// One axis for all curves of values in one unit, so that they can be compared by eye.
-ValueRange legendRange(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
-  const std::string& unit = figure.panels[panel].scene.volume->info().unit;
-  ValueRange range = legendRange(figure.panels[panel].scene);
-  for (const LegendPlace& legend : layout.legends)
-    if (const Scene& other = figure.panels[legend.panel].scene; other.volume->info().unit == unit) {
-      const ValueRange its = legendRange(other);
-      range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
-    }
-  return range;
 }
 
 LegendParts partsOf(const QRectF& place, const ValueRange& range, const QFont& font) {
@@ -320,6 +308,17 @@ void paintPictureMarks(QPainter& painter, const PictureMarks& marks, const Figur
 }
 
 } // namespace
+
+ValueRange legendRange(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
+  const std::string& unit = figure.panels[panel].scene.volume->info().unit;
+  ValueRange range = ownRange(figure.panels[panel].scene);
+  for (const LegendPlace& legend : layout.legends)
+    if (const Scene& other = figure.panels[legend.panel].scene; other.volume->info().unit == unit) {
+      const ValueRange its = ownRange(other);
+      range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
+    }
+  return range;
+}
 
 PictureMarks pictureMarks(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
   const QRectF picture(layout.pictures[panel]);

@@ -79,7 +79,7 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
       {tr("As on screen"), tr("Twice as large"), tr("Four times as large"), tr("For print, 300 dpi")});
   m_size->setCurrentIndex(static_cast<int>(options.size));
   m_cm->setObjectName(QStringLiteral("pictureWidth"));
-  m_cm->setSuffix(tr(" cm"));
+  m_cm->setSuffix(QChar(0x00a0) + tr("cm"));
   m_cm->setAccessibleName(tr("Width on paper"));
   m_cm->setNumber(options.printCm);
   m_ground->setObjectName(QStringLiteral("pictureGround"));

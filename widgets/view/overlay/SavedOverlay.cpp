@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/SavedOverlay.h"
 
+#include "widgets/view/overlay/OverlayParts.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -45,6 +47,15 @@ Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks) {
   std::ranges::copy_if(overlay.notes, std::back_inserter(notes), isWanted);
   overlay.notes = std::move(notes);
   overlay.gap.reset(); // pictures stand without one in a file
+  // No menu opens in a file.
+  for (PlacedLabel& label : overlay.labels) {
+    label.label.leadsToMenu = false;
+    const double width = labelPlate(source.font, label.label, source.view(), Qt::AlignLeft).width();
+    const bool isAtTheRight = label.plate.center().x() > source.view().center().x() &&
+                              overlay.labels.size() == 2 &&
+                              source.geometry.layout != CompareLayout::sideBySide;
+    isAtTheRight ? label.plate.setLeft(label.plate.right() - width) : label.plate.setWidth(width);
+  }
   if (!marks.names) {
     overlay.labels.clear();
     overlay.difference.reset();
