@@ -176,8 +176,8 @@ void PictureArea::describe(SessionDocument& session) const {
 }
 
 void PictureArea::restore(const SessionDocument& session) {
+  m_planes.restore(session); // first: slices that come decide how many pictures there are
   m_comparison.restore(session);
-  m_planes.restore(session);
 }
 
 } // namespace limn

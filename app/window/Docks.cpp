@@ -185,8 +185,9 @@ void Docks::arrange(ActionList& actions) {
 // At the end of the menu bar, where they take no room from tools.
 void Docks::addFolds(ActionList& actions) {
   auto* folds = new QWidget(m_window.menuBar());
+  folds->setObjectName(QStringLiteral("panelFolds")); // its buttons are as low as the menus (theme.qss)
   auto* row = new QHBoxLayout(folds);
-  row->setContentsMargins(0, 2, 6, 2);
+  row->setContentsMargins(0, 0, 6, 0);
   row->setSpacing(2);
   const auto add = [&](Qt::DockWidgetArea area, const char* name, const QString& text, const QString& tip) {
     QAction* action =

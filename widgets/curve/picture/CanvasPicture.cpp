@@ -116,7 +116,8 @@ void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
                    withAlpha(picture.colors.accent, 26));
 }
 
-// Along the upper edge, each over its values; of a name with several parts the first, where that has room.
+// Along the upper edge, each over its values, or along the lower one where the curve runs; of a name with
+// several parts the first, where that has room.
 void paintTissueNames(QPainter& painter, const CanvasPicture& picture) {
   constexpr double height = 14.0;
   constexpr double beside = 4.0;
@@ -140,7 +141,11 @@ void paintTissueNames(QPainter& painter, const CanvasPicture& picture) {
     // A narrow range may lend its neighbours' gaps, but covers no other name.
     if (width > 3.0 * (to - from) || left < free || left + width > plot.right())
       continue;
-    painter.drawText(QRectF(left, plot.top() + 1.0, width + 1.0, height), Qt::AlignCenter, name);
+    const QRectF above(left, plot.top() + 1.0, width + 1.0, height);
+    const bool isCrossed = !picture.function.points.empty() &&
+                           runsThrough(curvePolygon(picture.transform, picture.function), above);
+    const QRectF below = above.translated(0.0, plot.height() - height - 2.0);
+    painter.drawText(isCrossed ? below : above, Qt::AlignCenter, name);
     free = left + width + beside;
     painter.drawLine(QPointF(from, plot.top()), QPointF(from, plot.top() + 3.0));
     painter.drawLine(QPointF(to, plot.top()), QPointF(to, plot.top() + 3.0));
