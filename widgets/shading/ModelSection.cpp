@@ -95,6 +95,7 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
   m_opacityRange = addRange(opacityRangeSpec(), &Shading::opacityRange);
   m_literal = new QPushButton(tr("As in the paper"));
   m_literal->setObjectName(QStringLiteral("asInThePaper"));
+  m_literal->setAccessibleName(m_literal->text());
   contents()->addWidget(m_literal, 0, Qt::AlignLeft);
   connect(m_literal, &QPushButton::clicked, this, [this] {
     setShading(asInThePaper(shading()));
