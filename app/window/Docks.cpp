@@ -203,7 +203,7 @@ void Docks::addFolds(ActionList& actions) {
       setFolded(area, !isShown);
     });
     for (const QDockWidget* dock : at(area))
-      connect(dock->toggleViewAction(), &QAction::toggled, action,
+      connect(dock->toggleViewAction(), &QAction::toggled, this,
               [this, action, area] { action->setChecked(!isFolded(area)); });
     action->setChecked(!isFolded(area));
   };

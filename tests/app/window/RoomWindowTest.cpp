@@ -13,6 +13,9 @@
 #include <QStatusBar>
 #include <QUrl>
 
+#include <algorithm>
+#include <fstream>
+
 namespace limn::test {
 namespace {
 
@@ -186,6 +189,19 @@ TEST_F(Room, filesThatAreHeldOverTheWindowShowThatTheyMayFall) {
   EXPECT_FALSE(hint->isVisible());
 }
 
+/// A ball without a unit: from 0 outside to 200 in the middle.
+void writeBallWithoutUnit(const std::filesystem::path& path) {
+  constexpr int side = 24;
+  std::ofstream file(path, std::ios::binary);
+  file << "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 24 24 24\nspacings: 1 1 1\nencoding: raw\n\n";
+  for (int z = 0; z < side; ++z)
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const double radius = glm::length(glm::dvec3(x, y, z) - glm::dvec3((side - 1) / 2.0));
+        file.put(static_cast<char>(static_cast<unsigned char>(std::max(0.0, 200.0 - 20.0 * radius))));
+      }
+}
+
 /// Looks, as they are compared, named and told of.
 class Looks : public Room {
 protected:
@@ -294,7 +310,8 @@ TEST_F(Looks, effectsAreSwitchedWhereTheyAreListed) {
 }
 
 TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  writeBallWithoutUnit(folder.path() / "ball.nrrd");
+  ASSERT_TRUE(open(pathTo("ball.nrrd")));
   ASSERT_FALSE(looksLikeHounsfield(*scene().volume));
   onceAsked<QInputDialog>([](QInputDialog& dialog) {
     dialog.setTextValue(QStringLiteral("Mine"));
