@@ -17,6 +17,7 @@ namespace {
 
 constexpr int widestOver = 720; // of what lies over a picture, pixels
 constexpr int marginOver = 12;
+constexpr int marginBelow = 48; // clear of what is written at the lower edge of a picture
 
 } // namespace
 
@@ -87,7 +88,7 @@ void MessageBar::setVisible(bool visible) {
 void MessageBar::layOver() {
   if (!parentWidget())
     return;
-  const QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginOver);
+  const QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginBelow);
   const int width = std::min(room.width(), widestOver);
   const int height =
       std::min(room.height(), hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
