@@ -355,7 +355,8 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
 void SavingController::drawPicture(const PictureFile& file, const std::vector<Scene>& scenes,
                                    const glm::ivec2& size) {
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
-  emit drawing(tr("Drawing %1, %2 × %3 pixels").arg(name).arg(size.x).arg(size.y));
+  const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
+  emit drawing(tr("Drawing %1, %2 × %3 pixels").arg(name).arg(columns).arg(size.y));
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
     MakingOptions told = order;
