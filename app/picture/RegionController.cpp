@@ -146,14 +146,21 @@ void RegionController::offerBody() {
   });
 }
 
-// What is said of the volume itself goes before.
+// What is said of the volume itself goes before, and is dismissed first.
 void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found) {
   const auto isAsShown = [this, volume] {
     const Scene& shown = m_context.session.scene();
     return shown.volume == volume && shown.keep.kind == Region::Kind::all;
   };
-  if (!isAsShown() || m_context.messages.isWanted())
+  if (!isAsShown())
     return;
+  if (m_context.messages.isWanted()) {
+    connect(
+        &m_context.messages, &MessageBar::wanted, this,
+        [this, volume, found] { askAboutTable(volume, found); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+    return;
+  }
   m_context.messages.show(MessageBar::Kind::question,
                           tr("Hide the table and the holder? It is not certain which part is the body."), {},
                           {tr("Hide them"),
