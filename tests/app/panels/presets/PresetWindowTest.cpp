@@ -8,6 +8,7 @@
 #include <QContextMenuEvent>
 #include <QInputDialog>
 #include <QMenu>
+#include <QMessageBox>
 
 #include <map>
 
@@ -293,6 +294,17 @@ TEST_F(PresetWindow, whatIsDeletedOrReplacedIsBroughtBackByOneClick) {
   ASSERT_TRUE(first);
   session().setTransferFunction(shifted(scene().transferFunction, 50.0),
                                 {nextGestureId(), QStringLiteral("shift")});
+  const auto answer = [this](QMessageBox::ButtonRole role) {
+    onceAsked<QMessageBox>([role](QMessageBox& box) {
+      for (QAbstractButton* button : box.buttons())
+        if (box.buttonRole(button) == role)
+          return QTest::mouseClick(button, Qt::LeftButton);
+    });
+  };
+  answer(QMessageBox::RejectRole);
+  ASSERT_TRUE(saveAsMine());
+  EXPECT_EQ(kept(), first) << "it was asked, and not wanted";
+  answer(QMessageBox::AcceptRole);
   ASSERT_TRUE(saveAsMine());
   ASSERT_TRUE(test::waitUntil([&] { return kept() != first; }));
   EXPECT_TRUE(messages().sentence().contains(QStringLiteral("was replaced")))
