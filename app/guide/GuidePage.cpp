@@ -32,6 +32,7 @@ constexpr Place places[] = {
     {"panels", "panels.md"},
     {"presets", "presets/README.md"},
     {"enhanced", "presets/enhanced.md"},
+    {"light", "light.md"},
     {"cut", "cut.md"},
     {"publish", "publish.md"},
     {"exactness", "exactness.md"},
