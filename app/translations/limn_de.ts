@@ -1130,10 +1130,6 @@
         <translation>Wert anheften; sein Gewebe mehr oder weniger deckend</translation>
     </message>
     <message>
-        <source>look from front, back, left, above, below</source>
-        <translation>Blick von vorn, hinten, links, oben, unten</translation>
-    </message>
-    <message>
         <source>look from front, left, above; Shift: the opposite</source>
         <translation>Blick von vorn, links, oben; mit Umschalt von gegenüber</translation>
     </message>
@@ -1748,20 +1744,8 @@
         <translation>Blick von dieser Seite; von dort aus: von gegenüber</translation>
     </message>
     <message>
-        <source>O</source>
-        <translation>O</translation>
-    </message>
-    <message>
-        <source>cut open to the slices&apos; crosshair; again, or Esc: as it was</source>
-        <translation>bis zum Fadenkreuz der Schnitte aufschneiden; nochmals oder Esc: wie zuvor</translation>
-    </message>
-    <message>
         <source>what can be done there: take its label in hand, copy the value</source>
         <translation>was dort getan werden kann: sein Label auswählen, den Wert kopieren</translation>
-    </message>
-    <message>
-        <source>tools: crosshair, window and level</source>
-        <translation>Werkzeuge: Fadenkreuz, Fenster</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -1878,6 +1862,122 @@
     <message>
         <source>tools: distance, angle, ellipse, mark; Del: delete</source>
         <translation>Werkzeuge: Abstand, Winkel, Ellipse, Marke; Entf: löschen</translation>
+    </message>
+    <message>
+        <source>change colour at %1</source>
+        <translation>Farbe bei %1 ändern</translation>
+    </message>
+    <message>
+        <source>opacity at %1 %2</source>
+        <translation>Deckkraft bei %1: %2</translation>
+    </message>
+    <message>
+        <source>move point %1, opacity %2</source>
+        <translation>Punkt verschieben: %1, Deckkraft %2</translation>
+    </message>
+    <message>
+        <source>move point %1</source>
+        <translation>Punkt verschieben: %1</translation>
+    </message>
+    <message>
+        <source> · Alt+1 … 9</source>
+        <translation> · Alt+1 … 9</translation>
+    </message>
+    <message>
+        <source>look from front, back, left, above, below; from kept views</source>
+        <translation>Blick von vorn, hinten, links, oben, unten; von gemerkten Ansichten</translation>
+    </message>
+    <message>
+        <source>cut open to the crosshair: plane, corner; Esc: as it was</source>
+        <translation>bis zum Fadenkreuz aufschneiden: Ebene, Ecke; Esc: wie zuvor</translation>
+    </message>
+    <message>
+        <source>tools: crosshair, window and level, cut, piece</source>
+        <translation>Werkzeuge: Fadenkreuz, Fensterung, Schere, Teil</translation>
+    </message>
+    <message>
+        <source>Copied the slice, %1 × %2 pixels.</source>
+        <translation>Schicht kopiert, %1 × %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>Save the slice</source>
+        <translation>Schicht speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif)</source>
+        <translation>Bilder (*.png *.tif)</translation>
+    </message>
+    <message>
+        <source>Normals smoothed by %1 mm</source>
+        <translation>Normalen um %1 mm geglättet</translation>
+    </message>
+    <message>
+        <source>Physical</source>
+        <translation>Physikalisch</translation>
+    </message>
+    <message>
+        <source>move a face of the turned box</source>
+        <translation>Fläche der gedrehten Box ziehen</translation>
+    </message>
+    <message>
+        <source>Turned box</source>
+        <translation>Gedrehte Box</translation>
+    </message>
+    <message>
+        <source>density %1</source>
+        <translation>Dichte %1</translation>
+    </message>
+    <message>
+        <source>%1 · normals smoothed by %2 mm</source>
+        <translation>%1 · Normalen um %2 mm geglättet</translation>
+    </message>
+    <message>
+        <source>1 path</source>
+        <translation>1 Pfad</translation>
+    </message>
+    <message>
+        <source>%1 paths</source>
+        <translation>%1 Pfaden</translation>
+    </message>
+    <message>
+        <source>%1, estimating…</source>
+        <translation>nach %1, Schätzung läuft …</translation>
+    </message>
+    <message>
+        <source>within %1 levels RMS after %2</source>
+        <translation>höchstens %1 Stufen RMS nach %2</translation>
+    </message>
+    <message>
+        <source>shadows not measured</source>
+        <translation>Schatten nicht gemessen</translation>
+    </message>
+    <message>
+        <source>step %1, light from a grid</source>
+        <translation>Schritt %1, Licht aus einem Gitter</translation>
+    </message>
+    <message>
+        <source>Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with a tolerance (--tolerance) the processor finds them for each sample, in minutes.</source>
+        <translation>Schatten und Verdeckung werden in einem Gitter nachgeschlagen, das kleinere Schritte nicht feiner machen; mit einer Toleranz (--tolerance) findet der Prozessor sie für jeden Abtastpunkt, in Minuten.</translation>
+    </message>
+    <message>
+        <source>random paths, refining</source>
+        <translation>Zufallspfade, wird verfeinert</translation>
+    </message>
+    <message>
+        <source>random paths</source>
+        <translation>Zufallspfade</translation>
+    </message>
+    <message>
+        <source>OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by; the processor can (Draw with, in the settings).</source>
+        <translation>OpenGL schlägt Schatten und Verdeckung in einem Gitter nach und kann nicht sagen, wie weit das daneben liegt; der Prozessor kann es (Zeichnen mit, in den Einstellungen).</translation>
+    </message>
+    <message>
+        <source>Light follows random paths through tissue, and what they differ by tells how far the picture lies from the exact one: %1 of 255 levels on average (RMS), 999 of 1000 colour values within %2. Four times as many paths halve it.</source>
+        <translation>Licht folgt Zufallspfaden durch das Gewebe, und worin sie sich unterscheiden, sagt, wie weit das Bild neben dem exakten liegt: im Mittel (RMS) %1 von 255 Stufen, 999 von 1000 Farbwerten höchstens %2. Viermal so viele Pfade halbieren es.</translation>
+    </message>
+    <message>
+        <source>%1 of each pixel</source>
+        <translation>mit %1 je Bildpunkt</translation>
     </message>
 </context>
 <context>
@@ -2006,6 +2106,10 @@
         <source>Preparing…</source>
         <translation>Vorbereitung…</translation>
     </message>
+    <message>
+        <source>Measuring first; the best picture that keeps this is then used.</source>
+        <translation>Zuerst wird gemessen; dann gilt das beste Bild, das dies einhält.</translation>
+    </message>
 </context>
 <context>
     <name>limn::ActionList</name>
@@ -2036,6 +2140,10 @@
     <message>
         <source>More tools</source>
         <translation>Weitere Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tools that find no room here.</source>
+        <translation>Werkzeuge, die hier keinen Platz finden.</translation>
     </message>
 </context>
 <context>
@@ -2152,6 +2260,10 @@
     <message>
         <source>Getting the volume ready for drawing…</source>
         <translation>Volumen wird zum Zeichnen vorbereitet…</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
     </message>
 </context>
 <context>
@@ -2277,6 +2389,23 @@
         <source>Left &amp;model</source>
         <translation>&amp;Linkes Modell</translation>
     </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Preset</translation>
+    </message>
+    <message>
+        <source>This look is remembered; Ctrl+Shift+B compares it with what becomes of it.</source>
+        <translation>Diese Darstellung ist gemerkt; Strg+Umschalt+B vergleicht sie mit dem, was daraus wird.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is remembered; Ctrl+Shift+B compares it with what becomes of it.</source>
+        <translation>„%1“ ist gemerkt; Strg+Umschalt+B vergleicht es mit dem, was daraus wird.</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <comment>a preset</comment>
+        <translation>%1, vorher</translation>
+    </message>
 </context>
 <context>
     <name>limn::CropBoxController</name>
@@ -2287,6 +2416,10 @@
     <message>
         <source>Shows a box with handles in the picture; what is outside is cut away. (B)</source>
         <translation>Zeigt eine Box mit Griffen im Bild; was außerhalb liegt, wird abgeschnitten. (B)</translation>
+    </message>
+    <message>
+        <source>crop box around the body</source>
+        <translation>Zuschnittbox um den Körper</translation>
     </message>
 </context>
 <context>
@@ -2381,6 +2514,26 @@
     <message>
         <source>There must be slices beside the picture, which have the crosshair: View ▸ Slices.</source>
         <translation>Dazu müssen Schnitte neben dem Bild stehen, die das Fadenkreuz haben: Ansicht ▸ Schnitte.</translation>
+    </message>
+    <message>
+        <source>Cut open the co&amp;rner to the crosshair</source>
+        <translation>&amp;Ecke bis zum Fadenkreuz aufschneiden</translation>
+    </message>
+    <message>
+        <source>The corner is cut open to the crosshair. The cut goes with the crosshair; Esc closes it.</source>
+        <translation>Die Ecke ist bis zum Fadenkreuz aufgeschnitten. Der Schnitt geht mit dem Fadenkreuz mit; Esc schließt ihn.</translation>
+    </message>
+    <message>
+        <source>Cut open to the crosshair</source>
+        <translation>Bis zum Fadenkreuz aufgeschnitten</translation>
+    </message>
+    <message>
+        <source>cut the corner open to the crosshair</source>
+        <translation>Ecke bis zum Fadenkreuz aufschneiden</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Cuts away the corner that faces you, up to the slices&apos; crosshair, so that three slices are seen in the picture (Shift+O). Again, or Esc: as it was.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Schneidet die Ecke, die zu Ihnen zeigt, bis zum Fadenkreuz der Schichten weg, sodass im Bild drei Schichten zu sehen sind (Umschalt+O). Noch einmal oder Esc: wie zuvor.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2500,10 +2653,6 @@
         <translation>Schneidet durch das ganze Volumen.</translation>
     </message>
     <message>
-        <source>Cuts only as deep as what is seen inside the line.</source>
-        <translation>Schneidet nur so tief, wie innerhalb der Linie etwas zu sehen ist.</translation>
-    </message>
-    <message>
         <source>Hides this piece.</source>
         <translation>Blendet dieses Teil aus.</translation>
     </message>
@@ -2542,6 +2691,10 @@
     <message>
         <source>Gives this piece a curve of its own, which the curve panel then shows.</source>
         <translation>Gibt diesem Teil eine eigene Kurve, die dann der Kurvenbereich zeigt.</translation>
+    </message>
+    <message>
+        <source>Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at least one slice.</source>
+        <translation>Schneidet nur so tief wie das, was innerhalb der Linie zu sehen ist; in einer Schicht so tief wie deren Dicke, mindestens eine Schicht.</translation>
     </message>
 </context>
 <context>
@@ -2694,12 +2847,28 @@
         <translation>Teil %1, eigene Kurve</translation>
     </message>
     <message>
-        <source>What was cut away or told apart, in order; marked cuts hold. A piece with its own curve comes into the curve panel by a click.</source>
-        <translation>Was weggeschnitten oder unterschieden wurde, der Reihe nach; markierte Schnitte gelten. Ein Teil mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
-    </message>
-    <message>
         <source>Hides the connected piece that you click, or all but it, or gives it a curve of its own (K).</source>
         <translation>Blendet das zusammenhängende Teil aus, das angeklickt wird, oder alles andere, oder gibt ihm eine eigene Kurve (K).</translation>
+    </message>
+    <message>
+        <source>Name of the cut</source>
+        <translation>Name des Schnitts</translation>
+    </message>
+    <message>
+        <source>%1, %2 deep</source>
+        <translation>%1, %2 tief</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>What was cut away or told apart, in order; marked cuts hold. A double click or F2 names one; a piece with its own curve comes into the curve panel by a click.</source>
+        <translation>Was weggeschnitten oder unterschieden wurde, der Reihe nach; angekreuzte Schnitte gelten. Ein Doppelklick oder F2 benennt einen; ein Teil mit eigener Kurve kommt durch einen Klick in den Kurvenbereich.</translation>
+    </message>
+    <message>
+        <source>name cut %1</source>
+        <translation>Schnitt %1 benennen</translation>
     </message>
 </context>
 <context>
@@ -2783,6 +2952,10 @@
     <message>
         <source>From there it refines while nothing moves. A level is the smallest step of brightness on a screen, of 255.</source>
         <translation>Von dort wird verfeinert, solange sich nichts bewegt. Eine Stufe ist der kleinste Helligkeitsschritt eines Bildschirms, einer von 255.</translation>
+    </message>
+    <message>
+        <source>The dial&apos;s steps average the curve between samples; the chart has them without, too. </source>
+        <translation>Die Schritte des Reglers mitteln die Kurve zwischen den Abtastpunkten; das Diagramm hat sie auch ohne. </translation>
     </message>
 </context>
 <context>
@@ -2905,12 +3078,47 @@
         <source>Se&amp;parate windows</source>
         <translation>Abgel&amp;öste Fenster</translation>
     </message>
+    <message>
+        <source>Panels at the left</source>
+        <translation>Bereiche links</translation>
+    </message>
+    <message>
+        <source>Shows or folds the panels at the left.</source>
+        <translation>Zeigt die Bereiche links oder klappt sie ein.</translation>
+    </message>
+    <message>
+        <source>Curve below</source>
+        <translation>Kurve unten</translation>
+    </message>
+    <message>
+        <source>Shows or folds the curve.</source>
+        <translation>Zeigt die Kurve oder klappt sie ein.</translation>
+    </message>
+    <message>
+        <source>Panels at the right</source>
+        <translation>Bereiche rechts</translation>
+    </message>
+    <message>
+        <source>Shows or folds the panels at the right.</source>
+        <translation>Zeigt die Bereiche rechts oder klappt sie ein.</translation>
+    </message>
 </context>
 <context>
     <name>limn::DriverRecovery</name>
     <message>
         <source>The graphics driver failed, and everything in it was made anew; nothing is lost.</source>
         <translation>Der Grafiktreiber ist ausgefallen, und alles darin wurde neu angelegt; nichts ist verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::DropController</name>
+    <message>
+        <source>Let go to open %1</source>
+        <translation>Loslassen, um %1 zu öffnen</translation>
+    </message>
+    <message>
+        <source>Let go to open %1 files</source>
+        <translation>Loslassen, um %1 Dateien zu öffnen</translation>
     </message>
 </context>
 <context>
@@ -2966,6 +3174,14 @@
         <source>off</source>
         <translation>aus</translation>
     </message>
+    <message>
+        <source>Leaves this effect out of the picture.</source>
+        <translation>Lässt diesen Effekt im Bild weg.</translation>
+    </message>
+    <message>
+        <source>Has the picture show it.</source>
+        <translation>Lässt das Bild es zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>limn::EffectsPanel</name>
@@ -2996,6 +3212,10 @@
     <message>
         <source>The whole picture takes %1 ms at %2 × %3 pixels. Each cost is the median time with the effect less the median without it; costs overlap and do not add up. Method: %4.</source>
         <translation>Das ganze Bild dauert %1&#xa0;ms bei %2 × %3 Pixeln. Jeder Kostenwert ist der Median der Zeit mit dem Effekt abzüglich des Medians ohne ihn; Kosten überschneiden sich und addieren sich nicht. Verfahren: %4.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
     </message>
 </context>
 <context>
@@ -3342,6 +3562,10 @@
     <message>
         <source>Labels and colours</source>
         <translation>Labels und Farben</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +4171,28 @@
     </message>
 </context>
 <context>
+    <name>limn::LabelTree</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 labels whose names begin with &quot;%2&quot;: a click on the mark shows or hides all of them.</source>
+        <translation>%1 Labels, deren Namen mit „%2“ beginnen: Ein Klick auf das Kästchen zeigt oder verbirgt sie alle.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LightBall</name>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Drag the lamp to where light is to come from; arrow keys move it, too.&lt;/p&gt;&lt;p&gt;Double click puts it before the viewer.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ziehen Sie die Lampe dahin, woher das Licht kommen soll; auch Pfeiltasten bewegen sie.&lt;/p&gt;&lt;p&gt;Ein Doppelklick stellt sie vor den Betrachter.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>limn::LightSection</name>
     <message>
         <source>Light</source>
@@ -3993,10 +4239,6 @@
         <translation>Lampenposition</translation>
     </message>
     <message>
-        <source>Whether the lamp moves with the viewer or stays with the patient.</source>
-        <translation>Ob sich die Lampe mit dem Betrachter bewegt oder beim Patienten bleibt.</translation>
-    </message>
-    <message>
         <source>With the viewer</source>
         <translation>Beim Betrachter</translation>
     </message>
@@ -4009,16 +4251,8 @@
         <translation>Lampenrichtung</translation>
     </message>
     <message>
-        <source>Where a fixed lamp stands around the patient: 0° in front, 90° at the patient&apos;s left, −90° at the right.</source>
-        <translation>Wo eine feste Lampe um den Patienten steht: 0° vorn, 90° links vom Patienten, −90° rechts.</translation>
-    </message>
-    <message>
         <source>Lamp height</source>
         <translation>Lampenhöhe</translation>
-    </message>
-    <message>
-        <source>How high a fixed lamp stands: 90° above the head, −90° below the feet.</source>
-        <translation>Wie hoch eine feste Lampe steht: 90° über dem Kopf, −90° unter den Füßen.</translation>
     </message>
     <message>
         <source>Highlight formula</source>
@@ -4065,10 +4299,6 @@
         <translation>Das unbeleuchtete Modell verwendet kein Licht.</translation>
     </message>
     <message>
-        <source>The lamp moves with the viewer: choose &quot;Fixed&quot; first.</source>
-        <translation>Die Lampe bewegt sich mit dem Betrachter: Wählen Sie zuerst „Fest“.</translation>
-    </message>
-    <message>
         <source>Tissue reflects</source>
         <translation>Gewebe reflektiert</translation>
     </message>
@@ -4083,6 +4313,102 @@
     <message>
         <source>From the lamp (Id)</source>
         <translation>Von der Lampe (Id)</translation>
+    </message>
+    <message>
+        <source>Smooth normals</source>
+        <translation>Geglättete Normalen</translation>
+    </message>
+    <message>
+        <source>Takes the terraces of thick slices out of the light; about 0.7 of the distance between slices is a good start. No surface moves.</source>
+        <translation>Nimmt die Absätze dicker Schichten aus dem Licht; etwa das 0,7-Fache des Schichtabstands ist ein guter Anfang. Keine Oberfläche verschiebt sich.</translation>
+    </message>
+    <message>
+        <source>A whole light in one go; the picture keeps its brightness.</source>
+        <translation>Ein ganzes Licht auf einmal; das Bild behält seine Helligkeit.</translation>
+    </message>
+    <message>
+        <source>Headlight</source>
+        <translation>Vom Betrachter</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Soft studio</source>
+        <translation>Weiches Studio</translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation>Bedeckter Himmel</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Whether the lamp is where the viewer is, turns with the view, so that shadows fall alike from every side, or stays with the patient.</source>
+        <translation>Ob die Lampe beim Betrachter ist, sich mit der Ansicht dreht, sodass Schatten von jeder Seite gleich fallen, oder beim Patienten bleibt.</translation>
+    </message>
+    <message>
+        <source>Turns with the view</source>
+        <translation>Dreht sich mit der Ansicht</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands around the patient: 0° in front, 90° at the patient&apos;s left, −90° at the right; of a lamp that turns with the view: 0° at the viewer, 90° to the right.</source>
+        <translation>Wo die Lampe um den Patienten steht: 0° vorn, 90° links vom Patienten, −90° rechts; bei einer Lampe, die sich mit der Ansicht dreht: 0° beim Betrachter, 90° rechts.</translation>
+    </message>
+    <message>
+        <source>How high the lamp stands: 90° above, −90° below.</source>
+        <translation>Wie hoch die Lampe steht: 90° oben, −90° unten.</translation>
+    </message>
+    <message>
+        <source>What stands in the way</source>
+        <translation>Was im Weg steht</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>How dark it is where tissue stands between a place and the lamp.</source>
+        <translation>Wie dunkel es ist, wo Gewebe zwischen einer Stelle und der Lampe steht.</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>How large the lamp is: 0° casts hard shadows, 45° hardly any edge.</source>
+        <translation>Wie groß die Lampe ist: 0° wirft harte Schatten, 45° kaum einen Rand.</translation>
+    </message>
+    <message>
+        <source>Dark hollows</source>
+        <translation>Dunkle Vertiefungen</translation>
+    </message>
+    <message>
+        <source>How much less light from all sides reaches hollows and what lies close together (occlusion).</source>
+        <translation>Wie viel weniger Licht von allen Seiten in Vertiefungen und zwischen eng Benachbartem ankommt (Verdeckung).</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far away what stands around a place still darkens it.</source>
+        <translation>Aus welcher Entfernung das, was um eine Stelle steht, sie noch verdunkelt.</translation>
+    </message>
+    <message>
+        <source>Physical light has strengths and highlights of its own.</source>
+        <translation>Physikalisches Licht hat eigene Stärken und Glanzlichter.</translation>
+    </message>
+    <message>
+        <source>The lamp is where the viewer is: drag it off, or choose another position.</source>
+        <translation>Die Lampe ist beim Betrachter: Ziehen Sie sie weg, oder wählen Sie eine andere Position.</translation>
+    </message>
+    <message>
+        <source>A lamp at the viewer casts no shadow that can be seen: drag it off, or choose another position.</source>
+        <translation>Eine Lampe beim Betrachter wirft keinen sichtbaren Schatten: Ziehen Sie sie weg, oder wählen Sie eine andere Position.</translation>
     </message>
 </context>
 <context>
@@ -6201,10 +6527,6 @@
         <translation>muss „auto“, „max“, {„percentile“: p} oder eine Zahl in Wert/mm sein</translation>
     </message>
     <message>
-        <source>must be &quot;headlight&quot; or a direction that is not zero</source>
-        <translation>muss „headlight“ oder eine Richtung ungleich null sein</translation>
-    </message>
-    <message>
         <source>must be a list of {&quot;gradient&quot;, &quot;opacity&quot;}</source>
         <translation>muss eine Liste von {„gradient“, „opacity“} sein</translation>
     </message>
@@ -7689,10 +8011,6 @@
         <translation>Die Labels haben mehr als %1 verschiedene Darstellungen, und so viele lassen sich höchstens zeichnen; geben Sie einigen dieselbe Darstellung.</translation>
     </message>
     <message>
-        <source>Slices cannot draw looks of labels; use --engine gl, cpu or reference, or take the looks out of the scene.</source>
-        <translation>Schnitte können keine Darstellungen von Labels zeichnen; verwenden Sie --engine gl, cpu oder reference, oder nehmen Sie die Darstellungen aus der Szene.</translation>
-    </message>
-    <message>
         <source>Cutting</source>
         <translation>Schneiden</translation>
     </message>
@@ -7731,10 +8049,6 @@
     <message>
         <source>is missing, and so are piece and labels; an entry is one of these</source>
         <translation>fehlt, ebenso piece und labels; ein Eintrag ist eines davon</translation>
-    </message>
-    <message>
-        <source>names two things to be kept; the body or one segmentation can be</source>
-        <translation>nennt zweierlei zu Behaltendes; möglich ist der Körper oder eine Segmentierung</translation>
     </message>
     <message>
         <source>has an entry that is no object, &quot;all&quot; or &quot;body&quot;</source>
@@ -7808,6 +8122,210 @@
         <source>%1 voxels lie in two masks and belong to the one whose name comes last: to %2 and not to %3.</source>
         <translation>%1 Voxel liegen in zwei Masken und gehören zu der, deren Name zuletzt kommt: zu %2 und nicht zu %3.</translation>
     </message>
+    <message>
+        <source>The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours within %2 (standard error), after %3 paths a pixel.</source>
+        <translation>Das Bild liegt im Mittel (RMS) höchstens %1 Stufen neben dem exakten, 99,9 % seiner Farben höchstens %2 (Standardfehler), nach %3 Pfaden je Bildpunkt.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 paths a pixel, too few to tell its error.</source>
+        <translation>Das Bild hat %1 Pfade je Bildpunkt, zu wenige, um seinen Fehler zu nennen.</translation>
+    </message>
+    <message>
+        <source>Physical light knows no fog: it was left out.</source>
+        <translation>Physikalisches Licht kennt keinen Nebel: Er wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Physical light knows no surface of one value: tissue is shown as the curve says.</source>
+        <translation>Physikalisches Licht kennt keine Fläche eines Wertes: Das Gewebe erscheint, wie die Kurve es sagt.</translation>
+    </message>
+    <message>
+        <source>OpenGL looks shadows and occlusion up on a grid; how far they are off is told with --engine cpu alone.</source>
+        <translation>OpenGL schlägt Schatten und Verdeckung in einem Gitter nach; wie weit sie daneben liegen, sagt nur --engine cpu.</translation>
+    </message>
+    <message>
+        <source>With OpenGL no tolerance can be kept where shadows or occlusion show; use --engine cpu or reference, or leave the tolerance out.</source>
+        <translation>Mit OpenGL lässt sich keine Toleranz einhalten, wo Schatten oder Verdeckung zu sehen sind; nehmen Sie --engine cpu oder reference, oder lassen Sie die Toleranz weg.</translation>
+    </message>
+    <message>
+        <source>OpenGL cannot draw physical light; use --engine cpu or auto, or another model.</source>
+        <translation>OpenGL kann kein physikalisches Licht zeichnen; nehmen Sie --engine cpu oder auto oder ein anderes Modell.</translation>
+    </message>
+    <message>
+        <source>The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for each slice, though smooth normals take most of it out of the light.</source>
+        <translation>Die Schichten liegen %1 mm auseinander, %2-mal so weit wie die Pixel in ihnen: Oberflächen zeigen für jede Schicht ein Band, doch geglättete Normalen nehmen das meiste davon aus dem Licht.</translation>
+    </message>
+    <message>
+        <source>Shadows and occlusion cannot be drawn in bricks: light crosses from one to the next. Draw the picture with limn, or set their strength to 0.</source>
+        <translation>Schatten und Verdeckung können nicht in Blöcken gezeichnet werden: Licht geht von einem in den nächsten über. Zeichnen Sie das Bild mit limn, oder setzen Sie ihre Stärke auf 0.</translation>
+    </message>
+    <message>
+        <source>Smooth normals cannot be drawn in bricks: smoothing reaches beyond each of them. Draw the picture with limn, or set the smoothing to 0.</source>
+        <translation>Geglättete Normalen können nicht in Blöcken gezeichnet werden: Die Glättung reicht über jeden hinaus. Zeichnen Sie das Bild mit limn, oder setzen Sie die Glättung auf 0.</translation>
+    </message>
+    <message>
+        <source>Physical light cannot be drawn in bricks: its paths cross from one to the next. Draw the picture with limn, or choose another model.</source>
+        <translation>Physikalisches Licht lässt sich nicht in Blöcken zeichnen: Seine Pfade gehen von einem in den nächsten. Zeichnen Sie das Bild mit limn oder wählen Sie ein anderes Modell.</translation>
+    </message>
+    <message>
+        <source>The processor alone keeps a tolerance where shadows or occlusion show.</source>
+        <translation>Wo Schatten oder Verdeckung zu sehen sind, hält nur der Prozessor eine Toleranz ein.</translation>
+    </message>
+    <message>
+        <source>Physical light is drawn by the processor, not with OpenGL.</source>
+        <translation>Physikalisches Licht zeichnet der Prozessor, nicht OpenGL.</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no room for shadows and occlusion; draw without them, or with --engine cpu.</source>
+        <translation>Der Grafiktreiber hat keinen Platz für Schatten und Verdeckung; zeichnen Sie ohne sie oder mit --engine cpu.</translation>
+    </message>
+    <message>
+        <source>The graphics card has no room for a smoothed copy of the volume beside it; set the smoothing of normals to 0, or draw with --engine cpu.</source>
+        <translation>Die Grafikkarte hat neben dem Volumen keinen Platz für eine geglättete Kopie; setzen Sie die Glättung der Normalen auf 0, oder zeichnen Sie mit --engine cpu.</translation>
+    </message>
+    <message>
+        <source>Physical light is not kept: the model is written as classic.</source>
+        <translation>Physikalisches Licht bleibt nicht erhalten: Das Modell wird als klassisch geschrieben.</translation>
+    </message>
+    <message>
+        <source>The light no longer turns with the camera: it stays where it is now.</source>
+        <translation>Das Licht dreht sich nicht mehr mit der Kamera: Es bleibt, wo es jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Shadows are not kept.</source>
+        <translation>Schatten bleiben nicht erhalten.</translation>
+    </message>
+    <message>
+        <source>Occlusion is not kept: ambient light reaches everything alike.</source>
+        <translation>Die Verdeckung bleibt nicht erhalten: Umgebungslicht erreicht alles gleich.</translation>
+    </message>
+    <message>
+        <source>Smooth normals are not kept: terraces of thick slices show in the light.</source>
+        <translation>Geglättete Normalen bleiben nicht erhalten: Absätze dicker Schichten zeigen sich im Licht.</translation>
+    </message>
+    <message>
+        <source>Physical light became the classic model.</source>
+        <translation>Aus dem physikalischen Licht wurde das klassische Modell.</translation>
+    </message>
+    <message>
+        <source>Shadows were left out.</source>
+        <translation>Schatten wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Occlusion was left out: ambient light reaches everything alike there.</source>
+        <translation>Die Verdeckung wurde weggelassen: Umgebungslicht erreicht dort alles gleich.</translation>
+    </message>
+    <message>
+        <source>The smoothing of normals was left out.</source>
+        <translation>Die Glättung der Normalen wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>names the body or a segmentation twice; each can stand there once</source>
+        <translation>nennt den Körper oder eine Segmentierung zweimal; jedes kann dort einmal stehen</translation>
+    </message>
+    <message>
+        <source>must be &quot;headlight&quot;, or a direction that is not zero, in world axes or as {&quot;camera&quot;: [right, up, forward]}</source>
+        <translation>muss „headlight“ sein oder eine Richtung, die nicht null ist, in Weltachsen oder als {&quot;camera&quot;: [rechts, oben, vorn]}</translation>
+    </message>
+    <message>
+        <source>must be the only end: {&quot;paths&quot;: n}, {&quot;levels&quot;: x} or {&quot;seconds&quot;: s}</source>
+        <translation>muss das einzige Ende sein: {&quot;paths&quot;: n}, {&quot;levels&quot;: x} oder {&quot;seconds&quot;: s}</translation>
+    </message>
+    <message>
+        <source>must be smaller than the upper ends on every axis</source>
+        <translation>muss auf jeder Achse kleiner sein als die oberen Enden</translation>
+    </message>
+    <message>
+        <source>The reference follows no random paths and cannot draw physical light; use --engine cpu or another model.</source>
+        <translation>Die Referenz folgt keinen Zufallspfaden und kann kein physikalisches Licht zeichnen; nehmen Sie --engine cpu oder ein anderes Modell.</translation>
+    </message>
+    <message>
+        <source>physical light stands in its place</source>
+        <translation>an seiner Stelle steht physikalisches Licht</translation>
+    </message>
+    <message>
+        <source>the light comes from a direction of its own and turns with the viewer</source>
+        <translation>das Licht kommt aus einer eigenen Richtung und dreht sich mit dem Betrachter</translation>
+    </message>
+    <message>
+        <source>what stands between tissue and the light casts a shadow</source>
+        <translation>was zwischen Gewebe und Licht steht, wirft einen Schatten</translation>
+    </message>
+    <message>
+        <source>the strength of shadows is set to 0</source>
+        <translation>die Stärke der Schatten steht auf 0</translation>
+    </message>
+    <message>
+        <source>a light that comes from the viewer casts no shadow</source>
+        <translation>ein Licht, das vom Betrachter kommt, wirft keinen Schatten</translation>
+    </message>
+    <message>
+        <source>less ambient light reaches hollows and what lies close together</source>
+        <translation>in Vertiefungen und zwischen eng Benachbartem kommt weniger Umgebungslicht an</translation>
+    </message>
+    <message>
+        <source>the strength of occlusion is set to 0</source>
+        <translation>die Stärke der Verdeckung steht auf 0</translation>
+    </message>
+    <message>
+        <source>there is no ambient light</source>
+        <translation>es gibt kein Umgebungslicht</translation>
+    </message>
+    <message>
+        <source>light goes random ways through tissue, which scatters and absorbs it</source>
+        <translation>Licht geht Zufallswege durch das Gewebe, das es streut und schluckt</translation>
+    </message>
+    <message>
+        <source>this kind of picture shows values without light</source>
+        <translation>diese Art Bild zeigt Werte ohne Licht</translation>
+    </message>
+    <message>
+        <source>the physical model is not chosen</source>
+        <translation>das physikalische Modell ist nicht gewählt</translation>
+    </message>
+    <message>
+        <source>terraces of thick slices are taken out of the light</source>
+        <translation>Absätze dicker Schichten werden aus dem Licht genommen</translation>
+    </message>
+    <message>
+        <source>the smoothing is set to 0 mm</source>
+        <translation>die Glättung steht auf 0 mm</translation>
+    </message>
+    <message>
+        <source>the smoothing is finer than the voxels</source>
+        <translation>die Glättung ist feiner als die Voxel</translation>
+    </message>
+    <message>
+        <source>physical light knows tissue, its key light and its sky alone</source>
+        <translation>physikalisches Licht kennt nur Gewebe, sein Hauptlicht und seinen Himmel</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Dark hollows (occlusion)</source>
+        <translation>Dunkle Vertiefungen (Verdeckung)</translation>
+    </message>
+    <message>
+        <source>Smooth normals</source>
+        <translation>Geglättete Normalen</translation>
+    </message>
+    <message>
+        <source>Physical light</source>
+        <translation>Physikalisches Licht</translation>
+    </message>
+    <message>
+        <source>The segmentation has %1 labels, which leaves no number for what is not the body; switch Body only off.</source>
+        <translation>Die Segmentierung hat %1 Labels, sodass für das, was nicht Körper ist, keine Nummer bleibt; schalten Sie „Nur Körper“ aus.</translation>
+    </message>
+    <message>
+        <source>Slices cannot draw shadows and occlusion; use --engine cpu or reference, or set their strength to 0.</source>
+        <translation>Schichten können Schatten und Verdeckung nicht zeichnen; nehmen Sie --engine cpu oder reference, oder setzen Sie ihre Stärke auf 0.</translation>
+    </message>
+    <message>
+        <source>Slices cannot draw physical light; use --engine cpu or another model.</source>
+        <translation>Schichten können kein physikalisches Licht zeichnen; nehmen Sie --engine cpu oder ein anderes Modell.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -7845,10 +8363,6 @@
 </context>
 <context>
     <name>limn::ModelSection</name>
-    <message>
-        <source>How tissue is lit: not at all, evenly, with boundaries emphasised, or the same without overflowing highlights.</source>
-        <translation>Wie Gewebe beleuchtet wird: gar nicht, gleichmäßig, mit betonten Grenzflächen oder ebenso ohne Überstrahlung.</translation>
-    </message>
     <message>
         <source>Highlight sharpness (SP)</source>
         <translation>Glanzlichtschärfe (SP)</translation>
@@ -7904,6 +8418,26 @@
     <message>
         <source>Only the enhanced and robust models follow boundaries, and none is shown.</source>
         <translation>Nur die Modelle „Verstärkt“ und „Robust“ folgen Grenzflächen, und keines wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>How tissue is lit: not at all, evenly, with boundaries emphasised, or the same without overflowing highlights; or by light that goes random ways through it.</source>
+        <translation>Wie Gewebe beleuchtet wird: gar nicht, gleichmäßig, mit betonten Grenzen oder ebenso ohne überlaufende Glanzlichter; oder durch Licht, das Zufallswege hindurch geht.</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Wie in der Publikation</translation>
+    </message>
+    <message>
+        <source>enhanced as in the paper</source>
+        <translation>Verstärkt wie in der Publikation</translation>
+    </message>
+    <message>
+        <source>The numbers are those of the paper.</source>
+        <translation>Die Zahlen sind die der Publikation.</translation>
+    </message>
+    <message>
+        <source>Sharpness, emphasis and boundaries by the paper&apos;s formulas alone: presets have numbers that show their own tissue better.</source>
+        <translation>Schärfe, Betonung und Grenzen allein nach den Formeln der Publikation: Presets haben Zahlen, die ihr Gewebe besser zeigen.</translation>
     </message>
 </context>
 <context>
@@ -8254,6 +8788,14 @@
         <source>Ctrl+Y</source>
         <translation>Ctrl+Y</translation>
     </message>
+    <message>
+        <source>switch an effect on</source>
+        <translation>Effekt einschalten</translation>
+    </message>
+    <message>
+        <source>switch an effect off</source>
+        <translation>Effekt ausschalten</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureArea</name>
@@ -8387,6 +8929,101 @@
     </message>
 </context>
 <context>
+    <name>limn::PictureDialog</name>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>As on screen</source>
+        <translation>Wie auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Twice as large</source>
+        <translation>Doppelt so groß</translation>
+    </message>
+    <message>
+        <source>Four times as large</source>
+        <translation>Viermal so groß</translation>
+    </message>
+    <message>
+        <source>For print, 300 dpi</source>
+        <translation>Für den Druck, 300 dpi</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Width on paper</source>
+        <translation>Breite auf Papier</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>What stands behind the tissue. JPEG knows no transparent ground.</source>
+        <translation>Was hinter dem Gewebe steht. JPEG kennt keinen durchsichtigen Hintergrund.</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Br&amp;eite</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>With it</source>
+        <translation>Dazu</translation>
+    </message>
+    <message>
+        <source>&amp;Names of models or presets</source>
+        <translation>&amp;Namen der Modelle oder Presets</translation>
+    </message>
+    <message>
+        <source>&amp;Letters of the sides (R, L, …)</source>
+        <translation>&amp;Buchstaben der Seiten (R, L, …)</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>Ma&amp;ßstab</translation>
+    </message>
+    <message>
+        <source>&quot;Not for &amp;diagnosis&quot;</source>
+        <translation>„Nicht zur &amp;Diagnose“</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>&amp;Messungen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels: more than %3 a side cannot be drawn</source>
+        <translation>%1 × %2 Pixel: Mehr als %3 je Seite können nicht gezeichnet werden</translation>
+    </message>
+</context>
+<context>
     <name>limn::PictureMenu</name>
     <message>
         <source>Turn about this</source>
@@ -8463,6 +9100,22 @@
     <message>
         <source>Selects it in the list of labels.</source>
         <translation>Wählt es in der Liste der Labels aus.</translation>
+    </message>
+    <message>
+        <source>Copy this slice</source>
+        <translation>Diese Schicht kopieren</translation>
+    </message>
+    <message>
+        <source>Puts the slice on the clipboard as it is seen, with sides, scale and measurements, without the crosshair.</source>
+        <translation>Legt die Schicht in die Zwischenablage, wie sie zu sehen ist: mit Seiten, Maßstab und Messungen, ohne Fadenkreuz.</translation>
+    </message>
+    <message>
+        <source>Save this slice…</source>
+        <translation>Diese Schicht speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the same as a picture.</source>
+        <translation>Speichert dasselbe als Bild.</translation>
     </message>
 </context>
 <context>
@@ -8662,10 +9315,6 @@
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>Outline kept region and crop box</source>
-        <translation>Behaltenen Bereich und Zuschnittbox umranden</translation>
-    </message>
-    <message>
         <source>Angle (G)</source>
         <translation>Winkel (G)</translation>
     </message>
@@ -8696,6 +9345,10 @@
     <message>
         <source>remove all measurements</source>
         <translation>alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>Outline labels, kept region and crop box</source>
+        <translation>Labels, behaltenen Bereich und Zuschnittbox umranden</translation>
     </message>
 </context>
 <context>
@@ -8985,10 +9638,6 @@
         <translation>MR Gehirn</translation>
     </message>
     <message>
-        <source>Brain without the skull; what is brighter than the scalp&apos;s edge, fitted to each series</source>
-        <translation>Gehirn ohne Schädel; was heller ist als der Rand der Kopfhaut, an jede Serie angepasst</translation>
-    </message>
-    <message>
         <source>MR glass</source>
         <translation>MR Glas</translation>
     </message>
@@ -9059,6 +9708,10 @@
     <message>
         <source>Bright vessels in any scale; MR angiography, subtracted CT, fitted to each series</source>
         <translation>Helle Gefäße jeder Skala; MR-Angiografie, Subtraktions-CT, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>A brain without its skull; on a whole head this shows the scalp, fitted to each series</source>
+        <translation>Gehirn ohne Schädel; an einem ganzen Kopf zeigt dies die Haut, an jede Serie angepasst</translation>
     </message>
 </context>
 <context>
@@ -9145,10 +9798,6 @@
     <message>
         <source>Save as preset</source>
         <translation>Als Preset speichern</translation>
-    </message>
-    <message>
-        <source>Name (a preset of the same name is replaced):</source>
-        <translation>Name (ein gleichnamiges Preset wird ersetzt):</translation>
     </message>
     <message>
         <source>Save</source>
@@ -9249,6 +9898,34 @@
     <message>
         <source>Presets leave light, highlights and boundaries as they are; the curve and what a ray shows are the preset&apos;s.</source>
         <translation>Presets lassen Licht, Glanz und Grenzen, wie sie sind; Kurve und Projektion sind die des Presets.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>%1, modified</source>
+        <translation>%1, geändert</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; shows nothing of this volume: its curve is for other values.</source>
+        <translation>„%1“ zeigt nichts von diesem Volumen: Die Kurve gilt für andere Werte.</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Replace preset</source>
+        <translation>Preset ersetzen</translation>
+    </message>
+    <message>
+        <source>There is a preset &quot;%1&quot; already. Replace it by what is shown?</source>
+        <translation>Es gibt schon ein Preset „%1“. Durch das ersetzen, was zu sehen ist?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -9483,26 +10160,6 @@
         <translation>alles zeigen</translation>
     </message>
     <message>
-        <source>labels again</source>
-        <translation>wieder Labels</translation>
-    </message>
-    <message>
-        <source>The labels stand in the place of Body only: one of the two decides what is kept.</source>
-        <translation>Die Labels treten an die Stelle von „Nur Körper“: Nur eines von beiden bestimmt, was behalten wird.</translation>
-    </message>
-    <message>
-        <source>Body only stands in the place of the labels: one of the two decides what is kept.</source>
-        <translation>„Nur Körper“ tritt an die Stelle der Labels: Nur eines von beiden bestimmt, was behalten wird.</translation>
-    </message>
-    <message>
-        <source>Body only again</source>
-        <translation>Wieder nur Körper</translation>
-    </message>
-    <message>
-        <source>Labels again</source>
-        <translation>Wieder Labels</translation>
-    </message>
-    <message>
         <source>Show everything</source>
         <translation>Alles zeigen</translation>
     </message>
@@ -9553,6 +10210,22 @@
     <message>
         <source>Not now</source>
         <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Open it as a volume</source>
+        <translation>Als Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Hide the table and the holder? It is not certain which part is the body.</source>
+        <translation>Tisch und Halterung ausblenden? Es ist nicht sicher, welcher Teil der Körper ist.</translation>
+    </message>
+    <message>
+        <source>Hide them</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>So lassen</translation>
     </message>
 </context>
 <context>
@@ -9627,6 +10300,10 @@
     <message>
         <source>Saves how the volume is shown: curve, light, camera, crop. For another volume, or for the command line.</source>
         <translation>Speichert, wie das Volumen gezeigt wird: Kurve, Licht, Kamera, Zuschnitt. Für ein anderes Volumen oder für die Kommandozeile.</translation>
+    </message>
+    <message>
+        <source>Drawing %1, %2 × %3 pixels</source>
+        <translation>%1 wird gezeichnet, %2 × %3 Pixel</translation>
     </message>
 </context>
 <context>
@@ -9729,6 +10406,10 @@
     <message>
         <source>Sessions that were left with unsaved changes.</source>
         <translation>Sitzungen, die mit ungespeicherten Änderungen verlassen wurden.</translation>
+    </message>
+    <message>
+        <source>What you had changed is kept: File ▸ Open unsaved session brings it back.</source>
+        <translation>Was Sie geändert hatten, ist aufgehoben: Datei ▸ Ungespeicherte Sitzung öffnen bringt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -10200,6 +10881,25 @@
     </message>
 </context>
 <context>
+    <name>limn::TurnedBoxController</name>
+    <message>
+        <source>Turned box</source>
+        <translation>Gedrehte Box</translation>
+    </message>
+    <message>
+        <source>Turn the crop bo&amp;x to this view</source>
+        <translation>Zuschnittbox in diese Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Puts a box over the picture that lies as the picture is seen now; what its faces, which are dragged, leave outside is cut away.</source>
+        <translation>Legt eine Box über das Bild, die so liegt, wie es jetzt zu sehen ist; was ihre Flächen, die Sie ziehen, außen lassen, wird weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>The box lies as the picture does now. Its handles cut; the list of cuts has what they take.</source>
+        <translation>Die Box liegt nun wie das Bild. Ihre Griffe schneiden; was sie wegnehmen, steht in der Liste der Schnitte.</translation>
+    </message>
+</context>
+<context>
     <name>limn::TurntableDialog</name>
     <message>
         <source>&amp;Save…</source>
@@ -10324,6 +11024,10 @@
         <source>reset crop</source>
         <translation>Zuschnitt zurücksetzen</translation>
     </message>
+    <message>
+        <source>reset a face of the turned box</source>
+        <translation>Fläche der gedrehten Box zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>limn::ViewsController</name>
@@ -10364,8 +11068,8 @@
         <translation>Ansicht „%1“ merken</translation>
     </message>
     <message>
-        <source>Kept. View ▸ Look from has &quot;%1&quot;.</source>
-        <translation>Gemerkt. Ansicht ▸ Blick von hat „%1“.</translation>
+        <source>Kept. View ▸ Look from has &quot;%1&quot;, Alt+1 … Alt+9 look from the first nine.</source>
+        <translation>Gemerkt. „%1“ steht unter Ansicht ▸ Blick von; Alt+1 … Alt+9 rufen die ersten neun auf.</translation>
     </message>
 </context>
 <context>
@@ -10474,8 +11178,12 @@
         <translation>Nach Grenzwert wählen</translation>
     </message>
     <message>
-        <source>Measure this picture first: the choice is among what was measured.</source>
-        <translation>Messen Sie zuerst dieses Bild: Gewählt wird unter dem Gemessenen.</translation>
+        <source>Measures this picture first: the choice is among what was measured.</source>
+        <translation>Misst dieses Bild zuerst: Gewählt wird unter dem, was gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Open a volume, or wait until the measuring is done.</source>
+        <translation>Öffnen Sie ein Volumen, oder warten Sie, bis die Messung fertig ist.</translation>
     </message>
 </context>
 <context>
