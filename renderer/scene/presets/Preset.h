@@ -45,7 +45,7 @@ struct Preset {
   std::optional<GradientOpacity> gradientOpacity;
   std::optional<Shading> shading;
   std::optional<Projection> projection;
-  std::optional<double> isovalue;     ///< of a projection that shows a surface
+  std::optional<double> isovalue; ///< of a projection that shows a surface
   /// How one scene looked, all of it: normals that it does not smooth are not smooth. Of others smoothing is
   /// the volume's: what asks for none leaves what there is.
   bool isWhole = false;

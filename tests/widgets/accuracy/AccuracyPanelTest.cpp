@@ -234,7 +234,8 @@ TEST_F(AccuracyPanelTest, aWishOfWhatWasNotMeasuredHasItMeasuredFirst) {
   EXPECT_EQ(edits, 0);
   EXPECT_TRUE(answer().startsWith(QStringLiteral("Measuring first"))) << answer().toStdString();
   measure();
-  EXPECT_EQ(scene.quality.stepVoxels, 0.25) << "the fastest within 1 level, as if it had been measured before";
+  EXPECT_EQ(scene.quality.stepVoxels, 0.25)
+      << "the fastest within 1 level, as if it had been measured before";
   EXPECT_EQ(edits, 1);
 }
 
