@@ -31,6 +31,7 @@ constexpr Place places[] = {
     {"gestures", "gestures.md"},
     {"panels", "panels.md"},
     {"presets", "presets/README.md"},
+    {"enhanced", "presets/enhanced.md"},
     {"cut", "cut.md"},
     {"publish", "publish.md"},
     {"exactness", "exactness.md"},

@@ -46,7 +46,7 @@ QT_TRANSLATE_NOOP("limn::Preset", "CT X-ray")
 QT_TRANSLATE_NOOP("limn::Preset", "How much each ray absorbs; like a radiograph")
 QT_TRANSLATE_NOOP("limn::Preset", "MR brain")
 QT_TRANSLATE_NOOP("limn::Preset",
-                  "Brain without the skull; what is brighter than the scalp's edge, fitted to each series")
+                  "A brain without its skull; on a whole head this shows the scalp, fitted to each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR glass")
 QT_TRANSLATE_NOOP("limn::Preset", "Tissues as tinted glass; stretched to the brightness of each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR head")

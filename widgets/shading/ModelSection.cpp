@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QObject>
+#include <QPushButton>
 
 namespace limn {
 namespace {
@@ -61,6 +62,16 @@ NumberSpec opacityRangeSpec() {
           .upperName = ModelSection::tr("at boundaries")};
 }
 
+// The numbers of the paper's formulas, which presets replace by those that show their tissue best.
+Shading asInThePaper(Shading shading) {
+  const Shading literal;
+  shading.exponentRange = literal.exponentRange;
+  shading.opacityRange = literal.opacityRange;
+  shading.gradientReference = literal.gradientReference;
+  shading.gradientCurve = literal.gradientCurve;
+  return shading;
+}
+
 } // namespace
 
 ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), parent) {
@@ -82,6 +93,14 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
   contents()->addWidget(enhanced);
   m_exponentRange = addRange(exponentRangeSpec(), &Shading::exponentRange);
   m_opacityRange = addRange(opacityRangeSpec(), &Shading::opacityRange);
+  m_literal = new QPushButton(tr("As in the paper"));
+  m_literal->setObjectName(QStringLiteral("asInThePaper"));
+  m_literal->setAccessibleName(m_literal->text());
+  contents()->addWidget(m_literal, 0, Qt::AlignLeft);
+  connect(m_literal, &QPushButton::clicked, this, [this] {
+    setShading(asInThePaper(shading()));
+    emit shadingEdited(shading(), {nextGestureId(), tr("enhanced as in the paper")});
+  });
   showShading();
 }
 
@@ -113,6 +132,12 @@ void ModelSection::showShading() {
           : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
   m_exponentRange->setUnavailable(noRange);
   m_opacityRange->setUnavailable(noRange);
+  const bool isLiteral = shading() == asInThePaper(shading());
+  m_literal->setEnabled(noRange.isEmpty() && !isLiteral);
+  m_literal->setToolTip(!noRange.isEmpty() ? noRange
+                        : isLiteral        ? tr("The numbers are those of the paper.")
+                                    : tr("Sharpness, emphasis and boundaries by the paper's formulas alone: "
+                                         "presets have numbers that show their own tissue better."));
 }
 
 QString modelName(ShadingModel model) {

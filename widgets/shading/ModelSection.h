@@ -7,6 +7,8 @@
 
 #include <array>
 
+class QPushButton;
+
 namespace limn {
 
 /// The shading model and the numbers that make it: highlight sharpness and boundary emphasis.
@@ -33,6 +35,7 @@ private:
   ValueSlider* m_exponent;
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;
+  QPushButton* m_literal; ///< sets the paper's own numbers
 };
 
 /// The name of a shading model as the window shows it, translated.
