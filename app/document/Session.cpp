@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/Session.h"
 
+#include "app/document/ChangeText.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/properties/ProjectionSection.h"
 
@@ -39,7 +40,9 @@ public:
   SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture)
       : QUndoCommand(gesture.text), m_session(session),
         m_before(stateOf(session, session.m_scene, session.m_preset, session.m_measurements)),
-        m_after(stateOf(session, scene, preset, {})), m_gesture(gesture.id) {}
+        m_after(stateOf(session, scene, preset, {})), m_gesture(gesture.id), m_called(gesture.text) {
+    setText(changeText(m_before.scene, m_after.scene, m_called));
+  }
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
   int id() const override { return 1; }
@@ -49,7 +52,8 @@ public:
     if (later->m_gesture != m_gesture)
       return false;
     m_after = later->m_after;
-    setText(later->text());
+    m_called = later->m_called;
+    setText(changeText(m_before.scene, m_after.scene, m_called)); // from where the gesture began
     setObsolete(m_before.labels == m_after.labels &&
                 withCameraOf(m_before.scene, m_after.scene) == m_after.scene);
     return true;
@@ -91,6 +95,7 @@ private:
   State m_before;
   State m_after;
   std::uint64_t m_gesture;
+  QString m_called; ///< by the gesture
 };
 
 /// Replaces what was measured, and nothing else.

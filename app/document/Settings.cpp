@@ -33,6 +33,8 @@ const std::string engineKey = "engine";
 const std::string galleryKey = "presetGallery";
 const std::string keepLightKey = "presetsKeepLight";
 const std::string tourKey = "tourIsKnown";
+const std::string keepingKey = "keepingIsKnown";
+const std::string pictureKey = "pictureOptions";
 const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
 const std::string folderKey = "dialogFolder";
@@ -331,6 +333,22 @@ bool Settings::presetsKeepLight() const {
 
 void Settings::setPresetsKeepLight(bool keepLight) {
   set(keepLightKey, written(keepLight));
+}
+
+bool Settings::keepingIsKnown() const {
+  return text(keepingKey) == written(true);
+}
+
+void Settings::setKeepingIsKnown(bool isKnown) {
+  set(keepingKey, written(isKnown));
+}
+
+QString Settings::pictureOptions() const {
+  return text(pictureKey);
+}
+
+void Settings::setPictureOptions(const QString& options) {
+  set(pictureKey, options);
 }
 
 std::set<std::string> Settings::favourites() {

@@ -9,7 +9,10 @@
 #include "widgets/controls/MessageBar.h"
 
 #include <QDropEvent>
+#include <QFileInfo>
+#include <QFontMetricsF>
 #include <QMimeData>
+#include <QPainter>
 #include <QString>
 #include <QUrl>
 #include <QWidget>
@@ -116,12 +119,55 @@ void RemarksController::offer(const QStringList& looks) {
                           {tr("Not now"), {}});
 }
 
-DropController::DropController(QWidget& window) : QObject(&window) {
+DropHint::DropHint(QWidget& window) : QWidget(&window) {
+  setObjectName(QStringLiteral("dropHint"));
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFocusPolicy(Qt::NoFocus);
+  hide();
+}
+
+void DropHint::showOver(const QString& text) {
+  m_text = text;
+  setAccessibleName(text);
+  setGeometry(parentWidget()->rect());
+  raise();
+  show();
+  update();
+}
+
+// What is below stays to be seen.
+void DropHint::paintEvent(QPaintEvent*) {
+  constexpr double margin = 6.0;
+  const QColor accent = palette().color(QPalette::Highlight);
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF frame = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
+  QColor veil = accent;
+  veil.setAlphaF(0.12f);
+  painter.setPen(QPen(accent, 3.0, Qt::DashLine));
+  painter.setBrush(veil);
+  painter.drawRoundedRect(frame, 10.0, 10.0);
+  QFont large = font();
+  large.setPointSizeF(1.3 * large.pointSizeF());
+  painter.setFont(large);
+  const QSizeF words = QFontMetricsF(large).size(Qt::TextSingleLine, m_text) + QSizeF(40.0, 20.0);
+  QRectF plate(QPointF(0.0, 0.0), words);
+  plate.moveCenter(frame.center());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette().color(QPalette::Window));
+  painter.drawRoundedRect(plate, 8.0, 8.0);
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(plate, Qt::AlignCenter, m_text);
+}
+
+DropController::DropController(QWidget& window) : QObject(&window), m_hint(new DropHint(window)) {
   window.setAcceptDrops(true);
   window.installEventFilter(this);
 }
 
 bool DropController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::DragLeave)
+    m_hint->hide();
   if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
     return QObject::eventFilter(watched, event);
   auto& drop = static_cast<QDropEvent&>(*event); // a drag that enters is one, too
@@ -129,8 +175,13 @@ bool DropController::eventFilter(QObject* watched, QEvent* event) {
   if (paths.isEmpty())
     return false;
   drop.acceptProposedAction();
-  if (event->type() == QEvent::Drop)
+  if (event->type() == QEvent::DragEnter) {
+    m_hint->showOver(paths.size() == 1 ? tr("Let go to open %1").arg(QFileInfo(paths.front()).fileName())
+                                       : tr("Let go to open %1 files").arg(paths.size()));
+  } else {
+    m_hint->hide();
     tell(paths);
+  }
   return true;
 }
 
@@ -161,6 +212,8 @@ Files::Files(WindowContext& context, FileSources sources)
   offerExport<DicomDialog>(context, QStringLiteral("saveDicom"), DicomDialog::look());
   connect(close, &QAction::triggered, this, &Files::closeRequested);
   connect(&m_pictures, &PictureSaving::complete, &m_saving, &SavingController::writePicture);
+  connect(&m_pictures, &PictureSaving::cancelled, &m_saving, &SavingController::cancelPicture);
+  connect(&m_saving, &SavingController::drawing, &m_pictures, &PictureSaving::say);
   connect(&m_safety, &SessionSafety::saveRequested, &m_saving, &SavingController::saveSession);
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningController::restore);
   connect(&m_saving, &SavingController::sessionSaved, &m_safety, &SessionSafety::noteChange);

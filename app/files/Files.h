@@ -9,13 +9,29 @@
 
 #include <QObject>
 #include <QStringList>
-
-class QWidget;
+#include <QWidget>
 
 namespace limn {
 
+/// Shows where files may fall that are held over a window.
+class DropHint : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit DropHint(QWidget& window);
+
+  /// Over the whole window but for its frame; `text` says what letting go does.
+  void showOver(const QString& text);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  QString m_text;
+};
+
 /// Takes the files that are dropped on a window and says what each is: looks, however many, and one other
-/// file, which is to be opened.
+/// file, which is to be opened. While they are held over it a frame shows that they may fall there.
 class DropController : public QObject {
   Q_OBJECT
 
@@ -32,6 +48,8 @@ protected:
 
 private:
   void tell(const QStringList& paths);
+
+  DropHint* m_hint;
 };
 
 /// What files tell of the rest of the window when they are made.

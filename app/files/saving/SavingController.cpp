@@ -11,6 +11,7 @@
 #include "widgets/view/CompareView.h"
 
 #include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -35,6 +36,47 @@ std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
   if (!worst)
     return std::nullopt;
   return PictureAccuracy{worst->levels, describe(*worst).english()};
+}
+
+glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {
+  return ground == PictureOptions::Ground::white   ? glm::dvec3(1.0)
+         : ground == PictureOptions::Ground::black ? glm::dvec3(0.0)
+                                                   : shown;
+}
+
+// Bytes have a ground that can be seen through, and a resolution; floats (EXR) always have the former.
+bool takesBytes(const std::string& path) {
+  const QString ending = QFileInfo(QString::fromStdString(path)).suffix().toLower();
+  return ending == QStringLiteral("png") || ending.startsWith(QStringLiteral("tif"));
+}
+
+// Marks over a picture, both premultiplied.
+Image withMarks(Image image, const QImage& marks) {
+  for (int y = 0; y < image.size.y; ++y) {
+    const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
+    for (int x = 0; x < image.size.x; ++x) {
+      const glm::vec4 mark = glm::vec4(qRed(row[x]), qGreen(row[x]), qBlue(row[x]), qAlpha(row[x])) / 255.0f;
+      image.at(x, y) = mark + (1.0f - mark.a) * image.at(x, y);
+    }
+  }
+  return image;
+}
+
+// As files have it: colours that are not multiplied by their alpha.
+BytePicture bytesWithAlpha(const Image& image) {
+  BytePicture picture{image.size, true, {}, 0.0};
+  picture.bytes.reserve(4 * image.pixels.size());
+  const auto byte = [](float value) {
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  };
+  for (const glm::vec4& pixel : image.pixels) {
+    const float alpha = std::clamp(pixel.a, 0.0f, 1.0f);
+    const glm::vec3 color = alpha > 0.0f ? glm::vec3(pixel) / alpha : glm::vec3(0.0f);
+    for (int channel = 0; channel < 3; ++channel)
+      picture.bytes.push_back(byte(color[channel]));
+    picture.bytes.push_back(byte(alpha));
+  }
+  return picture;
 }
 
 Image parted(const Image& left, const Image& right, double wipe) {
@@ -97,7 +139,10 @@ PictureSaving::PictureSaving(WindowContext& context)
     if (!m_awaited.path().isEmpty())
       QTimer::singleShot(0, this, &PictureSaving::look);
   });
-  connect(m_stop, &QToolButton::clicked, this, &PictureSaving::forget);
+  connect(m_stop, &QToolButton::clicked, this, [this] {
+    forget();
+    emit cancelled();
+  });
   forget();
 }
 
@@ -107,6 +152,11 @@ PictureContent PictureSaving::content() const {
 
 void PictureSaving::ask() {
   const PictureContent asked = content();
+  const glm::ivec2 screen = deviceSize(m_context.view.order().geometry);
+  const std::optional<PictureOptions> options =
+      askHowToSave({screen.x, screen.y}, m_context.settings, &m_context.window);
+  if (!options)
+    return;
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QString path = askWhereToSave(&m_context.window,
                                       {tr("Save the picture"),
@@ -116,7 +166,7 @@ void PictureSaving::ask() {
                                       m_context.settings);
   if (path.isEmpty())
     return;
-  m_awaited.await(path, asked);
+  m_awaited.await(path, asked, *options);
   look();
 }
 
@@ -126,13 +176,11 @@ void PictureSaving::look() {
     return;
   switch (m_awaited.look(content(), [this] { return m_context.view.restingImage(0).has_value(); })) {
   case AwaitedPicture::Outcome::waits:
-    m_text->setText(tr("Saving %1 once the picture is complete").arg(QFileInfo(path).fileName()));
-    m_text->show();
-    m_stop->show();
+    say(tr("Saving %1 once the picture is complete").arg(QFileInfo(path).fileName()));
     break;
   case AwaitedPicture::Outcome::complete:
     forget();
-    emit complete(path);
+    emit complete(path, m_awaited.options());
     break;
   case AwaitedPicture::Outcome::changed:
     forget();
@@ -144,8 +192,13 @@ void PictureSaving::look() {
 
 void PictureSaving::forget() {
   m_awaited.forget();
-  m_text->hide();
-  m_stop->hide();
+  say({});
+}
+
+void PictureSaving::say(const QString& text) {
+  m_text->setText(text);
+  m_text->setVisible(!text.isEmpty());
+  m_stop->setVisible(!text.isEmpty());
 }
 
 Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
@@ -179,6 +232,10 @@ SavingController::SavingController(WindowContext& context, std::function<Session
   connect(save, &QAction::triggered, this, &SavingController::saveSession);
   connect(saveAs, &QAction::triggered, this, &SavingController::saveSessionAs);
   connect(scene, &QAction::triggered, this, &SavingController::saveScene);
+  connect(&m_drawing, &BackgroundWork::failed, this, [this](const QString& sentence) {
+    emit drawing({});
+    m_context.notes.sayFailure(sentence);
+  });
 }
 
 void SavingController::saveSession() {
@@ -231,27 +288,91 @@ void SavingController::writeScene(const QString& path) {
   m_context.notes.attempt([&] { writeFileAtomically(target, sceneToJson(document)); }, path);
 }
 
-void SavingController::writePicture(const QString& path) {
-  const std::optional<Image> left = m_context.view.restingImage(0);
-  if (!left) {
-    m_context.notes.sayFailure(tr("The picture is not complete yet; save it again once it is."));
+/// A picture on its way into a file: all that is known of it before it is drawn.
+struct SavingController::PictureFile {
+  std::string path;
+  PictureOptions options;
+  CompareLayout layout = CompareLayout::single;
+  double wipe = 0.5;
+  glm::dvec3 background{0.0};
+  double dotsPerInch = 0.0; ///< 0: nothing is said
+  std::string description;
+  OverlaySource overlay;
+
+  /// Throws Error.
+  void write(const std::vector<Image>& sides) const;
+};
+
+// The picture at rest as it is written without marks on the ground of the screen: the bits of the command
+// line.
+void SavingController::PictureFile::write(const std::vector<Image>& sides) const {
+  const bool isTransparent = options.ground == PictureOptions::Ground::transparent;
+  Image image = sides.size() == 2 ? comparedPicture(sides[0], sides[1], layout, wipe, background) : sides[0];
+  if (options.marks.any())
+    image = withMarks(image, savedMarksImage(overlay, options.marks, {image.size.x, image.size.y}));
+  const bool saysMore = isTransparent || dotsPerInch > 0.0;
+  if (!saysMore || !takesBytes(path))
+    return writeImage(path, image, background, description);
+  BytePicture bytes = isTransparent ? bytesWithAlpha(image) : bytesOverBackground(image, background);
+  bytes.dotsPerInch = dotsPerInch;
+  writeBytes(path, bytes, description);
+}
+
+void SavingController::writePicture(const QString& path, const PictureOptions& options) {
+  const CompareView& view = m_context.view;
+  const CompareLayout layout = view.compareLayout();
+  std::vector<Image> sides;
+  for (int side = 0; side < pictureCount(layout); ++side) {
+    const std::optional<Image> picture = m_context.view.restingImage(side);
+    if (!picture)
+      return m_context.notes.sayFailure(tr("The picture is not complete yet; save it again once it is."));
+    sides.push_back(*picture);
+  }
+  Scene scene = view.sceneOfRestingImage(view.ownSide());
+  scene.keep.source = labelsInPicture();
+  scene.image.background = groundOf(options.ground, m_context.document.scene().image.background);
+  const glm::ivec2 screen = deviceSize(view.order().geometry);
+  const double scale = scaleOf(options, screen.x);
+  PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
+                   scene.image.background, 0.0,     {},     {view.order(), view.pictureState()}};
+  if (options.size == PictureOptions::Size::print)
+    file.dotsPerInch = printDotsPerInch;
+  const bool isOnScreen = scale == 1.0;
+  file.description =
+      sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(view.pictureState()) : std::nullopt,
+                  m_context.session.measurements());
+  if (isOnScreen) {
+    m_context.notes.attempt([&] { file.write(sides); }, path);
     return;
   }
-  const CompareLayout layout = m_context.view.compareLayout();
-  const std::optional<Image> right =
-      pictureCount(layout) == 2 ? m_context.view.restingImage(1) : std::nullopt;
-  Scene scene = m_context.view.sceneOfRestingImage(m_context.view.ownSide());
-  scene.keep.source = labelsInPicture();
-  const auto write = [&] {
-    const glm::dvec3& background = m_context.document.scene().image.background;
-    writeImage(path.toStdString(),
-               right ? comparedPicture(*left, *right, layout, m_context.view.wipePosition(), background)
-                     : *left,
-               background,
-               sceneToJson(scene, volumeInPicture(), accuracyOf(m_context.view.pictureState()),
-                           m_context.session.measurements()));
-  };
-  m_context.notes.attempt(write, path);
+  std::vector<Scene> scenes;
+  for (int side = 0; side < pictureCount(layout); ++side)
+    scenes.push_back(view.sceneOfRestingImage(side));
+  const glm::dvec2 size = glm::dvec2(sides.front().size) * scale;
+  drawPicture(file, scenes, glm::max(glm::ivec2(1), glm::ivec2(glm::round(size))));
+}
+
+void SavingController::drawPicture(const PictureFile& file, const std::vector<Scene>& scenes,
+                                   const glm::ivec2& size) {
+  const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
+  const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
+  emit drawing(tr("Drawing %1, %2 × %3 pixels").arg(name).arg(columns).arg(size.y));
+  m_drawing.start([this, file, scenes, size,
+                   order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
+    MakingOptions told = order;
+    told.effort = effort;
+    std::vector<Image> sides(scenes.size());
+    makeEach(scenes, size, told,
+             [&](std::size_t index, MadePicture picture) { sides[index] = std::move(picture.image); });
+    return [this, file, sides] {
+      emit drawing({});
+      m_context.notes.attempt([&] { file.write(sides); }, QString::fromStdString(file.path));
+    };
+  });
+}
+
+void SavingController::cancelPicture() {
+  m_drawing.cancel();
 }
 
 std::string SavingController::volumeInPicture() const {

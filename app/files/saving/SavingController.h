@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/files/saving/PictureDialog.h"
 #include "io/scenefile/SessionFile.h"
 #include "scene/basics/Image.h"
 #include "scene/view/CompareLayout.h"
+#include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
 #include <QString>
@@ -28,14 +30,17 @@ struct PictureContent {
 /// A picture that is saved once it is complete, if it is still the one that was asked for.
 class AwaitedPicture {
 public:
-  void await(const QString& path, const PictureContent& asked) {
+  void await(const QString& path, const PictureContent& asked, const PictureOptions& options = {}) {
     m_path = path;
     m_asked = asked;
+    m_options = options;
   }
   void forget() { m_path.clear(); }
 
   /// Where it is to be saved; empty while none is awaited.
   const QString& path() const { return m_path; }
+  /// How it is to be saved.
+  const PictureOptions& options() const { return m_options; }
 
   enum class Outcome { waits, complete, changed };
 
@@ -53,10 +58,11 @@ public:
 private:
   QString m_path;
   PictureContent m_asked;
+  PictureOptions m_options;
 };
 
-/// Asks where a view's picture is to be saved and waits until it is complete; meanwhile a row of the status
-/// bar says so and offers to cancel.
+/// Asks how and where a view's picture is to be saved and waits until it is complete; meanwhile a row of the
+/// status bar says so and offers to cancel.
 class PictureSaving : public QObject {
   Q_OBJECT
 
@@ -65,9 +71,13 @@ public:
   /// another size.
   explicit PictureSaving(WindowContext& context);
 
+  /// What is awaited or drawn is said in the status bar; empty: nothing is.
+  void say(const QString& text);
+
 signals:
   /// The picture at rest is the one that was asked for.
-  void complete(const QString& path);
+  void complete(const QString& path, const limn::PictureOptions& options);
+  void cancelled();
 
 private:
   void ask();
@@ -102,7 +112,10 @@ public:
   /// What the above do once a name is chosen. The picture is the one at rest.
   void writeSession(const QString& path);
   void writeScene(const QString& path);
-  void writePicture(const QString& path);
+  /// A larger one is drawn beside the event loop.
+  void writePicture(const QString& path, const PictureOptions& options = {
+                                             .ground = PictureOptions::Ground::shown, .marks = noMarks});
+  void cancelPicture();
 
   /// How a picture that may travel calls the volume and the label map: without folders.
   std::string volumeInPicture() const;
@@ -110,8 +123,12 @@ public:
 
 signals:
   void sessionSaved();
+  /// A picture is being drawn for a file; empty: no longer.
+  void drawing(const QString& sentence);
 
 private:
+  struct PictureFile;
+  void drawPicture(const PictureFile& file, const std::vector<Scene>& scenes, const glm::ivec2& size);
   std::string seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
                        const std::string& kind) const;
   std::string volumeSeenFrom(const std::filesystem::path& file) const;
@@ -119,6 +136,7 @@ private:
 
   WindowContext& m_context;
   std::function<SessionDocument()> m_session;
+  BackgroundWork m_drawing; ///< of a picture that is larger than the one on screen
 };
 
 } // namespace limn

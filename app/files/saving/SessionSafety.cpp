@@ -86,10 +86,20 @@ bool SessionSafety::mayLeave() {
   try {
     m_keeper->keep(*m_context.document.unsaved(m_session()));
     tellUnfinished();
+    sayThatItIsKept();
     return true;
   } catch (const Error& error) {
     return askBeforeLosing(translated(error.sentence()));
   }
+}
+
+// Once: who knows need not be told again.
+void SessionSafety::sayThatItIsKept() {
+  if (m_context.settings.keepingIsKnown())
+    return;
+  m_context.settings.setKeepingIsKnown(true);
+  m_context.messages.show(MessageBar::Kind::note,
+                          tr("What you had changed is kept: File ▸ Open unsaved session brings it back."));
 }
 
 bool SessionSafety::askBeforeLosing(const QString& why) {
@@ -120,7 +130,9 @@ void SessionSafety::takeOver(const QString& file) {
 }
 
 void SessionSafety::tellUnfinished() {
-  const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  // One offer at a time: what a crash left behind goes before what was closed.
+  const bool isOffered = m_keeper && m_keeper->abandoned();
+  const auto kept = m_keeper && !isOffered ? m_keeper->kept() : std::vector<std::filesystem::path>();
   m_context.view.emptyPanel().setUnfinished(kept.empty() ? QString() : described(kept.front()));
 }
 
@@ -143,6 +155,7 @@ void SessionSafety::offerAbandoned() {
       {tr("Discard"), [this, file = *file] {
          m_keeper->forget(file);
          offerAbandoned();
+         tellUnfinished();
        }});
 }
 

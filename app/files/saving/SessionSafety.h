@@ -46,6 +46,7 @@ private:
   /// Opens what was left unsaved last.
   void continueLast();
   bool askBeforeLosing(const QString& why);
+  void sayThatItIsKept();
   void sayUnsafe(const QString& why);
   void offerAbandoned();
   void tellUnfinished();

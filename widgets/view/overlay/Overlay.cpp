@@ -16,6 +16,14 @@
 
 namespace limn {
 
+QString warningText() {
+  return QObject::tr("Not for diagnosis");
+}
+
+QString unknownOrientationText() {
+  return QObject::tr("Orientation unknown");
+}
+
 QString readingText(double value, const Volume& volume) {
   return valueText(value, QString::fromStdString(volume.info().unit),
                    decimalsOfSpan(volume.range().highest - volume.range().lowest));
@@ -89,8 +97,8 @@ std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   const double width = source.geometry.size.width();
   const double height = source.lowest();
   const double room = width - 2 * overlayMargin;
-  const Note warning = noteAt(source.font, QObject::tr("Not for diagnosis"),
-                              {width - overlayMargin, height - overlayMargin}, Qt::AlignRight, room);
+  const Note warning = noteAt(source.font, warningText(), {width - overlayMargin, height - overlayMargin},
+                              Qt::AlignRight, room);
   overlay.notes.push_back(warning);
   std::vector<QRectF> plates{warning.plate};
   const std::optional<ScaleMark> scale = scaleMarkOf(source);
@@ -144,7 +152,7 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<Q
   const double lowest = source.lowest() - overlayMargin;
   const std::vector<double> columns = letterColumns(source.geometry);
   if (!source.volume().info().orientationKnown) {
-    Note note = noteAt(source.font, QObject::tr("Orientation unknown"), {0.0, 0.0}, Qt::AlignHCenter,
+    Note note = noteAt(source.font, unknownOrientationText(), {0.0, 0.0}, Qt::AlignHCenter,
                        pictureRect(source.geometry, 0).width());
     note.plate.moveBottom(clearRowAbove(lowest, note.plate.size(), columns, plates));
     for (const double column : columns) {

@@ -56,6 +56,10 @@ struct Overlay {
   std::vector<double> progress; ///< each 0..1
 };
 
+/// What notes over pictures say: what no picture is for, and that sides are unknown.
+QString warningText();
+QString unknownOrientationText();
+
 /// A value of a volume with its unit and as many digits as the volume's range makes sensible.
 QString readingText(double value, const Volume& volume);
 

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/saving/PictureDialog.h"
+
+#include "app/document/Settings.h"
+#include "widgets/controls/NumberField.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr double cmPerInch = 2.54;
+constexpr double narrowestCm = 2.0;
+constexpr double widestCm = 60.0;
+constexpr int longestSide = 16384; // of a picture in a file, pixels: more than drivers draw at once
+
+QString wordOf(int number) {
+  return QString::number(number);
+}
+
+} // namespace
+
+double scaleOf(const PictureOptions& options, int screenWidth) {
+  switch (options.size) {
+  case PictureOptions::Size::screen:
+    return 1.0;
+  case PictureOptions::Size::twice:
+    return 2.0;
+  case PictureOptions::Size::fourTimes:
+    return 4.0;
+  case PictureOptions::Size::print:
+    return options.printCm / cmPerInch * printDotsPerInch / std::max(1, screenWidth);
+  }
+  return 1.0;
+}
+
+QString writtenOptions(const PictureOptions& options) {
+  const SavedMarks& marks = options.marks;
+  QStringList words{wordOf(static_cast<int>(options.size)), QString::number(options.printCm),
+                    wordOf(static_cast<int>(options.ground))};
+  for (const bool mark : {marks.names, marks.letters, marks.scale, marks.warning, marks.measurements})
+    words << wordOf(mark ? 1 : 0);
+  return words.join(QLatin1Char(' '));
+}
+
+PictureOptions readOptions(const QString& text) {
+  const QStringList words = text.split(QLatin1Char(' '));
+  PictureOptions options;
+  if (words.size() != 8)
+    return options;
+  options.size = static_cast<PictureOptions::Size>(std::clamp(words[0].toInt(), 0, 3));
+  if (const double cm = words[1].toDouble(); cm >= narrowestCm && cm <= widestCm)
+    options.printCm = cm;
+  options.ground = static_cast<PictureOptions::Ground>(std::clamp(words[2].toInt(), 0, 3));
+  SavedMarks& marks = options.marks;
+  int at = 3;
+  for (bool* mark : {&marks.names, &marks.letters, &marks.scale, &marks.warning, &marks.measurements})
+    *mark = words[at++].toInt() != 0;
+  return options;
+}
+
+PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent)
+    : QDialog(parent), m_screen(screen), m_size(new QComboBox(this)),
+      m_cm(new NumberField(narrowestCm, widestCm, 1, this)), m_ground(new QComboBox(this)),
+      m_pixels(new QLabel(this)) {
+  setObjectName(QStringLiteral("pictureDialog"));
+  setWindowTitle(tr("Save the picture"));
+  m_size->setObjectName(QStringLiteral("pictureSize"));
+  m_size->addItems(
+      {tr("As on screen"), tr("Twice as large"), tr("Four times as large"), tr("For print, 300 dpi")});
+  m_size->setCurrentIndex(static_cast<int>(options.size));
+  m_cm->setObjectName(QStringLiteral("pictureWidth"));
+  m_cm->setSuffix(QChar(0x00a0) + tr("cm"));
+  m_cm->setAccessibleName(tr("Width on paper"));
+  m_cm->setNumber(options.printCm);
+  m_ground->setObjectName(QStringLiteral("pictureGround"));
+  m_ground->addItems({tr("As on screen"), tr("White"), tr("Black"), tr("Transparent")});
+  m_ground->setCurrentIndex(static_cast<int>(options.ground));
+  m_ground->setToolTip(tr("What stands behind the tissue. JPEG knows no transparent ground."));
+
+  auto* form = new QFormLayout;
+  form->addRow(tr("Si&ze"), m_size);
+  form->addRow(tr("&Width"), m_cm);
+  form->addRow(QString(), m_pixels);
+  form->addRow(tr("&Ground"), m_ground);
+  auto* marks = new QVBoxLayout;
+  form->addRow(tr("With it"), marks);
+  const SavedMarks& on = options.marks;
+  addMark("pictureNames", tr("&Names of models or presets"), on.names);
+  addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
+  addMark("pictureScale", tr("&Scale bar"), on.scale);
+  addMark("pictureWarning", tr("\"Not for &diagnosis\""), on.warning);
+  addMark("pictureMeasurements", tr("&Measurements"), on.measurements);
+  for (QCheckBox* mark : m_marks)
+    marks->addWidget(mark);
+
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* save = buttons->addButton(tr("Save…"), QDialogButtonBox::AcceptRole);
+  save->setObjectName(QStringLiteral("pictureSave"));
+  save->setDefault(true);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(form);
+  column->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  const auto show = [this, form] {
+    form->setRowVisible(m_cm, m_size->currentIndex() == static_cast<int>(PictureOptions::Size::print));
+    tellSize();
+  };
+  connect(m_size, &QComboBox::currentIndexChanged, this, show);
+  connect(m_cm, &NumberField::numberEdited, this, &PictureDialog::tellSize);
+  show();
+}
+
+void PictureDialog::addMark(const char* name, const QString& text, bool isOn) {
+  auto* mark = new QCheckBox(text, this);
+  mark->setObjectName(QLatin1String(name));
+  mark->setChecked(isOn);
+  m_marks.push_back(mark);
+}
+
+PictureOptions PictureDialog::options() const {
+  PictureOptions options;
+  options.size = static_cast<PictureOptions::Size>(m_size->currentIndex());
+  options.printCm = m_cm->number();
+  options.ground = static_cast<PictureOptions::Ground>(m_ground->currentIndex());
+  options.marks = {m_marks[0]->isChecked(), m_marks[1]->isChecked(), m_marks[2]->isChecked(),
+                   m_marks[3]->isChecked(), m_marks[4]->isChecked()};
+  return options;
+}
+
+void PictureDialog::tellSize() {
+  const QSize size = m_screen * scaleOf(options(), m_screen.width());
+  const bool fits = std::max(size.width(), size.height()) <= longestSide;
+  m_pixels->setText(fits ? tr("%1 × %2 pixels").arg(size.width()).arg(size.height())
+                         : tr("%1 × %2 pixels: more than %3 a side cannot be drawn")
+                               .arg(size.width())
+                               .arg(size.height())
+                               .arg(longestSide));
+  if (auto* save = findChild<QPushButton*>(QStringLiteral("pictureSave")))
+    save->setEnabled(fits);
+}
+
+std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent) {
+  PictureDialog dialog(readOptions(settings.pictureOptions()), screen, parent);
+  if (dialog.exec() != QDialog::Accepted)
+    return std::nullopt;
+  settings.setPictureOptions(writtenOptions(dialog.options()));
+  return dialog.options();
+}
+
+} // namespace limn

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view/overlay/SavedOverlay.h"
+
+#include <QDialog>
+#include <QSize>
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace limn {
+
+class NumberField;
+class Settings;
+
+/// How a picture of the view is saved.
+struct PictureOptions {
+  enum class Size { screen, twice, fourTimes, print };
+  enum class Ground { shown, white, black, transparent };
+
+  Size size = Size::screen;
+  double printCm = 17.0; ///< its width on paper, > 0; of `print` alone
+  Ground ground = Ground::shown;
+  SavedMarks marks;
+  bool operator==(const PictureOptions&) const = default;
+};
+
+/// Dots per inch of a picture for print, as journals ask for.
+inline constexpr double printDotsPerInch = 300.0;
+
+/// By what a picture that has this width on screen is larger in its file.
+double scaleOf(const PictureOptions& options, int screenWidth);
+
+/// The options as one line of words and numbers for the settings, and back; what is not understood is as
+/// usual.
+QString writtenOptions(const PictureOptions& options);
+PictureOptions readOptions(const QString& text);
+
+/// Asks how large a picture is saved, on which ground, and which marks go with it; remembers the answer.
+class PictureDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  /// `screen` is the size of the picture on screen, device pixels.
+  PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent);
+
+  PictureOptions options() const;
+
+private:
+  void addMark(const char* name, const QString& text, bool isOn);
+  void tellSize();
+
+  QSize m_screen;
+  QComboBox* m_size;
+  NumberField* m_cm;
+  QComboBox* m_ground;
+  QLabel* m_pixels;
+  std::vector<QCheckBox*> m_marks; ///< in the order of SavedMarks
+};
+
+/// Asks so; nothing where it is cancelled.
+std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent);
+
+} // namespace limn

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "io/ImageFile.h"
+
+#include <QComboBox>
+#include <QImage>
+#include <QPushButton>
+
+#include <filesystem>
+
+namespace limn::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A picture of the view on its way into a file, as it is asked for.
+class SavedPicture : public WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    setLayout(CompareLayout::single);
+    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+    ASSERT_TRUE(rest());
+  }
+
+  QImage saved(const char* name, const PictureOptions& options) {
+    saving().writePicture(pathTo(name), options);
+    EXPECT_TRUE(test::waitUntil([&] { return isWholePicture(folder.path() / name); }));
+    return QImage(pathTo(name));
+  }
+};
+
+TEST_F(SavedPicture, isAsLargeAsAskedFor) {
+  PictureOptions options;
+  options.marks = noMarks;
+  const QImage shown = saved("shown.png", options);
+  EXPECT_EQ(shown.size(), view().size() * view().devicePixelRatioF());
+  options.size = PictureOptions::Size::twice;
+  EXPECT_EQ(saved("twice.png", options).size(), 2 * shown.size());
+  options.size = PictureOptions::Size::print;
+  options.printCm = 12.7; // 5 inches of 300 dots
+  const QImage print = saved("print.png", options);
+  EXPECT_EQ(print.width(), 1500);
+  EXPECT_NEAR(print.dotsPerMeterX(), 300.0 / 0.0254, 1.0);
+  EXPECT_FALSE(readImageDescription(folder.path() / "print.png").empty()) << "it carries its scene";
+}
+
+TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {
+  PictureOptions options;
+  options.marks = noMarks;
+  options.ground = PictureOptions::Ground::transparent;
+  const QImage clear = saved("clear.png", options);
+  ASSERT_TRUE(clear.hasAlphaChannel());
+  EXPECT_EQ(qAlpha(clear.pixel(0, 0)), 0);
+  EXPECT_GT(qAlpha(clear.pixel(clear.rect().center())), 200);
+  options.ground = PictureOptions::Ground::white;
+  EXPECT_EQ(saved("white.png", options).pixelColor(0, 0), QColor(Qt::white));
+}
+
+TEST_F(SavedPicture, takesTheMarksAlongThatAreAskedFor) {
+  PictureOptions options;
+  options.marks = noMarks;
+  const QImage bare = saved("bare.png", options);
+  options.marks.warning = true;
+  const QImage warned = saved("warned.png", options);
+  ASSERT_EQ(bare.size(), warned.size());
+  QRect changed;
+  for (int y = 0; y < bare.height(); ++y)
+    for (int x = 0; x < bare.width(); ++x)
+      if (bare.pixel(x, y) != warned.pixel(x, y))
+        changed |= QRect(x, y, 1, 1);
+  // "Not for diagnosis" stands in the lower right corner, and nothing else comes with it.
+  EXPECT_GT(changed.left(), bare.width() / 2);
+  EXPECT_GT(changed.top(), bare.height() * 3 / 4);
+  options.marks = SavedMarks{};
+  EXPECT_NE(saved("all.png", options), warned);
+}
+
+TEST_F(SavedPicture, isNoSmallerBecauseAMessageStandsOpen) {
+  PictureOptions options;
+  options.marks = noMarks;
+  const QSize size = saved("before.png", options).size();
+  ASSERT_TRUE(open(pathTo("missing.nii")));
+  ASSERT_TRUE(messages().isVisible());
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(saved("after.png", options).size(), size);
+}
+
+TEST_F(SavedPicture, theAnswersAreRemembered) {
+  const auto answer = [this] {
+    onceAsked<PictureDialog>([](PictureDialog& dialog) {
+      dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(1);
+      dialog.findChild<QComboBox*>(QStringLiteral("pictureGround"))->setCurrentIndex(2);
+      QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
+    });
+  };
+  answer();
+  typeName(pathTo("asked.png"));
+  action(QStringLiteral("Save &picture…"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "asked.png"); }));
+  EXPECT_EQ(QImage(pathTo("asked.png")).size(), 2 * view().size() * view().devicePixelRatioF());
+  bool isAsked = false;
+  onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
+    isAsked = dialog.options().size == PictureOptions::Size::twice &&
+              dialog.options().ground == PictureOptions::Ground::black;
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  EXPECT_TRUE(isAsked);
+}
+
+TEST(WrittenOptions, comeBackAsTheyWere) {
+  PictureOptions options;
+  options.size = PictureOptions::Size::print;
+  options.printCm = 8.5;
+  options.ground = PictureOptions::Ground::transparent;
+  options.marks.scale = false;
+  EXPECT_EQ(readOptions(writtenOptions(options)), options);
+  EXPECT_EQ(readOptions(QStringLiteral("what is this")), PictureOptions{});
+}
+
+} // namespace
+} // namespace limn::test

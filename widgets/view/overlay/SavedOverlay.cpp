@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/SavedOverlay.h"
+
+#include "widgets/view/overlay/OverlayParts.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace limn {
+namespace {
+
+// As the picture lies when nobody has a hand on it.
+OverlaySource leftAlone(OverlaySource source) {
+  source.hovered = {};
+  source.heldFace.reset();
+  source.hasCropBox = false;
+  source.hasCube = false;
+  source.isTurning = false;
+  source.read.reset();
+  source.cutLine.reset();
+  source.coveredBelow = 0.0;
+  source.labelOpacity = 0.0; // numbers beside the titles are about the work
+  source.comparison.markMm.reset();
+  source.comparison.halfMm.reset();
+  source.comparison.preview.clear();
+  source.state.limitation.clear();
+  source.state.refines = false;
+  source.state.resting = true;
+  return source;
+}
+
+} // namespace
+
+Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks) {
+  OverlaySource still = leftAlone(source);
+  if (!marks.measurements)
+    still.comparison.measures.clear();
+  Overlay overlay = overlayOf(still);
+  const auto isWanted = [&](const Note& note) {
+    return (marks.warning && note.text == warningText()) ||
+           (marks.letters && note.text == unknownOrientationText());
+  };
+  std::vector<Note> notes;
+  std::ranges::copy_if(overlay.notes, std::back_inserter(notes), isWanted);
+  overlay.notes = std::move(notes);
+  overlay.gap.reset(); // pictures stand without one in a file
+  // No menu opens in a file.
+  for (PlacedLabel& label : overlay.labels) {
+    label.label.leadsToMenu = false;
+    const double width = labelPlate(source.font, label.label, source.view(), Qt::AlignLeft).width();
+    const bool isAtTheRight = label.plate.center().x() > source.view().center().x() &&
+                              overlay.labels.size() == 2 &&
+                              source.geometry.layout != CompareLayout::sideBySide;
+    isAtTheRight ? label.plate.setLeft(label.plate.right() - width) : label.plate.setWidth(width);
+  }
+  if (!marks.names) {
+    overlay.labels.clear();
+    overlay.difference.reset();
+    overlay.differenceBar.reset();
+  }
+  if (!marks.letters)
+    overlay.letters.clear();
+  if (!marks.scale)
+    overlay.scale.reset();
+  return overlay;
+}
+
+QImage savedMarksImage(const OverlaySource& source, const SavedMarks& marks, const QSize& size) {
+  QImage image(size, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  const QSize view = source.geometry.size;
+  if (image.isNull() || view.isEmpty())
+    return image;
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  // One factor for both ways: a column between two pictures is missing in the file.
+  const double factor = static_cast<double>(size.height()) / view.height();
+  painter.scale(factor, factor);
+  paintOverlay(painter, savedOverlay(source, marks));
+  return image;
+}
+
+} // namespace limn
