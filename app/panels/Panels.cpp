@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/Panels.h"
 
+#include "app/panels/EffectSwitches.h"
 #include "app/window/WindowContext.h"
 #include "scene/function/PointShare.h"
 #include "scene/presets/PresetFit.h"
@@ -41,16 +42,32 @@ TransferFunction averageCurve() {
            {500.0, glm::dvec3(1.0), 1.0}}};
 }
 
-// Edits are named as undo says them, "move point"; a list of them begins each with a capital.
-class CapitalDelegate : public QStyledItemDelegate {
+// Edits are named as undo says them, "move point"; a list of them begins each with a capital, and those that
+// are undone step back.
+class HistoryDelegate : public QStyledItemDelegate {
 public:
-  using QStyledItemDelegate::QStyledItemDelegate;
+  HistoryDelegate(const QUndoStack& stack, QObject* parent) : QStyledItemDelegate(parent), m_stack(stack) {}
+
   QString displayText(const QVariant& value, const QLocale& locale) const override {
     QString text = QStyledItemDelegate::displayText(value, locale);
     if (!text.isEmpty())
       text[0] = text[0].toUpper();
     return text;
   }
+
+protected:
+  // The first row is the scene as it was opened.
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (index.row() <= m_stack.index())
+      return;
+    option->font.setItalic(true);
+    option->palette.setBrush(QPalette::Text, option->palette.placeholderText());
+    option->palette.setBrush(QPalette::HighlightedText, option->palette.placeholderText());
+  }
+
+private:
+  const QUndoStack& m_stack;
 };
 
 // The docks stand in the order in which they are added, which is that of the members.
@@ -163,7 +180,7 @@ void EarlierLook::use() {
                               {nextGestureId(), tr("use the look of the volume before")});
   if (!haveOneScale)
     m_context.messages.show(
-        MessageBar::Kind::warning,
+        MessageBar::Kind::note,
         tr("The look of the volume before was fitted to the values of this one: not both are in "
            "Hounsfield units."));
 }
@@ -257,7 +274,8 @@ void Panels::addHistory() {
   history->setEmptyLabel(tr("As opened"));
   history->setAccessibleName(tr("History"));
   history->setSpacing(2);
-  history->setItemDelegate(new CapitalDelegate(history));
+  history->setItemDelegate(new HistoryDelegate(m_context.session.undoStack(), history));
+  history->setWordWrap(true);
   // Where it lies on top the presets must not become narrower than they can be.
   history->setMinimumWidth(m_presets.browser().minimumSizeHint().width());
   m_context.docks.add({tr("&History"), "historyDock", history, Qt::LeftDockWidgetArea});
@@ -291,9 +309,44 @@ void Panels::connectProperties() {
 void Panels::addEffects() {
   connect(&m_context.view, &CompareView::told, this, [this](const ViewNews& news) {
     m_effects.setRows(news.effects, news.effectsOf);
+    m_effects.setSwitchable(switchableEffects(news.effects));
     m_effects.setTimes(news.times);
   });
+  connect(&m_effects, &EffectsPanel::effectSwitched, this, &Panels::switchEffect);
   connect(&m_effects, &EffectsPanel::measureRequested, &m_context.view, &CompareView::measureEffects);
+}
+
+// What is off may be so because nothing in the picture calls for it: only what was switched off here is
+// offered.
+std::set<std::string> Panels::switchableEffects(const std::vector<EffectRow>& rows) const {
+  std::set<std::string> switchable;
+  const Scene& scene = m_context.session.scene();
+  for (const EffectRow& row : rows)
+    if (scene.volume &&
+        (row.isOn ? withoutEffect(scene, row.name).has_value() : m_switchedOff.contains(row.name)))
+      switchable.insert(row.name);
+  return switchable;
+}
+
+void Panels::switchEffect(const QString& effect, bool isOn) {
+  const std::string name = effect.toStdString();
+  const Scene& scene = m_context.session.scene();
+  const auto before = m_switchedOff.find(name);
+  std::optional<Scene> next;
+  if (!isOn)
+    next = withoutEffect(scene, name);
+  else if (before != m_switchedOff.end())
+    next = withEffect(scene, name, before->second);
+  if (!next)
+    return;
+  if (!isOn) {
+    Scene kept = scene;
+    kept.volume.reset(); // its numbers are enough
+    kept.keep = {};
+    m_switchedOff[name] = kept;
+  }
+  m_context.session.edit(*next,
+                         {nextGestureId(), isOn ? tr("switch an effect on") : tr("switch an effect off")});
 }
 
 void Panels::showScene(const Scene& scene) {
@@ -312,6 +365,8 @@ void Panels::showPreview(const Scene& scene, const std::string& preset) {
 
 void Panels::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
   m_curves.showVolume(volume, histogram);
+  m_cropBox.setShown(false); // the frame was around another volume
+  m_switchedOff.clear();
   if (volume)
     m_properties.foldUnused();
 }

@@ -9,11 +9,15 @@
 #include "app/panels/presets/PresetController.h"
 #include "app/panels/presets/ThumbnailController.h"
 #include "io/scenefile/SessionFile.h"
+#include "scene/effects/EffectRows.h"
 
 #include <QObject>
 
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 class QAction;
 
@@ -144,6 +148,8 @@ private:
   void addHistory();
   void connectProperties();
   void addEffects();
+  std::set<std::string> switchableEffects(const std::vector<EffectRow>& rows) const;
+  void switchEffect(const QString& effect, bool isOn);
   void showScene(const Scene& scene);
   void showPreview(const Scene& scene, const std::string& preset);
 
@@ -151,6 +157,7 @@ private:
   PresetController m_presets;
   PropertiesPanel& m_properties;
   EffectsPanel& m_effects;
+  std::map<std::string, Scene> m_switchedOff; ///< effects, by name, with what had them; of this volume
   AccuracyController m_accuracy;
   RayController m_ray;
   CurveController m_curves;

@@ -24,16 +24,17 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   connectSections();
   setAccessibleName(tr("Accuracy"));
   showScene();
-  m_wish->setMeasured(nullptr);
+  offerWishes();
 }
 
 void AccuracyPanel::connectSections() {
   connect(m_dial, &DialSection::pointPicked, this, &AccuracyPanel::useStep);
   connect(m_dial, &DialSection::movingMsPicked, this, &AccuracyPanel::movingMsPicked);
-  connect(m_wish, &WishSection::levelsWished, this,
-          [this](double levels) { answer(wishForLevels(m_measured->report, levels)); });
+  connect(m_wish, &WishSection::levelsWished, this, [this](double levels) {
+    wish([levels](const AccuracyReport& report) { return wishForLevels(report, levels); });
+  });
   connect(m_wish, &WishSection::msWished, this,
-          [this](double ms) { answer(wishForMs(m_measured->report, ms)); });
+          [this](double ms) { wish([ms](const AccuracyReport& report) { return wishForMs(report, ms); }); });
   connect(m_chart, &MeasuredSection::measureRequested, this, &AccuracyPanel::measureRequested);
   connect(m_chart, &MeasuredSection::saveRequested, this, &AccuracyPanel::saveRequested);
   connect(m_chart, &MeasuredSection::pointPicked, this,
@@ -41,6 +42,23 @@ void AccuracyPanel::connectSections() {
   connect(m_map, &MapSection::mapRequested, this, &AccuracyPanel::mapRequested);
   for (const WorkRow* work : {m_dial->work(), m_chart->work(), m_map->work()})
     connect(work, &WorkRow::cancelled, this, &AccuracyPanel::cancelRequested);
+  connect(m_chart->work(), &WorkRow::cancelled, this, [this] {
+    m_wanted = nullptr;
+    offerWishes();
+  });
+}
+
+// What nobody has measured is measured first.
+void AccuracyPanel::wish(const Wish& wanted) {
+  if (const MeasuredAccuracy* holds = holding(); holds && !holds->report.points.empty())
+    return answer(wanted(holds->report));
+  emit measureRequested();
+  m_wanted = wanted;
+  m_wish->showAnswer(tr("Measuring first; the best picture that keeps this is then used."));
+}
+
+void AccuracyPanel::offerWishes() {
+  m_wish->setMeasured(holding(), m_scene.volume && m_work == AccuracyWork::none);
 }
 
 void AccuracyPanel::setScene(const Scene& scene) {
@@ -55,7 +73,8 @@ void AccuracyPanel::setScene(const Scene& scene) {
     // An answer stands until something else than it is in use.
     if (!m_answered || !holding() || pointOf(scene, steepestPerMm()) != m_answered) {
       m_answered.reset();
-      m_wish->setMeasured(holding());
+      m_wanted = nullptr;
+      offerWishes();
     }
   }
 }
@@ -72,14 +91,18 @@ void AccuracyPanel::setOnScreen(const std::optional<Quality>& quality) {
 void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
   m_measured = measured;
   m_chart->setMeasured(&*m_measured);
-  m_wish->setMeasured(holding());
+  offerWishes();
   showScene();
   m_chart->fitInto(viewport()->height());
   bringIntoView(m_chart->chart());
+  if (const Wish wanted = std::exchange(m_wanted, nullptr); wanted && holding())
+    answer(wanted(m_measured->report));
 }
 
 void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
+  if (!m_answered && !m_wanted)
+    offerWishes();
   showProgress(0.0, tr("Preparing…"));
   showScene();
   if (work == AccuracyWork::measuring)

@@ -5,6 +5,8 @@
 #include "widgets/accuracy/PointUse.h"
 #include "widgets/controls/FoldingSection.h"
 
+#include <functional>
+
 namespace limn {
 
 class DialSection;
@@ -63,6 +65,9 @@ private:
   void useStep(const OperatingPoint& point);
   void use(const OperatingPoint& point);
   void ask(const Quality& quality, const QString& undoText);
+  using Wish = std::function<WishAnswer(const AccuracyReport& report)>;
+  void wish(const Wish& wanted);
+  void offerWishes();
   void answer(const WishAnswer& answer);
   void showScene();
   void bringIntoView(QWidget* part);
@@ -73,6 +78,7 @@ private:
   std::optional<Quality> m_onScreen;
   std::optional<MeasuredAccuracy> m_measured;
   std::optional<OperatingPoint> m_answered; ///< what a wish chose, while its answer stands
+  Wish m_wanted;                            ///< to be answered once it is measured
   AccuracyWork m_work = AccuracyWork::none;
   QString m_mapUnavailable;
   DialSection* m_dial;

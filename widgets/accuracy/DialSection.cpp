@@ -57,7 +57,7 @@ QLabel* endLabel(const QString& text) {
 
 DialSection::DialSection(QWidget* parent)
     : FoldingSection(tr("Faster or closer to exact"), parent), m_dial(new StopSlider), m_sentence(new QLabel),
-      m_work(new WorkRow(tr("Finding the steps"))) {
+      m_note(new QLabel), m_work(new WorkRow(tr("Finding the steps"))) {
   auto* block = new QVBoxLayout;
   block->setSpacing(4);
   block->addWidget(new QLabel(tr("Picture at rest")));
@@ -80,10 +80,9 @@ DialSection::DialSection(QWidget* parent)
   auto* text = new QVBoxLayout;
   text->setSpacing(4);
   text->addWidget(m_sentence);
-  QLabel* note = endLabel(tr("From there it refines while nothing moves. A level is the smallest step of "
-                             "brightness on a screen, of 255."));
-  note->setWordWrap(true);
-  text->addWidget(note);
+  m_note->setWordWrap(true);
+  m_note->setForegroundRole(QPalette::PlaceholderText);
+  text->addWidget(m_note);
   contents()->addLayout(text);
   contents()->addWidget(m_work);
   QStringList choices;
@@ -113,6 +112,13 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
     sentence += QLatin1Char(' ') + refinedText(*onScreen, measured->report);
   m_sentence->setText(sentence);
   m_dial->setAccessibleDescription(m_sentence->text());
+  // The chart has the same steps taken otherwise, under the same numbers.
+  const bool averages = !m_points.empty() && m_points.front().preintegrated;
+  m_note->setText(
+      (averages ? tr("The dial's steps average the curve between samples; the chart has them without, too. ")
+                : QString()) +
+      tr("From there it refines while nothing moves. A level is the smallest step of brightness on a "
+         "screen, of 255."));
 }
 
 void DialSection::showStops(const MeasuredAccuracy* measured) {

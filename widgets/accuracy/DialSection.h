@@ -44,6 +44,7 @@ private:
   std::vector<OperatingPoint> m_points; ///< one per stop
   StopSlider* m_dial;
   QLabel* m_sentence;
+  QLabel* m_note; ///< how the dial's steps are taken, and what a level is
   WorkRow* m_work;
   ChoiceRow* m_moving = nullptr;
 };

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -76,7 +77,7 @@ WishSection::WishSection(QWidget* parent)
   contents()->addWidget(m_answer);
   connect(m_useLevels, &QPushButton::clicked, this, [this] { emit levelsWished(m_levels->number()); });
   connect(m_useMs, &QPushButton::clicked, this, [this] { emit msWished(m_ms->number()); });
-  setMeasured(nullptr);
+  setMeasured(nullptr, false);
 }
 
 QPushButton* WishSection::addWish(const QString& name, NumberField* field, const QString& toolTip) {
@@ -98,13 +99,14 @@ QPushButton* WishSection::addWish(const QString& name, NumberField* field, const
   return button;
 }
 
-void WishSection::setMeasured(const MeasuredAccuracy* measured) {
-  const bool canChoose = measured && !measured->report.points.empty();
-  m_useLevels->setEnabled(canChoose);
-  m_useMs->setEnabled(canChoose);
-  const QString first = tr("Measure this picture first: the choice is among what was measured.");
-  m_useLevels->setToolTip(canChoose ? m_levels->toolTip() : first);
-  m_useMs->setToolTip(canChoose ? m_ms->toolTip() : first);
+void WishSection::setMeasured(const MeasuredAccuracy* measured, bool canMeasure) {
+  const bool isMeasured = measured && !measured->report.points.empty();
+  const QString first = canMeasure ? tr("Measures this picture first: the choice is among what was measured.")
+                                   : tr("Open a volume, or wait until the measuring is done.");
+  for (const auto& [button, field] : {std::pair(m_useLevels, m_levels), {m_useMs, m_ms}}) {
+    button->setEnabled(isMeasured || canMeasure);
+    button->setToolTip(isMeasured ? field->toolTip() : first);
+  }
   showAnswer({});
 }
 

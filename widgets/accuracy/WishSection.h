@@ -29,8 +29,9 @@ class WishSection : public FoldingSection {
 public:
   explicit WishSection(QWidget* parent = nullptr);
 
-  /// What can be chosen from; null where nothing that holds was measured.
-  void setMeasured(const MeasuredAccuracy* measured);
+  /// What can be chosen from; null where nothing that holds was measured, which a wish then has done first
+  /// where it can be.
+  void setMeasured(const MeasuredAccuracy* measured, bool canMeasure);
 
   /// What the last wish got.
   void showAnswer(const QString& sentence);

@@ -5,6 +5,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/theme/Theme.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -13,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -26,6 +28,15 @@ QString sentence(QString phrase) {
   return phrase;
 }
 
+// "12 ms ± 3"; a cost that is lost in its spread is about none.
+QString costWithSpread(const EffectCost& cost) {
+  const QString text = translated(costText(cost));
+  const bool isLost = std::abs(cost.ms) <= cost.spreadMs || std::abs(cost.ms) < 0.05;
+  return isLost ? text
+                : EffectsPanel::tr("%1 ± %2").arg(text,
+                                                  fixedNumber(cost.spreadMs, cost.spreadMs < 10.0 ? 1 : 0));
+}
+
 void setTextColor(QLabel& label, const QColor& color) {
   QPalette palette = label.palette();
   palette.setColor(QPalette::WindowText, color);
@@ -35,7 +46,8 @@ void setTextColor(QLabel& label, const QColor& color) {
 } // namespace
 
 EffectRowWidget::EffectRowWidget(QWidget* parent)
-    : QWidget(parent), m_title(new QLabel), m_cost(new QLabel), m_reason(new QLabel) {
+    : QWidget(parent), m_switch(new QCheckBox(this)), m_title(new QLabel), m_cost(new QLabel),
+      m_reason(new QLabel) {
   m_title->setWordWrap(true);
   m_reason->setWordWrap(true);
   m_cost->setAlignment(Qt::AlignRight | Qt::AlignTop);
@@ -47,7 +59,27 @@ EffectRowWidget::EffectRowWidget(QWidget* parent)
   grid->addWidget(m_cost, 0, 1);
   grid->addWidget(m_reason, 1, 0, 1, 2);
   grid->setColumnStretch(0, 1);
+  m_switch->hide();
+  connect(m_switch, &QCheckBox::clicked, this, [this](bool isOn) {
+    m_switch->setChecked(m_row.isOn); // until the picture has it
+    emit switched(QString::fromStdString(m_row.name), isOn);
+  });
   showColors();
+}
+
+// In the place of the mark.
+void EffectRowWidget::setSwitchable(bool isSwitchable) {
+  m_switch->setVisible(isSwitchable);
+  m_switch->setFocusPolicy(isSwitchable ? Qt::StrongFocus : Qt::NoFocus);
+  m_switch->setChecked(m_row.isOn);
+  m_switch->setAccessibleName(m_title->text());
+  m_switch->setToolTip(m_row.isOn ? tr("Leaves this effect out of the picture.")
+                                  : tr("Has the picture show it."));
+  const QSize size = m_switch->sizeHint();
+  const int line = m_title->fontMetrics().height();
+  m_switch->setGeometry(8, layout()->contentsMargins().top() + (line - size.height()) / 2, size.width(),
+                        size.height());
+  update();
 }
 
 void EffectRowWidget::setRow(const EffectRow& row) {
@@ -64,7 +96,7 @@ void EffectRowWidget::setRow(const EffectRow& row) {
 }
 
 void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
-  m_cost->setText(cost ? translated(costText(*cost)) : QString());
+  m_cost->setText(cost ? costWithSpread(*cost) : QString());
   m_cost->setToolTip(
       cost ? tr("The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.")
                  .arg(fixedNumber(std::abs(cost->ms), 1))
@@ -87,6 +119,8 @@ void EffectRowWidget::describe() {
 }
 
 void EffectRowWidget::paintEvent(QPaintEvent*) {
+  if (!m_switch->isHidden())
+    return;
   const ThemeColors colors = themeColors(palette());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -155,12 +189,14 @@ void EffectsPanel::setRows(const std::vector<EffectRow>& rows, const QString& pi
   while (m_rows.size() < rows.size()) {
     m_rows.push_back(new EffectRowWidget);
     m_list->layout()->addWidget(m_rows.back());
+    connect(m_rows.back(), &EffectRowWidget::switched, this, &EffectsPanel::effectSwitched);
   }
   for (std::size_t i = 0; i < m_rows.size(); ++i) {
     m_rows[i]->setVisible(i < rows.size());
     if (i < rows.size())
       m_rows[i]->setRow(rows[i]);
   }
+  showSwitches();
   const auto on = std::count_if(rows.begin(), rows.end(), [](const EffectRow& row) { return row.isOn; });
   m_heading->setText(rows.empty()
                          ? tr("Open a volume to see which effects its picture calls for.")
@@ -169,6 +205,18 @@ void EffectsPanel::setRows(const std::vector<EffectRow>& rows, const QString& pi
                                .arg(on)
                                .arg(rows.size()));
   m_measure->setEnabled(!rows.empty() && !m_times.isMeasuring);
+}
+
+void EffectsPanel::setSwitchable(const std::set<std::string>& effects) {
+  if (effects == m_switchable)
+    return;
+  m_switchable = effects;
+  showSwitches();
+}
+
+void EffectsPanel::showSwitches() {
+  for (std::size_t i = 0; i < m_shown.size(); ++i)
+    m_rows[i]->setSwitchable(m_switchable.contains(m_shown[i].name));
 }
 
 void EffectsPanel::setTimes(const EffectTimes& times) {

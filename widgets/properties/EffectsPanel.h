@@ -8,13 +8,17 @@
 #include <QWidget>
 
 #include <optional>
+#include <set>
+#include <string>
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
 namespace limn {
 
-/// One effect: a mark (filled: on, ring: off), its title, what it costs, and below why.
+/// One effect: a mark (filled: on, ring: off) or, where it can be switched, a switch; its title, what it
+/// costs, and below why.
 class EffectRowWidget : public QWidget {
   Q_OBJECT
 
@@ -24,6 +28,10 @@ public:
   void setRow(const EffectRow& row);
   void setCost(const std::optional<EffectCost>& cost);
   bool showsCost() const;
+  void setSwitchable(bool isSwitchable);
+
+signals:
+  void switched(const QString& effect, bool isOn);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -34,6 +42,7 @@ private:
   void describe();
 
   EffectRow m_row;
+  QCheckBox* m_switch;
   QLabel* m_title;
   QLabel* m_cost;
   QLabel* m_reason;
@@ -50,17 +59,24 @@ public:
   /// volume.
   void setRows(const std::vector<EffectRow>& rows, const QString& picture);
 
+  /// The names of the rows that can be switched now; none at first.
+  void setSwitchable(const std::set<std::string>& effects);
+
   void setTimes(const EffectTimes& times);
 
   QSize sizeHint() const override { return {320, 600}; }
 
 signals:
   void measureRequested();
+  /// By the name of its row.
+  void effectSwitched(const QString& effect, bool isOn);
 
 private:
+  void showSwitches();
   void showTimes();
 
   std::vector<EffectRow> m_shown;
+  std::set<std::string> m_switchable;
   QString m_picture; ///< what it is called
   EffectTimes m_times;
   std::vector<EffectRowWidget*> m_rows;

@@ -225,6 +225,19 @@ TEST_F(AccuracyPanelTest, aWishTakesTheBestPointThatKeepsIt) {
   EXPECT_EQ(edits, 2);
 }
 
+TEST_F(AccuracyPanelTest, aWishOfWhatWasNotMeasuredHasItMeasuredFirst) {
+  int asked = 0;
+  QObject::connect(&panel, &AccuracyPanel::measureRequested, &panel, [&asked] { ++asked; });
+  ASSERT_TRUE(useLevels()->isEnabled());
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(edits, 0);
+  EXPECT_TRUE(answer().startsWith(QStringLiteral("Measuring first"))) << answer().toStdString();
+  measure();
+  EXPECT_EQ(scene.quality.stepVoxels, 0.25) << "the fastest within 1 level, as if it had been measured before";
+  EXPECT_EQ(edits, 1);
+}
+
 TEST_F(AccuracyPanelTest, aWishThatNoneKeepsSaysWhatComesClosest) {
   measure();
   widgetNamed<NumberField>(panel, "Error at most, levels")->setNumber(0.03);
@@ -249,7 +262,7 @@ TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
   EXPECT_TRUE(
       textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured for an earlier picture")));
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: not measured for this picture."));
-  EXPECT_FALSE(useLevels()->isEnabled());
+  EXPECT_TRUE(useLevels()->toolTip().startsWith(QStringLiteral("Measures this picture first")));
   clickPoint(raysAt(0.125));
   EXPECT_EQ(edits, 0);
   scene.transferFunction.points[1].opacity = 0.8;

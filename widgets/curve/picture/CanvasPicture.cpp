@@ -116,6 +116,43 @@ void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
                    withAlpha(picture.colors.accent, 26));
 }
 
+// Along the upper edge, each over its values, or along the lower one where the curve runs; of a name with
+// several parts the first, where that has room.
+void paintTissueNames(QPainter& painter, const CanvasPicture& picture) {
+  constexpr double height = 14.0;
+  constexpr double beside = 4.0;
+  if (picture.unit != QLatin1String("HU") || picture.subject != CurveSubject::value)
+    return;
+  const QRectF& plot = picture.transform.plot;
+  painter.save();
+  QFont font = painter.font();
+  font.setPointSizeF(0.85 * font.pointSizeF());
+  painter.setFont(font);
+  painter.setPen(picture.colors.secondaryText);
+  double free = plot.left();
+  for (const Tissue& tissue : allTissues()) {
+    const double from = std::max(plot.left(), xOfValue(picture.transform, tissue.range.lowest));
+    const double to = std::min(plot.right(), xOfValue(picture.transform, tissue.range.highest));
+    if (to <= from)
+      continue;
+    const QString name = tissue.name.section(QLatin1Char(','), 0, 0);
+    const double width = painter.fontMetrics().horizontalAdvance(name);
+    const double left = std::max(plot.left(), (from + to) / 2.0 - width / 2.0);
+    // A narrow range may lend its neighbours' gaps, but covers no other name.
+    if (width > 3.0 * (to - from) || left < free || left + width > plot.right())
+      continue;
+    const QRectF above(left, plot.top() + 1.0, width + 1.0, height);
+    const bool isCrossed = !picture.function.points.empty() &&
+                           runsThrough(curvePolygon(picture.transform, picture.function), above);
+    const QRectF below = above.translated(0.0, plot.height() - height - 2.0);
+    painter.drawText(isCrossed ? below : above, Qt::AlignCenter, name);
+    free = left + width + beside;
+    painter.drawLine(QPointF(from, plot.top()), QPointF(from, plot.top() + 3.0));
+    painter.drawLine(QPointF(to, plot.top()), QPointF(to, plot.top() + 3.0));
+  }
+  painter.restore();
+}
+
 // The curve's colours below it.
 void paintColors(QPainter& painter, const CanvasPicture& picture) {
   const QRectF& plot = picture.transform.plot;
@@ -377,6 +414,7 @@ void paintCurve(QPainter& painter, const CanvasPicture& picture) {
   paintTissueBand(painter, picture);
   paintColors(painter, picture);
   painter.drawPixmap(plot.topLeft(), picture.histogram.edge);
+  paintTissueNames(painter, picture);
   paintCurveLine(painter, picture);
   paintHoverLine(painter, picture);
   paintMarkedValues(painter, picture);

@@ -34,4 +34,11 @@ std::optional<Tissue> tissueAt(double hounsfield) {
   return std::nullopt;
 }
 
+std::vector<Tissue> allTissues() {
+  std::vector<Tissue> tissues;
+  for (const Row& row : tissueRows)
+    tissues.push_back({QCoreApplication::translate("Tissue", row.name), row.range});
+  return tissues;
+}
+
 } // namespace limn

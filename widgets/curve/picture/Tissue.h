@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 namespace limn {
 
@@ -20,5 +21,8 @@ struct Tissue {
 /// Prokop and Galanski, "Spiral and Multislice Computed Tomography of the Body" (Thieme 2003), with the gaps
 /// left open.
 std::optional<Tissue> tissueAt(double hounsfield);
+
+/// All of them, the lowest values first.
+std::vector<Tissue> allTissues();
 
 } // namespace limn
