@@ -6,6 +6,7 @@
 #include "io/labels/MaskFolder.h"
 #include "regions/Cutting.h"
 #include "regions/LabelVoxels.h"
+#include "scene/presets/PresetFit.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
@@ -129,6 +130,48 @@ void RegionController::setBodyOnly(bool isOn) {
     start(tr("Looking for the body"), gesture, bodyOf);
 }
 
+void RegionController::offerBody() {
+  const Scene& scene = m_context.session.scene();
+  if (!scene.volume || scene.volume->room() || scene.keep.kind != Region::Kind::all ||
+      imageNormalAxis(scene.volume->grid()) || !looksLikeHounsfield(*scene.volume))
+    return;
+  m_offering.start([this, volume = scene.volume](const Effort& effort) -> BackgroundWork::Deliver {
+    Progress progress;
+    progress.isCancelled = effort.isCancelled;
+    const FoundRegion found = bodyOf(*volume, progress);
+    // A remark says that it is doubtful what lies beside the body, and that something does.
+    if (found.remark.empty() || found.region.kind != Region::Kind::body)
+      return [] {};
+    return [this, volume, found] { askAboutTable(volume, found); };
+  });
+}
+
+// What is said of the volume itself goes before, and is dismissed first.
+void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found) {
+  const auto isAsShown = [this, volume] {
+    const Scene& shown = m_context.session.scene();
+    return shown.volume == volume && shown.keep.kind == Region::Kind::all;
+  };
+  if (!isAsShown())
+    return;
+  if (m_context.messages.isWanted()) {
+    connect(
+        &m_context.messages, &MessageBar::wanted, this,
+        [this, volume, found] { askAboutTable(volume, found); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+    return;
+  }
+  m_context.messages.show(MessageBar::Kind::question,
+                          tr("Hide the table and the holder? It is not certain which part is the body."), {},
+                          {tr("Hide them"),
+                           [this, isAsShown, found] {
+                             m_context.messages.hide();
+                             if (isAsShown())
+                               m_context.session.setKeep(found.region, {nextGestureId(), tr("body only")});
+                           }},
+                          {tr("Leave them"), {}});
+}
+
 void RegionController::setKeep(const Region& region, const Gesture& gesture) {
   if (needsCutting(region))
     cut(region, region.cuts, gesture);
@@ -169,6 +212,7 @@ void RegionController::showEverything() {
 void RegionController::showScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     cancel();
+    m_offering.cancel();
     offerCutsOfBefore(scene);
     m_volume = scene.volume;
     m_body = {};

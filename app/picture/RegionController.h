@@ -48,6 +48,9 @@ public slots:
   /// Takes back what labels, cuts or Body only hide; a crop stays, and cuts stay in their list.
   void showEverything();
   void cancel();
+  /// Of a CT volume that was opened by itself and is shown wholly, because it is not sure which part is the
+  /// body: looks beside the event loop whether something lies beside one, and asks whether to hide that.
+  void offerBody();
   void showScene(const limn::Scene& scene);
 
 signals:
@@ -66,6 +69,7 @@ private:
   void measureLabels(const Scene& scene);
   void tellReplaced(const Region& before, const Region& now);
   void offerCutsOfBefore(const Scene& scene);
+  void askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found);
   void end();
 
   WindowContext& m_context;
@@ -79,6 +83,7 @@ private:
   BackgroundWork m_work;
   std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
   BackgroundWork m_measuring;
+  BackgroundWork m_offering; ///< of a body
 };
 
 /// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",

@@ -116,7 +116,7 @@ struct LegendParts {
 
 // The values over which a scene's curve is shown: those between its outermost points with some room beside
 // them, or the volume's where there are none.
-ValueRange legendRange(const Scene& scene) {
+ValueRange ownRange(const Scene& scene) {
   const auto& points = scene.transferFunction.points;
   if (points.empty() || !(points.back().value > points.front().value))
     return scene.volume->range().lowest < scene.volume->range().highest
@@ -126,7 +126,7 @@ ValueRange legendRange(const Scene& scene) {
   return {points.front().value - room, points.back().value + room};
 }
 
-LegendParts partsOf(const QRectF& place, const Scene& scene, const QFont& font) {
+LegendParts partsOf(const QRectF& place, const ValueRange& range, const QFont& font) {
   const double text = font.pixelSize();
   const QFontMetricsF metrics(font);
   const double left = 2.0 * metrics.height() + metrics.horizontalAdvance(QStringLiteral("0.5"));
@@ -139,7 +139,7 @@ LegendParts partsOf(const QRectF& place, const Scene& scene, const QFont& font) 
   parts.transform.plot =
       QRectF(QPointF(parts.bar.left(), place.top() + 0.5 * text), QPointF(parts.bar.right(), parts.bar.top()))
           .adjusted(0.0, 0.0, 0.0, -0.25 * text);
-  parts.transform.visible = legendRange(scene);
+  parts.transform.visible = range;
   return parts;
 }
 
@@ -270,9 +270,9 @@ void paintNotes(QPainter& painter, const Figure& figure, const FigureLayout& lay
 }
 
 // Paints opacity over value, the colours below it, and an axis in the volume's unit.
-void paintLegend(QPainter& painter, const QRectF& place, const Scene& scene, const QFont& font,
-                 const FigureColors& colors) {
-  const LegendParts parts = partsOf(place, scene, font);
+void paintLegend(QPainter& painter, const QRectF& place, const Scene& scene, const ValueRange& range,
+                 const QFont& font, const FigureColors& colors) {
+  const LegendParts parts = partsOf(place, range, font);
   if (parts.bar.width() < 4.0 * parts.text)
     return;
   painter.save();
@@ -308,6 +308,17 @@ void paintPictureMarks(QPainter& painter, const PictureMarks& marks, const Figur
 }
 
 } // namespace
+
+ValueRange legendRange(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
+  const std::string& unit = figure.panels[panel].scene.volume->info().unit;
+  ValueRange range = ownRange(figure.panels[panel].scene);
+  for (const LegendPlace& legend : layout.legends)
+    if (const Scene& other = figure.panels[legend.panel].scene; other.volume->info().unit == unit) {
+      const ValueRange its = ownRange(other);
+      range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
+    }
+  return range;
+}
 
 PictureMarks pictureMarks(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
   const QRectF picture(layout.pictures[panel]);
@@ -349,7 +360,8 @@ void paintMarks(QPainter& painter, const Figure& figure, const FigureLayout& lay
     paintPictureMarks(painter, pictureMarks(figure, layout, i), layout);
   }
   for (const LegendPlace& legend : layout.legends)
-    paintLegend(painter, legend.place, figure.panels[legend.panel].scene, figureFont(layout, noteScale),
+    paintLegend(painter, legend.place, figure.panels[legend.panel].scene,
+                legendRange(figure, layout, legend.panel), figureFont(layout, noteScale),
                 colorsOn(figure.settings.page));
   for (const LegendPlace& labels : layout.labelLegends) {
     const FigureColors colors = colorsOn(figure.settings.page);

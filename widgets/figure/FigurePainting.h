@@ -37,6 +37,10 @@ struct PictureMarks {
   std::optional<FigureScaleBar> scale;
 };
 
+/// The values over which the curve of a panel is shown: one axis for all curves of values in one unit, so
+/// that they can be compared by eye, with some room beside their outermost points.
+ValueRange legendRange(const Figure& figure, const FigureLayout& layout, std::size_t panel);
+
 /// The marks on the picture of one panel, as the figure asks for them.
 PictureMarks pictureMarks(const Figure& figure, const FigureLayout& layout, std::size_t panel);
 

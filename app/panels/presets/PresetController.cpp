@@ -15,6 +15,8 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 
 #include <algorithm>
@@ -25,6 +27,33 @@ namespace {
 auto named(const std::vector<Preset>& presets, const QString& name) {
   return std::find_if(presets.begin(), presets.end(),
                       [&](const Preset& preset) { return preset.name == name.toStdString(); });
+}
+
+// Whether a curve lets no voxel of a volume be seen.
+bool showsNothing(const TransferFunction& function, const Histogram& histogram) {
+  const double width =
+      (histogram.range.highest - histogram.range.lowest) / std::max<std::size_t>(1, histogram.counts.size());
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    const double value = histogram.range.lowest + (static_cast<double>(bin) + 0.5) * width;
+    if (histogram.counts[bin] > 0 && classify(function, value).opacity > 0.0)
+      return false;
+  }
+  return true;
+}
+
+// The values that a curve is for, where nothing else tells: it begins in the background, becomes visible
+// where the object begins, and ends at the brightest.
+Preset withLandmarksOfPoints(Preset preset) {
+  const auto& points = preset.transferFunction.points;
+  if (preset.landmarks || points.size() < 2 || !(points.back().value > points.front().value))
+    return preset;
+  const auto visible =
+      std::ranges::find_if(points, [](const ControlPoint& point) { return point.opacity > 0.0; });
+  const double span = points.back().value - points.front().value;
+  const double object = visible == points.end() ? points.front().value + span / 2.0 : visible->value;
+  preset.landmarks = Landmarks{std::min(points.front().value, object - 0.1 * span), object,
+                               std::max(points.back().value, object + 0.1 * span)};
+  return preset;
 }
 
 } // namespace
@@ -158,13 +187,17 @@ bool PresetController::isInOtherUnits(const Preset& preset) const {
   return volume && isForHounsfield(preset) && !looksLikeHounsfield(*volume);
 }
 
-// Own presets were shaped on data like this; built-in ones fit themselves to it.
+// Own presets know the data that they were shaped on unless that was in Hounsfield units; built-in ones fit
+// themselves.
 std::optional<Preset> PresetController::fitted(const QString& name) const {
   const Preset* found = find(name);
   if (!found)
     return std::nullopt;
   const std::shared_ptr<const Volume>& volume = m_context.session.scene().volume;
-  return volume && isBuiltIn(name) ? fittedToValues(*found, *volume, m_context.document.histogram()) : *found;
+  if (volume && isBuiltIn(name))
+    return fittedToValues(*found, *volume, m_context.document.histogram());
+  return volume && found->landmarks ? fittedTo(*found, m_context.document.histogram(), volume->grid())
+                                    : *found;
 }
 
 // Somebody may have edited its file.
@@ -192,8 +225,11 @@ void PresetController::use(const QString& name) {
   if (!preset || !m_context.session.scene().volume)
     return;
   show(*preset, tr("use preset %1").arg(presetWords(name)));
-  if (const Preset known = *find(name); isInOtherUnits(known))
+  const Preset known = *find(name);
+  if (isInOtherUnits(known))
     isBuiltIn(name) ? sayHowItWasFitted(known) : offerToFit(known);
+  else if (showsNothing(preset->transferFunction, m_context.document.histogram()))
+    offerWhereNothingShows(known);
 }
 
 void PresetController::preview(const QString& name) {
@@ -213,6 +249,38 @@ void PresetController::preview(const QString& name) {
 void PresetController::compare(const QString& name) {
   if (const std::optional<Preset> preset = fitted(name); preset && m_context.session.scene().volume)
     emit compareRequested(*preset);
+}
+
+// Of two models both sides show the scene's own look: what stands at the other side of a preset is that.
+void PresetController::useOnSide(const QString& name, int side) {
+  const ViewOrder& order = m_context.view.order();
+  const bool isSingle = order.comparison.layout == CompareLayout::single;
+  if (isSingle || (order.comparison.look && side == 1))
+    return use(name);
+  if (side == 1) {
+    const OpenDocument::PresetInUse own = m_context.document.presetInUse();
+    const QString shown = QString::fromStdString(own.name);
+    emit compareRequested(
+        presetOf(m_context.session.scene(), (shown.isEmpty()  ? tr("Before")
+                                             : own.isModified ? tr("%1, modified").arg(shown)
+                                                              : shown)
+                                                .toStdString()));
+  }
+  side == 1 ? use(name) : compare(name);
+}
+
+void PresetController::fillMenu(QMenu& menu, int side) {
+  menu.clear();
+  const ViewOrder& order = m_context.view.order();
+  const bool isCompared = order.comparison.look && order.comparison.layout != CompareLayout::single;
+  const std::string shown =
+      isCompared && side == 0 ? order.comparison.look->shown.name : m_context.document.presetInUse().name;
+  for (const QString& name : m_browser.presets()) {
+    QAction* action = menu.addAction(presetWords(name).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                                     [this, name, side] { useOnSide(name, side); });
+    action->setCheckable(true);
+    action->setChecked(name.toStdString() == shown);
+  }
 }
 
 void PresetController::show(const Preset& preset, const QString& edit) {
@@ -255,10 +323,23 @@ void PresetController::offerToFit(const Preset& preset) {
       {tr("Fit to this volume"), fit});
 }
 
+// A preset that does not know its data had the values that its own points lie between.
+void PresetController::offerWhereNothingShows(const Preset& preset) {
+  const auto fit = [this, preset = withLandmarksOfPoints(preset), volume = m_context.session.scene().volume] {
+    if (m_context.session.scene().volume == volume)
+      show(fittedTo(preset, m_context.document.histogram(), volume->grid()),
+           tr("fit preset %1").arg(presetWords(QString::fromStdString(preset.name))));
+  };
+  say(tr("\"%1\" shows nothing of this volume: its curve is for other values.")
+          .arg(presetWords(QString::fromStdString(preset.name))),
+      {tr("Fit to this volume"), fit});
+}
+
 void PresetController::say(const QString& sentence, const MessageBar::Action& action) {
   m_said = sentence;
   m_saidOf = m_context.document.presetInUse().name;
-  m_context.messages.show(MessageBar::Kind::warning, sentence, {}, action);
+  m_context.messages.show(action.text.isEmpty() ? MessageBar::Kind::note : MessageBar::Kind::warning,
+                          sentence, {}, action);
 }
 
 void PresetController::useNumber(int number) {
@@ -282,8 +363,7 @@ void PresetController::askForName() {
   const QString proposed = inUse.isEmpty()                  ? tr("My preset")
                            : named(own, inUse) != own.end() ? inUse
                                                             : tr("My %1").arg(inUse);
-  ask(tr("Save as preset"), tr("Name (a preset of the same name is replaced):"), proposed,
-      [this](const QString& name) { save(name); });
+  ask(tr("Save as preset"), tr("Name:"), proposed, [this](const QString& name) { save(name); });
 }
 
 void PresetController::ask(const QString& title, const QString& label, const QString& name,
@@ -316,7 +396,12 @@ bool PresetController::mayBeCalled(const QString& name) const {
 void PresetController::save(const QString& name) {
   if (!mayBeCalled(name))
     return;
+  if (named(m_own, name) != m_own.end() && !mayReplace(name))
+    return;
   Preset preset = presetOf(m_context.session.scene(), name.toStdString());
+  // Values without a unit mean something beside those of their own volume alone.
+  if (const auto& volume = m_context.session.scene().volume; !looksLikeHounsfield(*volume))
+    preset.landmarks = landmarksOf(m_context.document.histogram());
   std::optional<Preset> replaced;
   if (const auto before = named(m_own, name); before != m_own.end()) {
     replaced = *before;
@@ -336,7 +421,17 @@ void PresetController::save(const QString& name) {
   m_context.notes.attempt(write);
 }
 
-// Nobody is asked before: what was is brought back by one click.
+// Names are typed with ease, so it is asked; all the same what was is brought back by one click.
+bool PresetController::mayReplace(const QString& name) {
+  QMessageBox box(QMessageBox::Question, tr("Replace preset"),
+                  tr("There is a preset \"%1\" already. Replace it by what is shown?").arg(name),
+                  QMessageBox::Cancel, &m_context.window);
+  box.setObjectName(QStringLiteral("replacePreset"));
+  const QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
+  box.exec();
+  return box.clickedButton() == replace;
+}
+
 void PresetController::offerBack(const Preset& preset, const QString& sentence, const QString& label,
                                  bool isFavourite) {
   const auto bringBack = [this, preset, isFavourite] {

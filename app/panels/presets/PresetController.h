@@ -12,6 +12,7 @@
 #include <utility>
 
 class QAction;
+class QMenu;
 
 namespace limn {
 
@@ -52,6 +53,9 @@ public:
   void preview(const QString& name);
   /// Has a preset compared with what is shown.
   void compare(const QString& name);
+  /// Fills a menu with the presets for the picture of a side, 0 left or the only one, 1 right: a chosen one
+  /// is used there, or compared with the scene's own look where the other side shows that.
+  void fillMenu(QMenu& menu, int side);
   /// The preset of this number (from 1 on) in the list; 0 is the full range of values.
   void useNumber(int number);
 
@@ -84,10 +88,13 @@ signals:
 private:
   void connectBrowser();
   void addKeepingLight();
+  void useOnSide(const QString& name, int side);
   void show(const Preset& preset, const QString& edit);
   bool isInOtherUnits(const Preset& preset) const;
   bool isBuiltIn(const QString& name) const;
   void offerToFit(const Preset& preset);
+  void offerWhereNothingShows(const Preset& preset);
+  bool mayReplace(const QString& name);
   void sayHowItWasFitted(const Preset& preset);
   void offerBack(const Preset& preset, const QString& sentence, const QString& label, bool isFavourite);
   void say(const QString& sentence, const MessageBar::Action& action = {});

@@ -235,6 +235,18 @@ TEST(FigurePainting, changesNoPixelOfAPictureOutsideItsMarks) {
   }
 }
 
+TEST(FigurePainting, curvesThatAreComparedHaveOneAxis) {
+  Figure figure = figureOf(2);
+  figure.panels[1].scene.transferFunction.points = {{-600.0, {1.0, 0.0, 0.0}, 0.0},
+                                                    {400.0, {1.0, 1.0, 1.0}, 1.0}};
+  const FigureLayout layout = figureLayout(figure);
+  ASSERT_EQ(layout.legends.size(), 2u) << "curves that differ have a legend each";
+  const ValueRange first = legendRange(figure, layout, 0);
+  EXPECT_EQ(first, legendRange(figure, layout, 1));
+  // 0..1000 and -600..400, each with 6 % of 1000 beside it.
+  EXPECT_EQ(first, (ValueRange{-660.0, 1060.0}));
+}
+
 // Labels in turns, every one but the first (the background) with a look of its own: opaque in a colour
 // of its number.
 Region turnsWithLooks(int labels) {
