@@ -16,6 +16,7 @@
 
 #include <QCloseEvent>
 #include <QKeyEvent>
+#include <QMenu>
 
 namespace limn {
 namespace {
@@ -37,7 +38,7 @@ MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& m
   connectPictureAndPanels();
   connectFiles();
   m_frame.title().show();
-  m_picture.comparison().setLayout(CompareLayout::sideBySide);
+  m_picture.comparison().begin();
   m_context.followers.tell(m_context.session.scene());
   view().emptyPanel().takeFocus();
 }
@@ -72,6 +73,9 @@ void MainWindow::connectPictureAndPanels() {
   connect(comparison, &ComparisonController::shown, &m_panels.ray(), &RayController::show);
   connect(&m_panels.presets(), &PresetController::compareRequested, comparison,
           &ComparisonController::compareWith);
+  const auto fillPresets = [this](QMenu* menu, int side) { m_panels.presets().fillMenu(*menu, side); };
+  connect(comparison, &ComparisonController::presetMenuAsked, this, fillPresets);
+  connect(&m_context.view, &CompareView::presetMenuAsked, this, fillPresets);
   connect(properties->labelSection(), &LabelSection::openRequested, &m_picture.regions(),
           &RegionController::askForLabels);
   connect(properties->labelSection(), &LabelSection::keepEdited, &m_picture.regions(),
@@ -143,6 +147,8 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_picture.comparison().showOpened();
   }
   m_files.noteOpened(loaded, request);
+  if (!loaded.session && !loaded.beside)
+    m_picture.regions().offerBody();
   m_frame.title().show();
 }
 
@@ -162,6 +168,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   m_frame.focusMode().leave();
+  m_context.docks.endFolding();
   m_context.settings.setWindow(saveGeometry(), saveState());
   m_files.opening().cancel();
   m_files.safety().end();

@@ -2,12 +2,16 @@
 #include "app/picture/ComparisonController.h"
 
 #include "app/window/WindowContext.h"
+#include "widgets/presets/PresetModel.h"
 #include "widgets/shading/ModelSection.h"
 #include "widgets/view/CompareView.h"
 
+#include <QEvent>
 #include <QMenu>
+#include <QStatusBar>
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 namespace limn {
@@ -15,6 +19,9 @@ namespace {
 
 // What the session file calls it, whatever the language.
 const std::string snapshotName = "(before)";
+
+// Narrower pictures show less of two models than one picture of both.
+constexpr int leastOfTwo = 400; // pixels
 
 // Where they lie may differ: orientation can be set by hand.
 bool haveSameVoxels(const Volume* a, const Volume* b) {
@@ -27,9 +34,11 @@ class ModelMenus : public QObject {
 public:
   /// A model was chosen for a side: 0 left, or the only one, 1 right.
   using Choose = std::function<void(int side, ShadingModel model)>;
+  /// A menu of presets for a side opens and is to be filled.
+  using Fill = std::function<void(QMenu* menu, int side)>;
 
   // Last in the tool bar: the buttons come, go and change their width with the layout, and move nothing.
-  ModelMenus(ActionList& actions, const Choose& choose, QObject* parent) : QObject(parent) {
+  ModelMenus(ActionList& actions, const Choose& choose, const Fill& fill, QObject* parent) : QObject(parent) {
     const std::array names{"model-left-", "model-right-"}, buttons{"modelButton", "rightModelButton"};
     for (int side = 0; side < 2; ++side) {
       const auto place = static_cast<std::size_t>(side);
@@ -40,6 +49,9 @@ public:
         its.menu->addAction(actions.addChoice(*its.group, QLatin1String(names[place]) + nameOf(model),
                                               static_cast<int>(model),
                                               {.text = modelName(model), .needsVolume = true}));
+      its.menu->addSeparator();
+      QMenu* presets = its.menu->addMenu(ComparisonController::tr("&Preset"));
+      connect(presets, &QMenu::aboutToShow, this, [fill, presets, side] { fill(presets, side); });
       its.button = actions.makeMenuButton(QLatin1String(buttons[place]), QToolButton::InstantPopup);
       its.place = actions.addMenuButton(*its.button, its.menu, {7, side});
       const QAction* choice = its.group->actions().front(); // enabled as all of its group are
@@ -96,6 +108,8 @@ ComparisonController::ComparisonController(WindowContext& context)
   addLayouts();
   addModels();
   addSnapshot();
+  context.view.installEventFilter(this);
+  connect(&context.session, &Session::planesChanged, this, &ComparisonController::noteSlices);
 }
 
 void ComparisonController::addLayouts() {
@@ -124,7 +138,8 @@ void ComparisonController::addLayouts() {
 
 void ComparisonController::addModels() {
   const auto choose = [this](int side, ShadingModel model) { setSideModel(side, model); };
-  const auto* menus = new ModelMenus(m_context.actions, choose, this);
+  const auto fill = [this](QMenu* menu, int side) { emit presetMenuAsked(menu, side); };
+  const auto* menus = new ModelMenus(m_context.actions, choose, fill, this);
   connect(this, &ComparisonController::modelsShown, menus, &ModelMenus::show);
   connect(&m_context.view, &CompareView::modelChosen, this, &ComparisonController::setSideModel);
 }
@@ -155,11 +170,50 @@ void ComparisonController::addSnapshot() {
   connect(m_compareModels, &QAction::triggered, this, &ComparisonController::compareModels);
 }
 
+void ComparisonController::begin() {
+  m_wanted = CompareLayout::sideBySide;
+  m_isAsked = false;
+  fitLayout();
+}
+
 void ComparisonController::setLayout(CompareLayout layout) {
   m_beforeImage.reset();
+  m_wanted = layout;
+  m_isAsked = true;
+  fitLayout();
+}
+
+// Two looks are compared because somebody asked for that.
+CompareLayout ComparisonController::layoutWithRoom() const {
+  const bool isTight = m_hasSlices || m_context.view.width() < 2 * leastOfTwo;
+  const bool mayGiveWay = m_wanted == CompareLayout::sideBySide && !m_isAsked && !m_look;
+  return mayGiveWay && isTight && m_context.session.scene().volume ? CompareLayout::single : m_wanted;
+}
+
+void ComparisonController::fitLayout() {
+  const CompareLayout layout = layoutWithRoom();
   m_context.view.setCompareLayout(layout);
   checkOnly(*m_layouts, static_cast<int>(layout));
   show();
+}
+
+// With slices beside it there is one picture until somebody asks for both.
+void ComparisonController::noteSlices() {
+  const bool has = m_context.session.planes().layout != PlaneLayout::pictureOnly;
+  if (has == m_hasSlices)
+    return;
+  m_hasSlices = has;
+  if (m_wanted == CompareLayout::sideBySide)
+    m_isAsked = false;
+  fitLayout();
+}
+
+bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &m_context.view && event->type() == QEvent::Resize && !m_isAsked &&
+      layoutWithRoom() != m_context.view.compareLayout())
+    QMetaObject::invokeMethod(this, &ComparisonController::fitLayout,
+                              Qt::QueuedConnection); // once it has its size
+  return QObject::eventFilter(watched, event);
 }
 
 void ComparisonController::setSideModel(int side, ShadingModel model) {
@@ -195,24 +249,35 @@ void ComparisonController::compareModels() {
 void ComparisonController::takeSnapshot() {
   const bool isCompared = m_look && m_look->name == snapshotName;
   m_snapshot = presetOf(m_context.session.scene(), snapshotName);
+  m_snapshot->note = ownName().toStdString();
   if (isCompared)
     m_look = m_snapshot;
+  const QString name = ownName();
+  m_context.window.statusBar()->showMessage(
+      name.isEmpty()
+          ? tr("This look is remembered; Ctrl+Shift+B compares it with what becomes of it.")
+          : tr("\"%1\" is remembered; Ctrl+Shift+B compares it with what becomes of it.").arg(name),
+      6000);
   show();
 }
 
-// The scene's own look is named after its preset; beside "before" it is what became of it.
+QString ComparisonController::ownName() const {
+  const OpenDocument::PresetInUse own = m_context.document.presetInUse();
+  const QString name = presetWords(QString::fromStdString(own.name));
+  return own.name.empty() || !own.isModified ? name : tr("%1, modified", "a preset").arg(name);
+}
+
+// Both looks are named after their presets; what was remembered says so where the names tell no difference.
 std::optional<ComparedLook> ComparisonController::comparedLook() const {
   if (!m_look)
     return std::nullopt;
-  const auto text = [](const QString& name) { return name.toStdString(); };
-  if (m_look->name == snapshotName)
-    return ComparedLook{*m_look, {text(tr("Before")), text(tr("Now"))}};
-  const OpenDocument::PresetInUse own = m_context.document.presetInUse();
-  const QString name = QString::fromStdString(own.name);
-  return ComparedLook{*m_look,
-                      {m_look->name, text(own.name.empty() ? tr("Now")
-                                          : own.isModified ? tr("%1, modified", "a preset").arg(name)
-                                                           : name)}};
+  const bool isBefore = m_look->name == snapshotName;
+  const QString right = ownName();
+  QString left =
+      isBefore ? QString::fromStdString(m_look->note) : presetWords(QString::fromStdString(m_look->name));
+  if (isBefore)
+    left = left.isEmpty() ? tr("Before") : left == right ? tr("%1, before", "a preset").arg(left) : left;
+  return ComparedLook{*m_look, {left.toStdString(), (right.isEmpty() ? tr("Now") : right).toStdString()}};
 }
 
 void ComparisonController::showOpened() {
@@ -220,12 +285,13 @@ void ComparisonController::showOpened() {
   const bool isImage =
       scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
   if (isImage && !m_beforeImage) {
-    const CompareLayout before = m_context.view.compareLayout();
-    setLayout(CompareLayout::single);
-    m_beforeImage = before;
+    m_beforeImage = {m_wanted, m_isAsked};
+    m_wanted = CompareLayout::single;
   } else if (!isImage && m_beforeImage) {
-    setLayout(*m_beforeImage);
+    std::tie(m_wanted, m_isAsked) = *m_beforeImage;
+    m_beforeImage.reset();
   }
+  fitLayout();
 }
 
 void ComparisonController::show() {

@@ -6,9 +6,11 @@
 #include <QObject>
 
 #include <optional>
+#include <utility>
 
 class QAction;
 class QActionGroup;
+class QMenu;
 
 namespace limn {
 
@@ -19,10 +21,16 @@ struct WindowContext;
 /// both, or the scene's own look with another: a preset, or the one remembered as "before" (the snapshot).
 class ComparisonController : public QObject {
   Q_OBJECT
+  Q_MOC_INCLUDE(<QMenu>)
 
 public:
   explicit ComparisonController(WindowContext& context);
 
+  /// Two models beside each other as long as they have room: beside slices, or where each would be narrower
+  /// than 400 pixels, there is one picture.
+  void begin();
+
+  /// A layout that somebody asks for; it holds however little room there is.
   void setLayout(CompareLayout layout);
 
   /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look,
@@ -54,8 +62,17 @@ signals:
   void modelsShown(const std::vector<limn::ShadingModel>& models);
   void shown();
   void layoutChosen(); ///< by the user
+  /// A menu opens that offers presets for a side, 0 left or the only one, 1 right; it is to be filled.
+  void presetMenuAsked(QMenu* menu, int side);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  QString ownName() const; ///< of the preset in use; empty where there is none
+  CompareLayout layoutWithRoom() const;
+  void fitLayout();
+  void noteSlices();
   void addLayouts();
   void addModels();
   void addSnapshot();
@@ -63,15 +80,19 @@ private:
   void compareModels();
 
   WindowContext& m_context;
-  QActionGroup* m_layouts;              ///< data: CompareLayout as int
+  QActionGroup* m_layouts; ///< data: CompareLayout as int
+  CompareLayout m_wanted = CompareLayout::sideBySide;
+  bool m_isAsked = false;               ///< for by somebody: it holds where it has little room, too
+  bool m_hasSlices = false;             ///< beside the picture
   QAction* m_compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* m_compareModels = nullptr;   ///< enabled while looks are compared
   ShadingModel m_left = ShadingModel::classic;
   ShadingModel m_right = ShadingModel::enhanced;
   std::optional<Preset> m_snapshot;
-  std::optional<Preset> m_look;               ///< at the left
-  std::shared_ptr<const Volume> m_volume;     ///< that they belong to
-  std::optional<CompareLayout> m_beforeImage; ///< while an image is shown alone
+  std::optional<Preset> m_look;           ///< at the left
+  std::shared_ptr<const Volume> m_volume; ///< that they belong to
+  /// What was wanted, and whether somebody asked for it, while an image is shown alone.
+  std::optional<std::pair<CompareLayout, bool>> m_beforeImage;
 };
 
 } // namespace limn

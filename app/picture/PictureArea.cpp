@@ -88,7 +88,7 @@ PictureArea::PictureArea(WindowContext& context)
   connect(view, &CompareView::errorOccurred, this,
           [this](const QString& sentence) { m_context.showError(sentence); });
   connect(view, &CompareView::graphicsRestored, this,
-          [this](const QString& sentence) { m_context.messages.show(MessageBar::Kind::warning, sentence); });
+          [this](const QString& sentence) { m_context.messages.show(MessageBar::Kind::note, sentence); });
   connect(&m_planes, &PlaneController::probed, this, [this](const std::optional<Probe>& probe) {
     m_status.showProbe(probe, m_context.session.scene());
   });
@@ -176,8 +176,8 @@ void PictureArea::describe(SessionDocument& session) const {
 }
 
 void PictureArea::restore(const SessionDocument& session) {
+  m_planes.restore(session); // first: slices that come decide how many pictures there are
   m_comparison.restore(session);
-  m_planes.restore(session);
 }
 
 } // namespace limn

@@ -33,8 +33,11 @@ ActionList::ActionList(QMainWindow& window)
   m_bar->setMovable(false);
   m_bar->setIconSize({20, 20});
   // Qt's own button for what has no room.
-  if (auto* more = m_bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+  if (auto* more = m_bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
     more->setAccessibleName(tr("More tools"));
+    more->setToolTip(tr("Tools that find no room here."));
+    giveIcon(*more, QStringLiteral("more-tools"));
+  }
 }
 
 QAction* ActionList::add(const QString& name, const ActionLook& look) {

@@ -5,10 +5,13 @@
 
 #include <QChildEvent>
 #include <QDockWidget>
+#include <QHBoxLayout>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMenuBar>
 #include <QScreen>
 #include <QTabBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -18,7 +21,14 @@ namespace limn {
 namespace {
 
 constexpr int widthOfFourTabs = 330;
-constexpr int titleBar = 40; // the platform puts it around the window, and only once it is shown
+// The platform puts them around the window, and only once it is shown.
+constexpr int titleBar = 40;
+constexpr int sideFrame = 8;
+
+// A window narrower than this folds the panels at its right, which leave the picture too little; as it grows
+// they come back a little later, so that no drag of its edge makes them flicker.
+constexpr int foldingWidth = 880;
+constexpr int unfoldingWidth = 940;
 
 // Takes no room. A plain widget has no size to go by, which docks warn of.
 class NoTitle : public QWidget {
@@ -63,13 +73,20 @@ void showTitle(QDockWidget& dock, bool isShown) {
 
 QSize firstWindowSize(const QSize& available) {
   constexpr QSize usual(1440, 900);
-  return (available * 0.8).expandedTo(usual).boundedTo(available - QSize(0, titleBar));
+  return (available * 0.8).expandedTo(usual).boundedTo(available - QSize(2 * sideFrame, titleBar));
+}
+
+QRect firstWindowPlace(const QRect& available) {
+  const QSize size = firstWindowSize(available.size());
+  const QSize free = available.size() - size;
+  // The title bar is above; a frame below it is thinner.
+  return {available.topLeft() + QPoint(free.width() / 2, std::max(free.height() / 2, titleBar * 3 / 4)),
+          size};
 }
 
 FirstDockSizes firstDockSizes(const QSize& window) {
-  constexpr int lowWindow = 800;
   return {std::min(window.width() / 8, 340), std::clamp(window.width() / 5, 300, 380),
-          std::clamp(296 - (lowWindow - window.height()), 220, 296)};
+          std::clamp(window.height() * 22 / 100, 180, 296)};
 }
 
 QRect withinScreen(QRect window, const QRect& available) {
@@ -159,13 +176,97 @@ void Docks::arrange(ActionList& actions) {
     actions.add(dock->toggleViewAction(), QStringLiteral("show-") + dock->objectName(),
                 {.text = {}, .place = {Menu::view, 3, ++row}, .isCheckable = true});
   makeFloatingMenu(*actions.addMenu(tr("Se&parate windows"), {Menu::view, 3, ++row}));
+  addFolds(actions);
   showTitles();
   m_window.installEventFilter(this);
   takeFirstSizes();
 }
 
+// At the end of the menu bar, where they take no room from tools.
+void Docks::addFolds(ActionList& actions) {
+  auto* folds = new QWidget(m_window.menuBar());
+  folds->setObjectName(QStringLiteral("panelFolds")); // its buttons are as low as the menus (theme.qss)
+  auto* row = new QHBoxLayout(folds);
+  row->setContentsMargins(0, 0, 6, 0);
+  row->setSpacing(2);
+  const auto add = [&](Qt::DockWidgetArea area, const char* name, const QString& text, const QString& tip) {
+    QAction* action =
+        actions.add(QLatin1String(name),
+                    {.text = text, .toolTip = tip, .icon = QLatin1String(name), .isCheckable = true});
+    auto* button = new QToolButton(folds);
+    button->setDefaultAction(action);
+    button->setIconSize({16, 16});
+    button->setFocusPolicy(Qt::NoFocus); // the menu View has all panels for the keyboard
+    row->addWidget(button);
+    connect(action, &QAction::triggered, this, [this, area](bool isShown) {
+      m_foldedItself = false;
+      setFolded(area, !isShown);
+    });
+    for (const QDockWidget* dock : at(area))
+      connect(dock->toggleViewAction(), &QAction::toggled, this,
+              [this, action, area] { action->setChecked(!isFolded(area)); });
+    action->setChecked(!isFolded(area));
+  };
+  add(Qt::LeftDockWidgetArea, "panels-left", tr("Panels at the left"),
+      tr("Shows or folds the panels at the left."));
+  add(Qt::BottomDockWidgetArea, "panels-below", tr("Curve below"), tr("Shows or folds the curve."));
+  add(Qt::RightDockWidgetArea, "panels-right", tr("Panels at the right"),
+      tr("Shows or folds the panels at the right."));
+  m_window.menuBar()->setCornerWidget(folds);
+}
+
+bool Docks::isFolded(Qt::DockWidgetArea area) const {
+  return std::ranges::all_of(at(area), [](const QDockWidget* dock) { return dock->isHidden(); });
+}
+
+void Docks::setFolded(Qt::DockWidgetArea area, bool isFolded) {
+  if (isFolded == this->isFolded(area))
+    return;
+  Folded& its = m_folded[area];
+  if (isFolded)
+    return fold(area, its);
+  if (its.hidden.isEmpty()) // closed one by one, or by an earlier run
+    its = {at(area), {at(area).front()}};
+  unfold(its);
+}
+
+void Docks::fold(Qt::DockWidgetArea area, Folded& folded) {
+  for (QDockWidget* dock : at(area))
+    if (!dock->isHidden())
+      folded.hidden << dock;
+  for (QDockWidget* dock : folded.hidden)
+    if (!dock->widget()->visibleRegion().isEmpty())
+      folded.onTop << dock;
+  for (QDockWidget* dock : folded.hidden)
+    dock->hide();
+}
+
+void Docks::unfold(Folded& folded) {
+  for (QDockWidget* dock : std::exchange(folded.hidden, {}))
+    dock->show();
+  for (QDockWidget* dock : std::exchange(folded.onTop, {}))
+    dock->raise();
+}
+
+void Docks::foldWhereNarrow() {
+  if (m_window.width() < foldingWidth && !m_foldedItself && !isFolded(Qt::RightDockWidgetArea)) {
+    setFolded(Qt::RightDockWidgetArea, true);
+    m_foldedItself = true;
+  } else if (m_window.width() >= unfoldingWidth) {
+    endFolding();
+  }
+}
+
+void Docks::endFolding() {
+  if (std::exchange(m_foldedItself, false))
+    setFolded(Qt::RightDockWidgetArea, false);
+}
+
 // The window makes its bars of tabs whenever it lays out its docks.
 bool Docks::eventFilter(QObject* watched, QEvent* event) {
+  // Once it has the size that it will keep: docks that go meanwhile would be laid out twice.
+  if (event->type() == QEvent::Resize)
+    QMetaObject::invokeMethod(this, &Docks::foldWhereNarrow, Qt::QueuedConnection);
   if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show)
     for (const QTabBar* tabs : m_window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
       connect(
@@ -243,9 +344,9 @@ void Docks::show(SessionDocument::Panel panel) {
 }
 
 void Docks::takeFirstSizes() {
-  const QSize size = firstWindowSize(m_window.screen()->availableSize());
-  const FirstDockSizes sizes = firstDockSizes(size);
-  m_window.resize(size); // first: in a small window the panels would share what there is
+  const QRect place = firstWindowPlace(m_window.screen()->availableGeometry());
+  const FirstDockSizes sizes = firstDockSizes(place.size());
+  m_window.setGeometry(place); // first: in a small window the panels would share what there is
   m_window.resizeDocks({at(Qt::LeftDockWidgetArea).front(), at(Qt::RightDockWidgetArea).front()},
                        {sizes.presetsWidth, sizes.propertiesWidth}, Qt::Horizontal);
   m_window.resizeDocks({at(Qt::BottomDockWidgetArea).front()}, {sizes.curveHeight}, Qt::Vertical);
@@ -259,21 +360,12 @@ void Docks::restore(const QByteArray& geometry, const QByteArray& state) {
 }
 
 void Docks::hideBeside() {
-  for (QDockWidget* dock : at(Qt::LeftDockWidgetArea) + at(Qt::RightDockWidgetArea))
-    if (!dock->isHidden())
-      m_hidden << dock;
-  for (QDockWidget* dock : m_hidden)
-    if (!dock->widget()->visibleRegion().isEmpty())
-      m_onTop << dock;
-  for (QDockWidget* dock : m_hidden)
-    dock->hide();
+  for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+    fold(area, m_beside);
 }
 
 void Docks::showAgain() {
-  for (QDockWidget* dock : std::exchange(m_hidden, {}))
-    dock->show();
-  for (QDockWidget* dock : std::exchange(m_onTop, {}))
-    dock->raise();
+  unfold(m_beside);
 }
 
 } // namespace limn

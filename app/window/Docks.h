@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QRect>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -53,6 +54,13 @@ public:
   /// What the docks of a place hold, in their order.
   QList<QWidget*> contentsAt(Qt::DockWidgetArea area) const;
 
+  /// Whether no dock of a place is shown; folded together they come back as they were.
+  bool isFolded(Qt::DockWidgetArea area) const;
+  void setFolded(Qt::DockWidgetArea area, bool isFolded);
+
+  /// Shows again what a narrow window has folded by itself: it is remembered without.
+  void endFolding();
+
   /// Hides what stands beside the picture, not what stands below it.
   void hideBeside();
   /// Shows again what that hid; what lay on top of others does so again.
@@ -71,6 +79,15 @@ private:
     Qt::DockWidgetArea area;
     SessionDocument::Panel panel;
   };
+  /// Docks that went together, and which of them were seen.
+  struct Folded {
+    QList<QDockWidget*> hidden;
+    QList<QDockWidget*> onTop;
+  };
+  void addFolds(ActionList& actions);
+  void fold(Qt::DockWidgetArea area, Folded& folded);
+  static void unfold(Folded& folded);
+  void foldWhereNarrow();
   void enterTab(int tab);
   /// Tabs and contents name docks; a title below or above them would say it again. A dock of the right side
   /// without tabs has one, and so has a dock in a window of its own.
@@ -85,14 +102,18 @@ private:
       std::make_shared<QList<const QWidget*>>(); ///< of the right
   std::vector<Registered> m_docks;
   QDockWidget* m_seenLast = nullptr; ///< of those that sessions know
-  QList<QDockWidget*> m_hidden;      ///< by hideBeside
-  QList<QDockWidget*> m_onTop;       ///< of those, what was seen
+  Folded m_beside;                   ///< by hideBeside
+  std::map<Qt::DockWidgetArea, Folded> m_folded;
+  bool m_foldedItself = false; ///< the right side, because the window is narrow
 };
 
 /// How large the window is at its first start, in points: four fifths of a large screen, 1440 × 900 where it
-/// has room for that, and on a small one all of it but for a title bar. `available` is what the screen leaves
+/// has room for that, and on a small one all of it but for its frame. `available` is what the screen leaves
 /// beside its own bars.
 QSize firstWindowSize(const QSize& available);
+
+/// Where such a window lies, without its frame, so that the frame lies inside `available`, too.
+QRect firstWindowPlace(const QRect& available);
 
 /// How much of such a window its docks take at the first start, in points.
 struct FirstDockSizes {
@@ -101,9 +122,9 @@ struct FirstDockSizes {
   int curveHeight;
 };
 
-/// The curve alone gives way where a window is lower than 800, so that the picture stays the larger part. The
-/// panels beside the picture are as narrow as they can be (presets, which ask for more than they are given
-/// here) until a wide window has room for lines that are read with ease.
+/// The curve takes little more than a fifth of the height, so that two pictures have two fifths of the
+/// window. The panels beside the picture are as narrow as they can be (presets, which ask for more than they
+/// are given here) until a wide window has room for lines that are read with ease.
 FirstDockSizes firstDockSizes(const QSize& window);
 
 /// A window as it was left on another screen, whole on this one: cut to what the screen has free, with room

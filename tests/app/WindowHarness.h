@@ -42,6 +42,8 @@ protected:
     Settings(folders.settings).setEngine(engine);
     window = std::make_unique<MainWindow>(folders);
     window->resize(900, 640);
+    // As somebody who asks for both models: in a window as small as this one there would be one.
+    setLayout(CompareLayout::sideBySide);
     // Pictures rest at the scene's own step unless a test is about what comes after.
     window->view().setRefinesAtRest(false);
     window->show();

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/MessageBar.h"
 
+#include <QApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStyle>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace limn {
+namespace {
+
+constexpr int widestOver = 720; // of what lies over a picture, pixels
+constexpr int marginOver = 12;
+constexpr int marginBelow = 48; // clear of what is written at the lower edge of a picture
+
+} // namespace
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_sentence(new QLabel(this)), m_details(new QLabel(this)),
-      m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_close(new QToolButton(this)) {
+      m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_close(new QToolButton(this)),
+      m_end(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
   setAutoFillBackground(true);
   m_action->setObjectName(QStringLiteral("messageAction")); // stands out (theme.qss)
@@ -44,7 +57,80 @@ MessageBar::MessageBar(QWidget* parent)
     if (m_dismiss)
       m_dismiss();
   });
+  m_end->setSingleShot(true);
+  connect(m_end, &QTimer::timeout, this, [this] { hide(); });
+  if (parent)
+    parent->installEventFilter(this);
   hide();
+}
+
+int MessageBar::readingMs(const QString& sentence) {
+  constexpr int shortest = 8000;
+  constexpr int msPerLetter =
+      120; // 250 words of six letters a minute are 40 ms a letter; slow readers, twice
+  return std::max(shortest, static_cast<int>(sentence.size()) * msPerLetter);
+}
+
+void MessageBar::setHeldBack(bool isHeldBack) {
+  m_isHeldBack = isHeldBack;
+  QFrame::setVisible(m_isWanted && !m_isHeldBack);
+}
+
+// Hidden by itself or by whoever showed it: it is not wanted any more.
+void MessageBar::setVisible(bool visible) {
+  const bool isNews = visible != m_isWanted;
+  m_isWanted = visible;
+  QFrame::setVisible(m_isWanted && !m_isHeldBack);
+  if (isNews)
+    emit wanted();
+}
+
+void MessageBar::layOver() {
+  if (!parentWidget())
+    return;
+  const QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginBelow);
+  const int width = std::min(room.width(), widestOver);
+  const int height =
+      std::min(room.height(), hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
+  setGeometry(room.left() + (room.width() - width) / 2, room.bottom() + 1 - height, width, height);
+  raise();
+}
+
+// Under the pointer or with the keyboard in it, it is being read.
+void MessageBar::goInTime() {
+  const bool goes = m_goes && isVisible() && !underMouse() && !isAncestorOf(QApplication::focusWidget());
+  if (goes)
+    m_end->start(readingMs(sentence()));
+  else
+    m_end->stop();
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parent() && event->type() == QEvent::Resize)
+    layOver();
+  return QFrame::eventFilter(watched, event);
+}
+
+bool MessageBar::event(QEvent* event) {
+  const bool isRecognised = QFrame::event(event);
+  switch (event->type()) {
+  case QEvent::LayoutRequest:
+    layOver();
+    break;
+  case QEvent::Show:
+    layOver();
+    goInTime();
+    break;
+  case QEvent::Enter:
+    m_end->stop();
+    break;
+  case QEvent::Leave:
+    goInTime();
+    break;
+  default:
+    break;
+  }
+  return isRecognised;
 }
 
 void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const Action& action,
@@ -67,11 +153,28 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_close->setText(dismissal.text.isEmpty() ? tr("Dismiss") : dismissal.text);
   m_close->setAccessibleName(m_close->text());
   m_close->setToolTip(dismissal.text.isEmpty() ? tr("Hides this message.") : QString());
+  m_goes = kind == Kind::note;
   QFrame::show();
+  layOver();
+  goInTime();
 }
 
 QString MessageBar::sentence() const {
   return m_sentence->text();
+}
+
+MessageOrder::MessageOrder(const std::vector<MessageBar*>& bars, QObject* parent)
+    : QObject(parent), m_bars(bars) {
+  for (const MessageBar* bar : m_bars)
+    connect(bar, &MessageBar::wanted, this, &MessageOrder::arrange);
+}
+
+void MessageOrder::arrange() {
+  bool isTaken = false;
+  for (MessageBar* bar : m_bars) {
+    bar->setHeldBack(isTaken);
+    isTaken = isTaken || bar->isWanted();
+  }
 }
 
 } // namespace limn

@@ -5,21 +5,24 @@
 #include <QStringList>
 
 #include <functional>
+#include <vector>
 
 class QLabel;
+class QTimer;
 class QToolButton;
 
 namespace limn {
 
-/// One sentence above the picture: an error or a warning, with an optional action and further lines on
-/// demand. Never modal.
+/// One sentence about what is shown: an error or a warning, with an optional action and further lines on
+/// demand. Never modal. It lies over the lower edge of its parent, from which it takes no room; a note, which
+/// asks nothing and warns of nothing, goes by itself.
 class MessageBar : public QFrame {
   Q_OBJECT
 
 public:
   explicit MessageBar(QWidget* parent = nullptr);
 
-  enum class Kind { error, warning, question };
+  enum class Kind { error, warning, note, question };
 
   /// A button beside the sentence: what it says and does. Empty: no button.
   struct Action {
@@ -34,7 +37,28 @@ public:
 
   QString sentence() const;
 
+  /// Keeps it from being seen while something more urgent is said; then it is seen again.
+  void setHeldBack(bool isHeldBack);
+
+  /// Whether it is seen, or would be unless it were held back.
+  bool isWanted() const { return m_isWanted; }
+
+  /// How long a note stands, ms: as long as reading it takes twice.
+  static int readingMs(const QString& sentence);
+
+  void setVisible(bool visible) override;
+
+signals:
+  void wanted(); ///< or no longer
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool event(QEvent* event) override;
+
 private:
+  void layOver();
+  void goInTime();
+
   QLabel* m_sentence;
   QLabel* m_details;
   QToolButton* m_more;
@@ -42,6 +66,24 @@ private:
   QToolButton* m_close;
   std::function<void()> m_run;
   std::function<void()> m_dismiss;
+  QTimer* m_end; ///< runs while a note stands that nobody reads
+  bool m_goes = false;
+  bool m_isWanted = false;
+  bool m_isHeldBack = false;
+};
+
+/// Shows one message at a time: of those that want to be seen, the first. The others follow once it is gone.
+class MessageOrder : public QObject {
+  Q_OBJECT
+
+public:
+  /// The most urgent first.
+  explicit MessageOrder(const std::vector<MessageBar*>& bars, QObject* parent);
+
+private:
+  void arrange();
+
+  std::vector<MessageBar*> m_bars;
 };
 
 } // namespace limn

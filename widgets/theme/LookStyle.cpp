@@ -40,6 +40,8 @@ const char* ownIcon(QStyle::StandardPixmap icon) {
     return "view-names";
   case QStyle::SP_FileDialogDetailedView:
     return "view-details";
+  case QStyle::SP_ToolBarHorizontalExtensionButton:
+    return "more-tools";
   default:
     return nullptr;
   }
@@ -65,6 +67,12 @@ int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidg
   default:
     return QProxyStyle::styleHint(hint, option, widget, answer);
   }
+}
+
+// Qt's own twelve pixels are narrower than what our sheet puts around an icon, which then is not drawn.
+int LookStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+  constexpr int room = 28;
+  return metric == PM_ToolBarExtensionExtent ? room : QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 ThemeChoice themeNamed(const QString& name) {

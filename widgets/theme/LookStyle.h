@@ -8,8 +8,8 @@ class QApplication;
 
 namespace limn {
 
-/// Fusion with icons of our own set where Qt would draw its own (dialogs for files), and none on the buttons
-/// of dialogs, whose texts say it.
+/// Fusion with icons of our own set where Qt would draw its own (dialogs for files, the button for tools that
+/// find no room), and none on the buttons of dialogs, whose texts say it.
 class LookStyle : public QProxyStyle {
 public:
   LookStyle();
@@ -17,6 +17,7 @@ public:
   QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* answer) const override;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
 };
 
 /// What the user asks for: `system` follows the platform's own lightness, and its high contrast.

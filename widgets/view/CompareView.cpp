@@ -291,6 +291,9 @@ void CompareView::offerModels(int position) {
     action->setChecked(model == present);
     connect(action, &QAction::triggered, this, [this, side, model] { emit modelChosen(side, model); });
   }
+  menu->addSeparator();
+  QMenu* presets = menu->addMenu(tr("Preset"));
+  connect(presets, &QMenu::aboutToShow, this, [this, presets, side] { emit presetMenuAsked(presets, side); });
   menu->popup(mapToGlobal(plate.bottomLeft().toPoint()));
 }
 

@@ -17,6 +17,8 @@
 #include <optional>
 #include <vector>
 
+class QMenu;
+
 namespace limn {
 
 class CameraFit;
@@ -34,6 +36,7 @@ enum class ViewTool;
 /// anew; when that fails too, the processor draws.
 class CompareView : public QWidget {
   Q_OBJECT
+  Q_MOC_INCLUDE(<QMenu>)
 
 public:
   /// `engine` draws at first. One that `engines` lacks is never asked; without OpenGL (openGlOffer) there
@@ -176,6 +179,8 @@ signals:
   /// Where that value is, world millimetres.
   void placePinned(const glm::dvec3& worldMm);
   void modelChosen(int side, limn::ShadingModel model);
+  /// A menu opens that offers presets for the picture of a side; it is to be filled.
+  void presetMenuAsked(QMenu* menu, int side);
   void wipeMoved(double fraction);
   void toolChanged(limn::ViewTool tool);
   void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets

@@ -175,7 +175,7 @@ TEST(FirstWindow, leavesThePictureTheLargerPartAndGrowsPanelsWithALargeOne) {
     const int curve = firstDockSizes(window).curveHeight;
     EXPECT_GT(window.height() - bars - curve, 5 * curve / 4) << screen.height();
   }
-  EXPECT_EQ(firstDockSizes({1440, 860}).curveHeight, 296);
+  EXPECT_EQ(firstDockSizes({1440, 860}).curveHeight, 189);
   EXPECT_EQ(firstDockSizes({1440, 860}).presetsWidth, 180) << "less than they need: as narrow as they can be";
   EXPECT_EQ(firstDockSizes(firstWindowSize({3840, 2160})).presetsWidth, 340);
 }
@@ -189,8 +189,8 @@ TEST(FirstWindow, fromALargerScreenComesBackWholly) {
 }
 
 TEST(FirstWindow, fitsSmallScreensAndFillsLargeOnes) {
-  EXPECT_EQ(firstWindowSize({1366, 728}), QSize(1366, 688)) << "1366 × 768 with a bar of 40 pixels";
-  EXPECT_EQ(firstWindowSize({1440, 900}), QSize(1440, 860));
+  EXPECT_EQ(firstWindowSize({1366, 728}), QSize(1350, 688)) << "1366 × 768 with a bar of 40 pixels";
+  EXPECT_EQ(firstWindowSize({1440, 900}), QSize(1424, 860));
   EXPECT_EQ(firstWindowSize({1920, 1040}), QSize(1536, 900));
   EXPECT_EQ(firstWindowSize({3840, 2160}), QSize(3072, 1728));
 }

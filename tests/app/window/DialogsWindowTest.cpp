@@ -62,7 +62,7 @@ TEST_F(DialogsWindow, theHistoryListsEveryStepAndAClickGoesThere) {
   dragAPoint();
   ASSERT_EQ(history->model()->rowCount(), 3);
   EXPECT_EQ(history->model()->index(0, 0).data().toString(), QStringLiteral("As opened"));
-  EXPECT_TRUE(history->model()->index(1, 0).data().toString().contains(QStringLiteral("point")));
+  EXPECT_TRUE(history->model()->index(1, 0).data().toString().contains(QStringLiteral(" → ")));
   window->findChild<QDockWidget*>(QStringLiteral("historyDock"))->raise();
   QCoreApplication::processEvents();
   const auto clickRow = [history](int row) {

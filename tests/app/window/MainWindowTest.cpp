@@ -67,7 +67,7 @@ TEST_F(MainWindowTest, draggingAPointIsOneUndoStepWithItsPictureAndCompilesNothi
   EXPECT_EQ(compiledPrograms(), programs);
   EXPECT_NE(scene(), before);
   EXPECT_EQ(undo().count(), 1);
-  EXPECT_TRUE(undo().undoText().contains(QRegularExpression(QStringLiteral("point.*\\d"))))
+  EXPECT_TRUE(undo().undoText().contains(QRegularExpression(QStringLiteral("(point|opacity at).*\\d"))))
       << undo().undoText().toStdString();
   ASSERT_TRUE(rest());
   EXPECT_FALSE(view().restingImage(0) == picture);

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/presets/PresetStore.h"
+#include "scene/presets/PresetFit.h"
+
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QUrl>
+
+#include <algorithm>
+#include <fstream>
+
+namespace limn::test {
+namespace {
+
+/// How much of the window pictures, messages and panels take.
+class Room : public WindowHarness {
+protected:
+  ComparisonController& comparison() const { return *window->findChild<ComparisonController*>(); }
+  MessageBar& bar(const char* name) const { return *window->findChild<MessageBar*>(QLatin1String(name)); }
+  QAction& named(const char* name) const { return *window->findChild<QAction*>(QLatin1String(name)); }
+
+  /// The window in this size, once everything in it has its place.
+  void setSize(const QSize& size) {
+    window->resize(size);
+    ASSERT_TRUE(test::waitUntil([&] { return window->size() == size && rest(); }));
+  }
+
+  /// Of the window, by the pictures and what parts them.
+  double shareOfPictures() const {
+    const QSize view = window->view().size();
+    return double(view.width()) * view.height() / (double(window->width()) * window->height());
+  }
+
+  void giveFirstSizes(const QSize& size) {
+    const FirstDockSizes docks = firstDockSizes(size);
+    const auto dock = [this](const char* name) {
+      return window->findChild<QDockWidget*>(QLatin1String(name));
+    };
+    window->resizeDocks({dock("presetDock"), dock("shadingDock")},
+                        {docks.presetsWidth, docks.propertiesWidth}, Qt::Horizontal);
+    window->resizeDocks({dock("curveDock")}, {docks.curveHeight}, Qt::Vertical);
+  }
+};
+
+TEST_F(Room, twoPicturesHaveTwoFifthsOfALargeWindowAndOneAloneSevenTenths) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const QSize size(1440, 900);
+  setSize(size);
+  giveFirstSizes(size);
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  EXPECT_GE(shareOfPictures(), 0.40);
+  setLayout(CompareLayout::single);
+  named("pictureAndCurveOnly").trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return shareOfPictures() > 0.6; }));
+  EXPECT_GE(shareOfPictures(), 0.70);
+}
+
+TEST_F(Room, messagesTakeNoneFromThePictureAndOneIsSeenAtATime) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  const QSize before = view().size();
+  bar("tourBar").show(MessageBar::Kind::question, QStringLiteral("Shall I?"));
+  ASSERT_TRUE(bar("tourBar").isVisible());
+  ASSERT_TRUE(open(pathTo("missing.nii")));
+  EXPECT_TRUE(messages().isVisible());
+  EXPECT_FALSE(bar("tourBar").isVisible()) << "one at a time, what went wrong first";
+  EXPECT_TRUE(bar("tourBar").isWanted());
+  EXPECT_EQ(view().size(), before);
+  EXPECT_TRUE(window->centralWidget()->rect().contains(messages().geometry()));
+  messages().hide();
+  EXPECT_TRUE(bar("tourBar").isVisible());
+  EXPECT_EQ(view().size(), before);
+}
+
+TEST_F(Room, aNoteGoesByItselfUnlessItIsRead) {
+  const auto runs = [this] { return messages().findChild<QTimer*>()->isActive(); };
+  messages().show(MessageBar::Kind::note, QStringLiteral("Said in passing."));
+  EXPECT_TRUE(runs());
+  QEvent enters(QEvent::Enter);
+  QApplication::sendEvent(&messages(), &enters);
+  EXPECT_FALSE(runs());
+  messages().show(MessageBar::Kind::error, QStringLiteral("This went wrong."));
+  EXPECT_FALSE(runs()) << "stays until it is dismissed";
+  EXPECT_GE(MessageBar::readingMs(QString(200, QLatin1Char('x'))), 20000);
+}
+
+TEST_F(Room, besideSlicesThereIsOneModelUntilBothAreAskedFor) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::sideBySide);
+  named("planes-picture_and_three").trigger();
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single);
+  setLayout(CompareLayout::sideBySide);
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide) << "asked for";
+  named("planes-picture").trigger();
+  EXPECT_EQ(session().planes().layout, PlaneLayout::pictureOnly);
+}
+
+TEST_F(Room, picturesNarrowerThanFourHundredPixelsBecomeOne) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  comparison().begin(); // nobody asks for anything
+  ASSERT_LT(view().width(), 800);
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single);
+  EXPECT_TRUE(named("layout-single").isChecked());
+  setSize({1600, 900});
+  ASSERT_GE(view().width(), 800);
+  ASSERT_TRUE(test::waitUntil([this] { return view().compareLayout() == CompareLayout::sideBySide; }));
+  setLayout(CompareLayout::sideBySide);
+  setSize({900, 640});
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide) << "asked for";
+}
+
+TEST_F(Room, toolsThatFindNoneAreBehindAButtonThatCanBeSeen) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  for (const QSize& size : {QSize(1024, 700), QSize(800, 560)}) {
+    window->resize(size);
+    auto& more = *window->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    ASSERT_TRUE(test::waitUntil([&] { return more.isVisible() && window->width() <= size.width() + 60; }))
+        << size.width();
+    EXPECT_GE(more.width(), 20);
+    EXPECT_FALSE(more.icon().isNull());
+    const QToolBar& bar = *window->findChild<QToolBar*>();
+    int hidden = 0;
+    for (QAction* action : bar.actions())
+      hidden += action->isVisible() && !action->isSeparator() && !bar.widgetForAction(action)->isVisible();
+    EXPECT_GT(hidden, 0);
+    const QRect shown(more.mapTo(window.get(), QPoint()), more.size());
+    EXPECT_TRUE(window->rect().contains(shown));
+  }
+}
+
+TEST_F(Room, panelsFoldAndComeBackAsTheyWere) {
+  auto& dock = *window->findChild<QDockWidget*>(QStringLiteral("effectsDock"));
+  dock.raise();
+  ASSERT_TRUE(test::waitUntil([&] { return !dock.widget()->visibleRegion().isEmpty(); }));
+  QAction& fold = named("panels-right");
+  EXPECT_TRUE(fold.isChecked());
+  fold.trigger();
+  EXPECT_FALSE(fold.isChecked());
+  EXPECT_TRUE(window->findChild<QDockWidget*>(QStringLiteral("shadingDock"))->isHidden());
+  fold.trigger();
+  ASSERT_TRUE(test::waitUntil([&] { return !dock.widget()->visibleRegion().isEmpty(); }));
+}
+
+TEST_F(Room, aNarrowWindowFoldsThePanelsAtTheRight) {
+  const auto isFolded = [this] {
+    return window->findChild<QDockWidget*>(QStringLiteral("shadingDock"))->isHidden();
+  };
+  ASSERT_FALSE(isFolded());
+  window->resize(820, 600);
+  ASSERT_TRUE(test::waitUntil(isFolded));
+  window->resize(1000, 700);
+  ASSERT_TRUE(test::waitUntil([&] { return !isFolded(); }));
+}
+
+TEST(FirstPlace, hasRoomForTheFrameOnEveryScreen) {
+  for (const QRect screen : {QRect(0, 0, 1440, 900), QRect(0, 27, 1366, 741), QRect(0, 0, 3840, 2160)}) {
+    // Of common window managers: a title of up to 30 pixels, 8 at the sides and below.
+    const QRect frame = firstWindowPlace(screen).adjusted(-8, -30, 8, 8);
+    EXPECT_TRUE(screen.contains(frame)) << screen.width();
+  }
+}
+
+TEST_F(Room, theFrameOfTheCropBoxEndsWithItsVolume) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  named("cropBox").trigger();
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  EXPECT_FALSE(view().cropBoxIsVisible());
+}
+
+TEST_F(Room, filesThatAreHeldOverTheWindowShowThatTheyMayFall) {
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(pathTo("head.nii"))});
+  QDragEnterEvent enters({10, 10}, Qt::CopyAction, &files, Qt::LeftButton, {});
+  QApplication::sendEvent(window.get(), &enters);
+  auto* hint = window->findChild<QWidget*>(QStringLiteral("dropHint"));
+  ASSERT_TRUE(hint->isVisible());
+  EXPECT_TRUE(hint->accessibleName().contains(QStringLiteral("head.nii")));
+  QDragLeaveEvent leaves;
+  QApplication::sendEvent(window.get(), &leaves);
+  EXPECT_FALSE(hint->isVisible());
+}
+
+/// A ball without a unit: from 0 outside to 200 in the middle.
+void writeBallWithoutUnit(const std::filesystem::path& path) {
+  constexpr int side = 24;
+  std::ofstream file(path, std::ios::binary);
+  file << "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 24 24 24\nspacings: 1 1 1\nencoding: raw\n\n";
+  for (int z = 0; z < side; ++z)
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const double radius = glm::length(glm::dvec3(x, y, z) - glm::dvec3((side - 1) / 2.0));
+        file.put(static_cast<char>(static_cast<unsigned char>(std::max(0.0, 200.0 - 20.0 * radius))));
+      }
+}
+
+/// Looks, as they are compared, named and told of.
+class Looks : public Room {
+protected:
+  /// Chooses a preset for a side in the menu that its label opens.
+  void choose(int side, const QString& preset) {
+    QMenu menu;
+    emit view().presetMenuAsked(&menu, side);
+    for (QAction* action : menu.actions())
+      if (action->text() == preset)
+        return action->trigger();
+    FAIL() << "no preset " << preset.toStdString();
+  }
+  QStringList names() {
+    const auto& look = view().order().comparison.look;
+    return look ? QStringList{QString::fromStdString(look->names[0]), QString::fromStdString(look->names[1])}
+                : QStringList();
+  }
+};
+
+TEST_F(Looks, twoPresetsAreComparedFromTheirLabelsUnderTheirNames) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::sideBySide);
+  choose(0, QStringLiteral("CT bone"));
+  choose(1, QStringLiteral("CT skin"));
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT skin")}));
+  const std::vector<Scene> sides = view().scenesOfSides();
+  ASSERT_EQ(sides.size(), 2u);
+  EXPECT_NE(sides[0].transferFunction, sides[1].transferFunction);
+  choose(0, QStringLiteral("CT muscle"));
+  EXPECT_EQ(names().value(0), QStringLiteral("CT muscle"));
+}
+
+TEST_F(Looks, whatIsRememberedIsNamedAfterItsPreset) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  choose(0, QStringLiteral("CT bone")); // compared at the left; the scene's own is what it opened with
+  named("compareModels").trigger();
+  window->findChild<PresetController*>()->use(QStringLiteral("CT bone"));
+  named("takeSnapshot").trigger();
+  EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("CT bone")));
+  dragAPoint();
+  named("compareSnapshot").trigger();
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT bone, modified")}));
+}
+
+TEST_F(Looks, theHistorySaysWhatChangedAndUndoneStepsStepBack) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  TransferFunction function = scene().transferFunction;
+  ASSERT_GE(function.points.size(), 3u);
+  ControlPoint& point = function.points[2];
+  const double before = point.opacity;
+  point.opacity = before > 0.5 ? 0.25 : 0.75;
+  const std::uint64_t gesture = nextGestureId();
+  session().setTransferFunction(function, {gesture, QStringLiteral("move point")});
+  const QString text = undo().undoText();
+  EXPECT_TRUE(text.startsWith(QStringLiteral("opacity at "))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral(" → "))) << text.toStdString();
+  point.opacity = 0.5; // the same drag goes on
+  session().setTransferFunction(function, {gesture, QStringLiteral("move point")});
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_TRUE(undo().undoText().endsWith(QStringLiteral("→ 0.5"))) << undo().undoText().toStdString();
+  Shading shading = scene().shading;
+  shading.exponent = 12.0;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("change sharpness")});
+  EXPECT_TRUE(undo().undoText().endsWith(QStringLiteral("→ 12"))) << undo().undoText().toStdString();
+}
+
+TEST_F(Looks, thePapersNumbersAreOneClickAway) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::sideBySide); // enhanced is shown
+  const Shading tuned = scene().shading;
+  EXPECT_NE(tuned.exponentRange, Shading{}.exponentRange) << "the preset has numbers of its own";
+  auto& button = *window->findChild<QPushButton*>(QStringLiteral("asInThePaper"));
+  ASSERT_TRUE(button.isEnabled());
+  button.click();
+  Shading expected = tuned;
+  expected.exponentRange = Shading{}.exponentRange;
+  expected.opacityRange = Shading{}.opacityRange;
+  expected.gradientReference = AutomaticReference{};
+  expected.gradientCurve = GradientCurve{};
+  EXPECT_EQ(scene().shading, expected);
+  EXPECT_FALSE(button.isEnabled());
+  undo().undo();
+  EXPECT_EQ(scene().shading, tuned);
+}
+
+TEST_F(Looks, effectsAreSwitchedWhereTheyAreListed) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::single);
+  window->findChild<QDockWidget*>(QStringLiteral("effectsDock"))->raise();
+  ASSERT_TRUE(rest());
+  const auto highlights = [this]() -> QCheckBox* {
+    for (QCheckBox* one : window->findChildren<QCheckBox*>())
+      if (one->accessibleName() == QStringLiteral("Highlights"))
+        return one;
+    return nullptr;
+  };
+  ASSERT_TRUE(test::waitUntil([&] { return highlights() && highlights()->isVisible(); }));
+  const Scene before = scene();
+  ASSERT_GT(before.shading.specular, 0.0);
+  highlights()->click();
+  EXPECT_EQ(scene().shading.specular, 0.0);
+  ASSERT_TRUE(test::waitUntil([&] { return highlights()->isVisible() && !highlights()->isChecked(); }));
+  highlights()->click();
+  EXPECT_EQ(scene().shading, before.shading);
+  EXPECT_EQ(undo().count(), 2);
+}
+
+TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
+  writeBallWithoutUnit(folder.path() / "ball.nrrd");
+  ASSERT_TRUE(open(pathTo("ball.nrrd")));
+  ASSERT_FALSE(looksLikeHounsfield(*scene().volume));
+  onceAsked<QInputDialog>([](QInputDialog& dialog) {
+    dialog.setTextValue(QStringLiteral("Mine"));
+    dialog.accept();
+  });
+  window->findChild<PresetController*>()->askForName();
+  const auto own = [this] { return PresetStore(UserFolders::below(folder.path()).presets).find("Mine"); };
+  ASSERT_TRUE(test::waitUntil([&] { return own().has_value(); }));
+  EXPECT_TRUE(own()->landmarks.has_value());
+}
+
+TEST_F(Looks, aPresetThatShowsNothingOffersToFitItAtOnce) {
+  Preset far;
+  far.name = "Far";
+  far.modality = "MR";
+  far.transferFunction = {
+      1.0,
+      {{90000.0, glm::dvec3(0.5), 0.0}, {95000.0, glm::dvec3(0.8), 0.5}, {99000.0, glm::dvec3(1.0), 1.0}}};
+  PresetStore(UserFolders::below(folder.path()).presets).save(far);
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  auto& presets = *window->findChild<PresetController*>();
+  presets.refresh();
+  presets.use(QStringLiteral("Far"));
+  ASSERT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("shows nothing")));
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  const ValueRange range = scene().volume->range();
+  EXPECT_LT(scene().transferFunction.points[1].value, range.highest);
+}
+
+} // namespace
+} // namespace limn::test
