@@ -165,7 +165,8 @@ TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
   ASSERT_EQ(compared.panels.size(), 2u);
   for (std::size_t side = 0; side < 2; ++side) {
     EXPECT_EQ(compared.panels[side].scene.transferFunction, view().scenesOfSides()[side].transferFunction);
-    EXPECT_EQ(compared.panels[side].name, side == 0 ? QStringLiteral("Before") : QStringLiteral("Now"));
+    EXPECT_EQ(compared.panels[side].name,
+              side == 0 ? QStringLiteral("CT bone and veil") : QStringLiteral("CT bone and veil, modified"));
   }
 }
 
