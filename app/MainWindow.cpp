@@ -149,6 +149,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_picture.comparison().showOpened();
   }
   m_files.noteOpened(loaded, request);
+  m_files.safety().sayWhatIsKept();
   if (!loaded.session && !loaded.beside)
     m_picture.regions().offerBody();
   m_frame.title().show();
@@ -161,6 +162,7 @@ void MainWindow::closeVolume() {
   m_context.document.close();
   m_panels.showVolume(nullptr, {});
   m_picture.showVolume(nullptr);
+  m_files.safety().sayWhatIsKept();
   m_frame.title().show();
 }
 

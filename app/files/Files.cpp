@@ -213,7 +213,7 @@ Files::Files(WindowContext& context, FileSources sources)
   connect(close, &QAction::triggered, this, &Files::closeRequested);
   connect(&m_pictures, &PictureSaving::complete, &m_saving, &SavingController::writePicture);
   connect(&m_pictures, &PictureSaving::cancelled, &m_saving, &SavingController::cancelPicture);
-  connect(&m_saving, &SavingController::drawing, &m_pictures, &PictureSaving::say);
+  connect(&m_saving, &SavingController::drawing, &m_pictures, &PictureSaving::sayDrawing);
   connect(&m_safety, &SessionSafety::saveRequested, &m_saving, &SavingController::saveSession);
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningController::restore);
   connect(&m_saving, &SavingController::sessionSaved, &m_safety, &SessionSafety::noteChange);

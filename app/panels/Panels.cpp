@@ -231,6 +231,8 @@ bool CropBoxController::isShown() const {
 }
 
 void CropBoxController::setShown(bool isShown) {
+  if (!isShown)
+    m_begun.reset(); // keeps its volume
   m_action->setChecked(isShown);
 }
 

@@ -238,7 +238,7 @@ void CrosshairController::restore(const SessionDocument& session) {
   if (!opening.corner)
     m_opening =
         Opening{scene.volume, opening.before, {opening.axis, opening.isUpper}, scene.crop, nextGestureId()};
-  else if (!scene.keep.cuts.empty())
+  else if (!scene.keep.cuts.empty() && std::holds_alternative<Scissors>(scene.keep.cuts.back().how))
     m_corner = OpenCorner{scene.volume, *opening.corner, scene.keep.cuts, scene.keep.cuts, nextGestureId()};
   showAction();
 }

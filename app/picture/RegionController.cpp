@@ -136,7 +136,7 @@ void RegionController::openLabels(const QString& path) {
                                                                                   const Progress& progress) {
           const Segmentation labels = readSegmentation(path.toStdString(), gridOfFile(volume), progress);
           // What was hidden beside the body stays hidden.
-          return FoundRegion{hides ? withBodyOf(labels.region, volume, body, progress) : labels.region,
+          return FoundRegion{hides ? withBodyOf(labels.region, volume, body, progress).region : labels.region,
                              labels.remark, false};
         });
   m_folder = QFileInfo(path).isDir() ? path : QString();
@@ -164,7 +164,7 @@ void RegionController::hideTableBesideLabels(bool isHidden, const Gesture& gestu
   } else if (isHidden) {
     start(tr("Looking for the body"), gesture,
           [labels = withoutCuts(kept), body = m_body](const Volume& volume, const Progress& progress) {
-            return FoundRegion{withBodyOf(labels, volume, body, progress), {}};
+            return withBodyOf(labels, volume, body, progress);
           });
   }
 }

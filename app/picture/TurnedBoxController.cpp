@@ -96,6 +96,11 @@ TurnedBoxController::TurnedBoxController(WindowContext& context)
               "are dragged, leave outside is cut away."),
        .needsVolume = true});
   connect(turn, &QAction::triggered, this, &TurnedBoxController::turn);
+  // Put away, the box is the crop's again; what it cut stays.
+  connect(&context.actions.find("cropBox"), &QAction::toggled, this, [this](bool isShown) {
+    if (!isShown)
+      end();
+  });
   connect(&context.view.input(), &ViewInput::turnedBoxEdited, this, &TurnedBoxController::cropTo);
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
@@ -132,6 +137,10 @@ void TurnedBoxController::showScene(const Scene& scene) {
     m_turned->made = m_turned->asked;
   if (scene.volume == m_turned->volume && scene.keep.cuts == m_turned->made)
     return;
+  end();
+}
+
+void TurnedBoxController::end() {
   m_turned.reset();
   m_context.view.setTurnedBox(std::nullopt);
 }

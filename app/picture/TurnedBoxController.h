@@ -49,6 +49,7 @@ private:
 
   void turn();
   void cropTo(const CropBox& crop, const Gesture& gesture);
+  void end();
   void showScene(const Scene& scene);
 
   WindowContext& m_context;

@@ -223,8 +223,10 @@ void Docks::setFolded(Qt::DockWidgetArea area, bool isFolded) {
   if (isFolded == this->isFolded(area))
     return;
   Folded& its = m_folded[area];
-  if (isFolded)
+  if (isFolded) {
+    its = {};
     return fold(area, its);
+  }
   if (its.hidden.isEmpty()) // closed one by one, or by an earlier run
     its = {at(area), {at(area).front()}};
   unfold(its);
@@ -249,6 +251,8 @@ void Docks::unfold(Folded& folded) {
 }
 
 void Docks::foldWhereNarrow() {
+  if (!m_beside.hidden.isEmpty()) // the picture alone is shown
+    return;
   if (m_window.width() < foldingWidth && !m_foldedItself && !isFolded(Qt::RightDockWidgetArea)) {
     setFolded(Qt::RightDockWidgetArea, true);
     m_foldedItself = true;

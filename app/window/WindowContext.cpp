@@ -65,7 +65,7 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
                             window.centralWidget())),
       planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
   m_column.addWidget(&planes, 1);
-  new MessageOrder({&messages, &unsafe, &recovery, &patient, &tour}, &window);
+  new MessageOrder({&unsafe, &recovery, &messages, &patient, &tour}, &window);
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });

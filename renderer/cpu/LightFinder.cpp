@@ -29,8 +29,18 @@ LightDetail gridDetail(const Quality& quality) {
 
 Scene litPart(const Scene& scene) {
   Scene lit = scene;
-  lit.shading.lightDirection = lightTravels(scene.shading, scene.camera);
+  const LightingTerms terms = lightingTerms(scene.shading);
+  lit.shading.lightDirection.reset();
+  if (terms.shadow.strength > 0.0)
+    lit.shading.lightDirection = lightTravels(scene.shading, scene.camera);
   lit.shading.lightAxes = LightAxes::world;
+  // How much is dimmed, and what colour it has, is asked where it is drawn.
+  if (terms.shadow.strength > 0.0)
+    lit.shading.shadow.strength = 1.0;
+  if (terms.occlusion.strength > 0.0)
+    lit.shading.occlusion.strength = 1.0;
+  lit.transferFunction = cpu::withoutColors(lit.transferFunction);
+  lit.keep = cpu::withoutColors(lit.keep);
   lit.camera = {};
   lit.fog = {};
   lit.image = {};
@@ -81,7 +91,12 @@ LightVolumes LightInBackground::known(const Scene& scene) {
   const Known* known = exactly(lit);
   if (!known)
     known = instead(lit);
-  return known ? known->light : LightVolumes();
+  if (!known)
+    return {};
+  // What is used stays longest: that of a side at rest, too.
+  const auto place = std::ranges::find(m_known, known->of, &Known::of);
+  std::rotate(m_known.begin(), place, place + 1);
+  return m_known.front().light;
 }
 
 bool LightInBackground::isFinding(const Scene& scene) {
@@ -167,8 +182,12 @@ void LightInBackground::findNext(std::unique_lock<std::mutex>& lock) {
   lock.lock();
   if (!isFound)
     return;
-  // What failed would fail again: its light is taken to be known.
-  m_known.push_front({problem ? withDetail(sought, LightDetail::fine) : sought, found});
+  // What failed would fail again: its light is taken to be known, at its own detail alone, and what was known
+  // of it more coarsely goes on to serve.
+  if (problem && sought.quality.light == LightDetail::fine)
+    if (const Known* coarse = exactly(withDetail(sought, LightDetail::coarse)))
+      found = coarse->light;
+  m_known.push_front({sought, found});
   if (m_known.size() > mostKnown)
     m_known.pop_back();
   m_problem = problem;

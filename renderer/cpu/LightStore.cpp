@@ -129,6 +129,20 @@ std::shared_ptr<const Light> found(const PictureTerms& terms, const LightNodes& 
 
 } // namespace
 
+TransferFunction withoutColors(TransferFunction function) {
+  for (ControlPoint& point : function.points)
+    point.color = glm::dvec3(1.0);
+  return function;
+}
+
+Region withoutColors(Region keep) {
+  for (TransferFunction& look : keep.looks)
+    look = withoutColors(look);
+  for (Cut& cut : keep.cuts)
+    cut.name.clear();
+  return keep;
+}
+
 template <class Light, class Find>
 std::shared_ptr<const Light> LightStore::of(Kept<Light>& kept, const Key& key, const Find& find) {
   const auto there = std::ranges::find(kept, key, &Found<Light>::key);
@@ -149,13 +163,13 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
   const std::size_t mostBytes = std::min(bytesOfVoxels(*scene.volume) / shareOfVoxels, bytesEach * mostNodes);
   Keys keys;
   keys.direct = {scene.volume,
-                 scene.transferFunction,
+                 withoutColors(scene.transferFunction),
                  scene.gradientOpacity,
                  terms.light.opacity,
-                 terms.light.curve,
-                 usesRatio(terms.effects) ? terms.perReference : 0.0f,
+                 terms.effects.has(Effect::opacityMap) ? terms.light.curve : GradientCurve(),
+                 terms.effects.has(Effect::opacityMap) ? terms.perReference : 0.0f,
                  terms.effects.has(Effect::smoothNormals) ? scene.shading.gradientSmoothing : 0.0,
-                 scene.keep,
+                 withoutColors(scene.keep),
                  scene.crop,
                  scene.projection,
                  scene.isovalue,
@@ -194,6 +208,7 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   TravelTerms travel = looking.travel;
   travel.from = lightOffset(scene, terms);
   travel.found.nodes = nodes;
+  travel.found.isFine = !isCoarse;
   travel.look = lightLook(nodes, scene.volume->grid(), detail == LightDetail::fine);
   travel.perIndex = glm::vec3(1.0 / nodes.stride);
   travel.shift = glm::vec3(-(terms.centre + nodes.first) / nodes.stride);

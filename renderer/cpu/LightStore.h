@@ -10,6 +10,10 @@
 
 namespace limn::cpu {
 
+/// What light passes alike, whatever its colours and names: of functions, and of a kept region.
+TransferFunction withoutColors(TransferFunction function);
+Region withoutColors(Region keep);
+
 /// What comes of light that travels (DEFINITION section 11), found on grids of nodes and kept for pictures to
 /// come: two looks that take turns, each fine and coarse.
 class LightStore {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/SceneData.h"
 
+#include "cpu/paths/PathScene.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/steps/BlockRanges.h"
 #include "scene/steps/LocalSteps.h"
@@ -227,6 +228,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_empty = {};
   m_gradients = {};
   m_gradientScale = {};
+  m_light = {}; // keeps its volume
   m_voxels.emplace(scene.volume, part, effort);
   m_volume = scene.volume;
   m_steepness.reset();

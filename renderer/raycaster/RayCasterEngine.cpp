@@ -24,7 +24,12 @@ public:
     m_caster.draw(scene, size, tile);
     return std::nullopt;
   }
-  double makeReady(const Scene& scene, const Effort&) override { return m_caster.makeReady(scene); }
+  double makeReady(const Scene& scene, const Effort&) override {
+    if (scene.volume != m_volume.lock())
+      m_light.reset(); // keeps its volume
+    m_volume = scene.volume;
+    return m_caster.makeReady(scene);
+  }
   bool isFindingLight(const Scene& scene) override {
     return hasTravellingLight(scene) && light().isFinding(scene);
   }
@@ -51,6 +56,7 @@ private:
   }
 
   RayCaster m_caster;
+  std::weak_ptr<const Volume> m_volume;
   std::optional<LightInBackground> m_light;
   std::string m_name = rendererName();
 };

@@ -95,8 +95,8 @@ void requireSliceable(const Scene& scene) {
                                         .arg(nameOf(scene.projection)));
   if (hasTravellingLight(scene))
     throw Error(Error::Kind::usage,
-                Message::tr("Slices cannot draw shadows and occlusion; use --engine cpu or reference, or set "
-                            "their strength to 0."));
+                Message::tr("Slices cannot draw shadows and occlusion; use --engine gl, cpu or reference, or "
+                            "set their strength to 0."));
   if (isPhysical(scene))
     throw Error(Error::Kind::usage,
                 Message::tr("Slices cannot draw physical light; use --engine cpu or another model."));

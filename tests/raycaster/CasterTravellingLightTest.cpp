@@ -48,15 +48,6 @@ TEST_F(CasterTravellingLight, everyPictureIsTheProcessors) {
     }
 }
 
-TEST_F(CasterTravellingLight, anyTilesGiveTheSameBits) {
-  const Scene scene = shadowedHead(6.0);
-  const glm::ivec2 size{300, 290};
-  RayCaster one, other;
-  const Image expected = one.render(scene, size);
-  other.render(scene, {40, 30});
-  EXPECT_EQ(other.render(scene, size), expected);
-}
-
 TEST_F(CasterTravellingLight, changesNoBitAndCompilesNothingWhereItIsNeutral) {
   Scene plain = withoutTravel(shadowedHead(5.0));
   plain.shading.lightDirection.reset();

@@ -4,6 +4,7 @@
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/TravellingScenes.h"
 
 #include <epoxy/gl.h>
 
@@ -120,6 +121,10 @@ TEST_F(Tiles, drawingLeavesTheStateOfTheContextAsItWas) {
   EXPECT_EQ(static_cast<GLuint>(texture), canvas.texture);
   EXPECT_EQ(program, 0);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(Tiles, ofLightOnItsWayChangeNothing) {
+  expectTilingChangesNothing(test::shadowedHead(6.0));
 }
 
 } // namespace

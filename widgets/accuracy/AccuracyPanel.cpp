@@ -101,6 +101,8 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
 
 void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
+  if (work != AccuracyWork::measuring && work != AccuracyWork::none)
+    m_wanted = nullptr; // something else takes its place
   if (!m_answered && !m_wanted)
     offerWishes();
   showProgress(0.0, tr("Preparing…"));

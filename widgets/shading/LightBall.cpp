@@ -132,7 +132,7 @@ void LightBall::moveTo(const QPointF& position) {
 
 void LightBall::keyPressEvent(QKeyEvent* event) {
   const auto turn = [&](int axis, double degrees) {
-    edit(glm::normalize(turnedAbout(m_place, axis, degrees)), nextGestureId());
+    edit(glm::normalize(turnedAbout(m_place, axis, degrees)), m_keys.idOf(0, event->timestamp()));
   };
   switch (event->key()) {
   case Qt::Key_Left:

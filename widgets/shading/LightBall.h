@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/Gesture.h"
+#include "widgets/view/gestures/CameraHistory.h"
 
 #include <QWidget>
 
@@ -50,6 +51,7 @@ private:
   glm::dvec3 m_place{0.0, 0.0, 1.0};
   double m_ambient = 0.25;
   std::uint64_t m_gestureId = 0;
+  GestureRuns m_keys;
 };
 
 } // namespace limn

@@ -44,11 +44,13 @@ Region sureBodyOf(const Volume& volume, const Progress& progress) {
   return found.isSure ? std::move(found.region) : Region{};
 }
 
-Region withBodyOf(const Region& labels, const Volume& volume, const Region& known, const Progress& progress) {
-  const Region body = known.kind == Region::Kind::body ? known : bodyOf(volume, progress).region;
-  return body.kind == Region::Kind::body
-             ? withBody(labels, body, volume.room(), effortOf(progress, findingBody))
-             : labels;
+FoundRegion withBodyOf(const Region& labels, const Volume& volume, const Region& known,
+                       const Progress& progress) {
+  FoundRegion found = known.kind == Region::Kind::body ? FoundRegion{known, {}} : bodyOf(volume, progress);
+  found.region = found.region.kind == Region::Kind::body
+                     ? withBody(labels, found.region, volume.room(), effortOf(progress, findingBody))
+                     : labels;
+  return found;
 }
 
 FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress) {
@@ -61,8 +63,10 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
     const std::string name = std::filesystem::path(part.labels).filename().string();
     found.region.weights = weightsOf(found.region.labels->labels(), part.weights, name);
     found.region = withLooksOf(found.region, part.looks, name);
-    if (part.hidesTable)
-      found.region = withBodyOf(found.region, volume, {}, progress);
+    if (part.hidesTable) {
+      const FoundRegion beside = withBodyOf(found.region, volume, {}, progress);
+      found = {beside.region, found.remark.empty() ? beside.remark : found.remark};
+    }
   }
   return part.cuts.empty() ? found : cutIn(volume, found, part.cuts, progress);
 }

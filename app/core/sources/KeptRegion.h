@@ -23,9 +23,10 @@ FoundRegion bodyOf(const Volume& volume, const Progress& progress = {});
 Region sureBodyOf(const Volume& volume, const Progress& progress = {});
 
 /// A segmentation with what is not the body hidden beside it (scene/regions/BodyAndLabels.h); as it is where
-/// no body is found. `known` is the body where it was found before. Throws Error (input), Cancelled.
-Region withBodyOf(const Region& labels, const Volume& volume, const Region& known,
-                  const Progress& progress = {});
+/// no body is found; remarks are bodyOf's. `known` is the body where it was found before. Throws Error
+/// (input), Cancelled.
+FoundRegion withBodyOf(const Region& labels, const Volume& volume, const Region& known,
+                       const Progress& progress = {});
 
 /// A region with other cuts in the place of its own (regions/Cutting.h), and which of those it did not have
 /// takes nothing away. Throws Error (input), Cancelled.

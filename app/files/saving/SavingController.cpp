@@ -151,6 +151,9 @@ PictureContent PictureSaving::content() const {
 }
 
 void PictureSaving::ask() {
+  if (m_isDrawing)
+    return m_context.notes.sayFailure(tr("Another picture is being drawn into its file; wait until it is "
+                                         "there, or cancel it in the status bar."));
   const PictureContent asked = content();
   const glm::ivec2 screen = deviceSize(m_context.view.order().geometry);
   const std::optional<PictureOptions> options =
@@ -193,6 +196,11 @@ void PictureSaving::look() {
 void PictureSaving::forget() {
   m_awaited.forget();
   say({});
+}
+
+void PictureSaving::sayDrawing(const QString& text) {
+  m_isDrawing = !text.isEmpty();
+  say(text);
 }
 
 void PictureSaving::say(const QString& text) {
@@ -364,9 +372,10 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
     std::vector<Image> sides(scenes.size());
     makeEach(scenes, size, told,
              [&](std::size_t index, MadePicture picture) { sides[index] = std::move(picture.image); });
-    return [this, file, sides] {
+    file.write(sides); // seconds of a large one
+    return [this, path = QString::fromStdString(file.path)] {
       emit drawing({});
-      m_context.notes.attempt([&] { file.write(sides); }, QString::fromStdString(file.path));
+      m_context.notes.attempt([] {}, path); // it is there
     };
   });
 }

@@ -71,8 +71,9 @@ public:
   /// another size.
   explicit PictureSaving(WindowContext& context);
 
-  /// What is awaited or drawn is said in the status bar; empty: nothing is.
-  void say(const QString& text);
+  /// Says in the status bar that a picture is drawn into its file, and takes no other meanwhile; empty: none
+  /// is.
+  void sayDrawing(const QString& text);
 
 signals:
   /// The picture at rest is the one that was asked for.
@@ -83,12 +84,14 @@ private:
   void ask();
   void look();
   void forget();
+  void say(const QString& text);
   PictureContent content() const;
 
   WindowContext& m_context;
   AwaitedPicture m_awaited;
   QLabel* m_text;
   QToolButton* m_stop;
+  bool m_isDrawing = false;
 };
 
 /// Two pictures of one size as a layout of two shows them: side by side, parted at `wipe` (0..1 of the

@@ -86,16 +86,17 @@ bool SessionSafety::mayLeave() {
   try {
     m_keeper->keep(*m_context.document.unsaved(m_session()));
     tellUnfinished();
-    sayThatItIsKept();
+    m_hasKept = true;
     return true;
   } catch (const Error& error) {
     return askBeforeLosing(translated(error.sentence()));
   }
 }
 
-// Once: who knows need not be told again.
-void SessionSafety::sayThatItIsKept() {
-  if (m_context.settings.keepingIsKnown())
+// Once: who knows need not be told again. What is said of a volume that opens goes before.
+void SessionSafety::sayWhatIsKept() {
+  if (!std::exchange(m_hasKept, false) || m_context.settings.keepingIsKnown() ||
+      m_context.messages.isWanted())
     return;
   m_context.settings.setKeepingIsKnown(true);
   m_context.messages.show(MessageBar::Kind::note,

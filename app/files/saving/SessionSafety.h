@@ -30,6 +30,9 @@ public:
   /// Whether the scene may be left: it is kept, or the user says what becomes of it.
   bool mayLeave();
 
+  /// Says that what was left with changes is kept, where nobody was told yet: once something else is shown.
+  void sayWhatIsKept();
+
   /// The session that a kept file holds is open: from here on this window keeps it, and the file goes.
   void takeOver(const QString& file);
 
@@ -46,7 +49,6 @@ private:
   /// Opens what was left unsaved last.
   void continueLast();
   bool askBeforeLosing(const QString& why);
-  void sayThatItIsKept();
   void sayUnsafe(const QString& why);
   void offerAbandoned();
   void tellUnfinished();
@@ -56,6 +58,7 @@ private:
   std::function<SessionDocument()> m_session;
   std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
   QString m_notKept;                       ///< why they are not, though they should be
+  bool m_hasKept = false;                  ///< since it was last said
 };
 
 } // namespace limn

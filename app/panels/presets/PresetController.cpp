@@ -4,6 +4,7 @@
 #include "app/presets/PresetStore.h"
 #include "app/window/WindowContext.h"
 #include "scene/basics/Error.h"
+#include "scene/light/GradientSmoothing.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
@@ -402,6 +403,10 @@ void PresetController::save(const QString& name) {
   // Values without a unit mean something beside those of their own volume alone.
   if (const auto& volume = m_context.session.scene().volume; !looksLikeHounsfield(*volume))
     preset.landmarks = landmarksOf(m_context.document.histogram());
+  // What opening sets belongs to the slices of the volume.
+  if (const Grid& grid = m_context.session.scene().volume->grid();
+      preset.shading && preset.shading->gradientSmoothing == smoothingOfSlices(grid))
+    preset.shading->gradientSmoothing = 0.0;
   std::optional<Preset> replaced;
   if (const auto before = named(m_own, name); before != m_own.end()) {
     replaced = *before;

@@ -93,12 +93,10 @@ PathFigures PathPicture::figures() const {
     if (!(pixel.alpha >= leastAlpha))
       continue;
     fewest = std::min(fewest, pixel.paths);
-    // Of thin tissue few paths meet anything; it shows as little.
-    if (pixel.met < 2) {
-      areAllCompared = areAllCompared && pixel.paths >= 2;
-      continue;
-    }
-    const glm::dvec3 error = errorOf(pixel, m_scene.shading);
+    areAllCompared = areAllCompared && pixel.paths >= 2;
+    // Of thin tissue few paths meet anything: until two have, it may be off by all that it can show.
+    const glm::dvec3 error =
+        pixel.met < 2 ? glm::dvec3(255.0 * pixel.alpha) : errorOf(pixel, m_scene.shading);
     for (int c = 0; c < 3; ++c) {
       errors.push_back(static_cast<float>(error[c]));
       squares += error[c] * error[c];
@@ -116,6 +114,7 @@ PathFigures PathPicture::figures() const {
 }
 
 PathPicture& PathPictures::of(const Scene& scene, const glm::ivec2& size) {
+  std::erase_if(m_pictures, [&](const std::unique_ptr<PathPicture>& one) { return !one->isOfVolume(scene); });
   const auto known = std::ranges::find_if(
       m_pictures, [&](const std::unique_ptr<PathPicture>& one) { return one->isOf(scene, size); });
   std::unique_ptr<PathPicture> picture;

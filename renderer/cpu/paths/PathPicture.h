@@ -30,6 +30,7 @@ public:
 
   /// Whether it is that of a scene, however many paths it asks for.
   bool isOf(const Scene& scene, const glm::ivec2& size) const;
+  bool isOfVolume(const Scene& scene) const { return m_scene.volume == scene.volume; }
 
   PixelPaths& at(int x, int y) { return m_pixels[static_cast<std::size_t>(y) * m_size.x + x]; }
 

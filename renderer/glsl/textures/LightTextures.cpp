@@ -67,7 +67,7 @@ void LightTextures::apply(const ShaderProgram& program, const Grid& grid, bool i
   const glm::dvec3 perVoxel = isKnown ? 1.0 / (nodes.stride * count) : glm::dvec3(0.0);
   program.set("u_nodesScale", glm::vec3(perVoxel));
   program.set("u_nodesOffset", glm::vec3(0.5 / count - nodes.first * perVoxel));
-  const LightLook look = isKnown ? lightLook(nodes, grid, isFine) : LightLook();
+  const LightLook look = isKnown ? lightLook(nodes, grid, isFine && m_light.isFine) : LightLook();
   program.set("u_directAway", static_cast<float>(look.directAway));
   program.set("u_ambientAway", static_cast<float>(look.ambientAway));
   program.set("u_looksNear", look.looksNear ? 1.0f : 0.0f);

@@ -17,7 +17,8 @@ public:
   /// driver has no room for it.
   void update(const LightVolumes& light);
 
-  /// Binds them and sets, in a program in use, where nodes lie on a grid and how samples ask them.
+  /// Binds them and sets, in a program in use, where nodes lie on a grid and how samples ask them: as of a
+  /// fine picture where one is asked for and the nodes are.
   void apply(const ShaderProgram& program, const Grid& grid, bool isFine) const;
 
   /// What they take on the card.

@@ -41,6 +41,7 @@ LightingTerms termsFor(const Scene& scene) {
   if (isConstant(*scene.volume) && scene.crop == CropBox{}) {
     terms.diffuse = 0.0;
     terms.specular = 0.0;
+    terms.shadow = {};
     terms.significance.reset();
     terms.opacity.atBoundary = terms.opacity.atFlat;
   }

@@ -42,6 +42,7 @@ struct LightVolumes {
   LightNodes nodes;                            ///< none: nothing is known, and all light is taken to come
   std::shared_ptr<const DirectLight> direct;   ///< null where no light casts shadows
   std::shared_ptr<const AmbientLight> ambient; ///< null where nothing dims ambient light
+  bool isFine = false;                         ///< nodes were found for a picture at rest
   bool operator==(const LightVolumes&) const = default;
 };
 

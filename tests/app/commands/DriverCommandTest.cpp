@@ -179,7 +179,7 @@ TEST(RefusedMemory, endsInASentenceWhereverItRunsOut) {
   std::filesystem::resize_file(volume,
                                2 * 256 * 256 * 400 + 100); // and zeros, which take no room on the disk
   int refused = 0;
-  for (int mb = 160; mb <= 760; mb += 40) {
+  for (int mb = 200; mb <= 760; mb += 40) {
     const std::string limit = "ulimit -v " + std::to_string(1000 * mb) + ";";
     for (const std::string& command :
          {"info --quiet " + volume.string(),

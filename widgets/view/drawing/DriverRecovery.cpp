@@ -54,10 +54,11 @@ void DriverRecovery::guard(const std::function<void()>& work) {
     requireHealthyDriver(Message::tr("drawing the picture"));
   } catch (const BeyondDriver& error) {
     m_sentence = translated(error);
+    const bool isVolume = dynamic_cast<const VolumeTooLarge*>(&error) != nullptr;
     emit stopped();
-    QTimer::singleShot(0, this, [this] {
+    QTimer::singleShot(0, this, [this, isVolume] {
       if (hasFailed()) // otherwise something else is to be shown
-        emit tooLarge();
+        emit beyondDriver(isVolume);
     });
   } catch (const DriverError& error) {
     failDriver(translated(error), QString::fromStdString(error.details()));

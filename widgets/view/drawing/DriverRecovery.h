@@ -63,7 +63,8 @@ signals:
   void stopped();                  ///< nothing must be drawn until it is told to
   void rebuildNeeded(bool isLost); ///< of the pictures, and of the context where that `isLost`
   void givenUp();                  ///< the driver, for the reason in `sentence`
-  void tooLarge();                 ///< the volume for the driver, as `sentence` says
+  /// The driver cannot draw the scene, as `sentence` says; `isVolume`: nor any other of its volume.
+  void beyondDriver(bool isVolume);
   void failed(const QString& sentence);
   void restored(const QString& sentence);
 

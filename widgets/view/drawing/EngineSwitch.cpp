@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/drawing/EngineSwitch.h"
 
+#include "engine/VolumeTooLarge.h"
 #include "widgets/view/drawing/ProcessorDrawing.h"
 #include "widgets/view/overlay/Overlay.h"
 
@@ -11,6 +12,21 @@
 #include <QOpenGLWidget>
 
 namespace limn {
+namespace {
+
+// As far as their light goes.
+bool shadersMayDraw(const ViewOrder& order) {
+  try {
+    for (const Scene& scene : pictureOrderOf(order).scenes)
+      if (scene.volume)
+        requireLightOfShaders(scene);
+    return true;
+  } catch (const BeyondDriver&) {
+    return false;
+  }
+}
+
+} // namespace
 
 class GlCanvas : public QOpenGLWidget {
 public:
@@ -127,7 +143,7 @@ EngineSwitch::EngineSwitch(DrawingEngines engines, Engine engine, QWidget& view)
     : QObject(&view), m_engines(std::move(engines)), m_view(view), m_engine(engine) {
   connect(&m_recovery, &DriverRecovery::stopped, this, &EngineSwitch::push);
   connect(&m_recovery, &DriverRecovery::givenUp, this, &EngineSwitch::giveUpDriver);
-  connect(&m_recovery, &DriverRecovery::tooLarge, this, &EngineSwitch::standIn);
+  connect(&m_recovery, &DriverRecovery::beyondDriver, this, &EngineSwitch::standIn);
   connect(&m_recovery, &DriverRecovery::restored, this, &EngineSwitch::restored);
   connect(&m_recovery, &DriverRecovery::failed, this, [this](const QString& sentence) {
     tell();
@@ -181,6 +197,8 @@ void EngineSwitch::show(const ViewOrder& order) {
   const bool isOtherVolume = asBefore.volume != before.volume;
   if (isOtherVolume) { // nothing that failed of the last one counts
     m_recovery.forget();
+    retryDriver();
+  } else if (!m_tooLarge.isEmpty() && m_standsInForScene && shadersMayDraw(order)) {
     retryDriver();
   } else if (asBefore != before && m_recovery.hasFailed()) { // it may work now
     m_recovery.retry();
@@ -276,8 +294,9 @@ void EngineSwitch::giveUpDriver() {
     emit errorOccurred(m_driverFailure);
 }
 
-// For this volume alone.
-void EngineSwitch::standIn() {
+// For this volume alone, or this scene.
+void EngineSwitch::standIn(bool isVolume) {
+  m_standsInForScene = !isVolume;
   letProcessorDraw(m_tooLarge, tr("%1 The processor draws it.").arg(m_recovery.sentence()));
 }
 

@@ -44,8 +44,8 @@ private:
   PictureLoop& m_loop;
 };
 
-/// Has one of two engines draw a view, and lets the processor take the driver's place where that fails or has
-/// no room for the volume.
+/// Has one of two engines draw a view, and lets the processor take the driver's place where that fails, has
+/// no room for the volume, or cannot draw the scene: that one until it can.
 class EngineSwitch : public QObject {
   Q_OBJECT
 
@@ -91,7 +91,7 @@ private:
   ViewDrawing* makeDriverDrawing();
   bool letProcessorDraw(QString& reason, const QString& sentence);
   void giveUpDriver();
-  void standIn();
+  void standIn(bool isVolume);
 
   DrawingEngines m_engines;
   QWidget& m_view;
@@ -103,7 +103,8 @@ private:
   ViewDrawing* m_drawing = nullptr;
   QString m_reason;
   QString m_driverFailure;
-  QString m_tooLarge; ///< why the processor draws this volume
+  QString m_tooLarge; ///< why the processor draws this volume, or this scene
+  bool m_standsInForScene = false;
 };
 
 } // namespace limn

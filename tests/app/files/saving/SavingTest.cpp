@@ -141,11 +141,11 @@ TEST_F(Saving, thatWorkIsNotSafeIsSaidAsLongAsItIsTrue) {
   MessageBar& unsafe = bar("unsafeBar");
   ASSERT_TRUE(test::waitUntil([&] { return unsafe.isVisible(); }));
   saving().writeScene(pathTo("none/scene.json"));
-  EXPECT_TRUE(unsafe.isWanted());
-  EXPECT_TRUE(messages().isVisible()) << "one at a time: what went wrong last";
-  saving().writeScene(pathTo("scene.json"));
-  EXPECT_TRUE(unsafe.isVisible());
+  EXPECT_TRUE(unsafe.isVisible()) << "one at a time: what may lose work goes first";
+  EXPECT_TRUE(messages().isWanted());
   EXPECT_FALSE(messages().isVisible());
+  saving().writeScene(pathTo("scene.json"));
+  EXPECT_FALSE(messages().isWanted());
   // There is room again, although nothing changes.
   fs::rename(folder.path() / "elsewhere", places);
   EXPECT_TRUE(test::waitUntil([&] { return !unsafe.isVisible(); }));
