@@ -278,7 +278,7 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
   if (isBefore)
     left = left.isEmpty() ? tr("Before") : left == right ? tr("%1, before", "a preset").arg(left) : left;
   ComparedLook compared{*m_look, {left.toStdString(), (right.isEmpty() ? tr("Now") : right).toStdString()}};
-  compared.shown.isWhole = isBefore;
+  compared.shown.isWhole = m_look->isWhole || isBefore;
   return compared;
 }
 

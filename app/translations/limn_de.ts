@@ -1909,7 +1909,7 @@
     </message>
     <message>
         <source>Normals smoothed by %1 mm</source>
-        <translation>Normalen um %1 mm geglättet</translation>
+        <translation>Normalen um %1&#xa0;mm geglättet</translation>
     </message>
     <message>
         <source>Physical</source>
@@ -1929,7 +1929,7 @@
     </message>
     <message>
         <source>%1 · normals smoothed by %2 mm</source>
-        <translation>%1 · Normalen um %2 mm geglättet</translation>
+        <translation>%1 · Normalen um %2&#xa0;mm geglättet</translation>
     </message>
     <message>
         <source>1 path</source>
@@ -8124,7 +8124,7 @@
     </message>
     <message>
         <source>The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours within %2 (standard error), after %3 paths a pixel.</source>
-        <translation>Das Bild liegt im Mittel (RMS) höchstens %1 Stufen neben dem exakten, 99,9 % seiner Farben höchstens %2 (Standardfehler), nach %3 Pfaden je Bildpunkt.</translation>
+        <translation>Das Bild liegt im Mittel (RMS) höchstens %1 Stufen neben dem exakten, 99,9&#xa0;% seiner Farben höchstens %2 (Standardfehler), nach %3 Pfaden je Bildpunkt.</translation>
     </message>
     <message>
         <source>The picture has %1 paths a pixel, too few to tell its error.</source>
@@ -8152,7 +8152,7 @@
     </message>
     <message>
         <source>The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for each slice, though smooth normals take most of it out of the light.</source>
-        <translation>Die Schichten liegen %1 mm auseinander, %2-mal so weit wie die Pixel in ihnen: Oberflächen zeigen für jede Schicht ein Band, doch geglättete Normalen nehmen das meiste davon aus dem Licht.</translation>
+        <translation>Die Schichten liegen %1&#xa0;mm auseinander, %2-mal so weit wie die Pixel in ihnen: Oberflächen zeigen für jede Schicht ein Band, doch geglättete Normalen nehmen das meiste davon aus dem Licht.</translation>
     </message>
     <message>
         <source>Shadows and occlusion cannot be drawn in bricks: light crosses from one to the next. Draw the picture with limn, or set their strength to 0.</source>
@@ -8288,7 +8288,7 @@
     </message>
     <message>
         <source>the smoothing is set to 0 mm</source>
-        <translation>die Glättung steht auf 0 mm</translation>
+        <translation>die Glättung steht auf 0&#xa0;mm</translation>
     </message>
     <message>
         <source>the smoothing is finer than the voxels</source>
@@ -8319,12 +8319,12 @@
         <translation>Die Segmentierung hat %1 Labels, sodass für das, was nicht Körper ist, keine Nummer bleibt; schalten Sie „Nur Körper“ aus.</translation>
     </message>
     <message>
-        <source>Slices cannot draw shadows and occlusion; use --engine cpu or reference, or set their strength to 0.</source>
-        <translation>Schichten können Schatten und Verdeckung nicht zeichnen; nehmen Sie --engine cpu oder reference, oder setzen Sie ihre Stärke auf 0.</translation>
-    </message>
-    <message>
         <source>Slices cannot draw physical light; use --engine cpu or another model.</source>
         <translation>Schichten können kein physikalisches Licht zeichnen; nehmen Sie --engine cpu oder ein anderes Modell.</translation>
+    </message>
+    <message>
+        <source>Slices cannot draw shadows and occlusion; use --engine gl, cpu or reference, or set their strength to 0.</source>
+        <translation>Schichten können Schatten und Verdeckung nicht zeichnen; nehmen Sie --engine gl, cpu oder reference, oder setzen Sie ihre Stärke auf 0.</translation>
     </message>
 </context>
 <context>
@@ -9160,6 +9160,10 @@
         <source>Snapshot</source>
         <translation>Bild speichern</translation>
     </message>
+    <message>
+        <source>Another picture is being drawn into its file; wait until it is there, or cancel it in the status bar.</source>
+        <translation>Ein anderes Bild wird gerade in seine Datei gezeichnet; warten Sie, bis es da ist, oder brechen Sie es in der Statuszeile ab.</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureStatus</name>
@@ -9902,10 +9906,6 @@
     <message>
         <source>Before</source>
         <translation>Vorher</translation>
-    </message>
-    <message>
-        <source>%1, modified</source>
-        <translation>%1, geändert</translation>
     </message>
     <message>
         <source>&quot;%1&quot; shows nothing of this volume: its curve is for other values.</source>

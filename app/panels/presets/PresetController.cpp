@@ -259,13 +259,10 @@ void PresetController::useOnSide(const QString& name, int side) {
   if (isSingle || (order.comparison.look && side == 1))
     return use(name);
   if (side == 1) {
-    const OpenDocument::PresetInUse own = m_context.document.presetInUse();
-    const QString shown = QString::fromStdString(own.name);
-    emit compareRequested(
-        presetOf(m_context.session.scene(), (shown.isEmpty()  ? tr("Before")
-                                             : own.isModified ? tr("%1, modified").arg(shown)
-                                                              : shown)
-                                                .toStdString()));
+    const std::string own = m_context.document.presetInUse().name;
+    Preset shown = presetOf(m_context.session.scene(), own.empty() ? tr("Before").toStdString() : own);
+    shown.isWhole = true;
+    emit compareRequested(shown);
   }
   side == 1 ? use(name) : compare(name);
 }

@@ -44,9 +44,6 @@ void Pictures::noteShown() {
         !hasTravellingLight(shown.back()) || m_engine->facts(shown.back()).findsLightOfSamples;
   }
   m_limitation = translated(m_engine->limitation());
-  // Smaller steps tell nothing of paths.
-  if (std::ranges::any_of(shown, isPhysical))
-    shown.clear();
   if (m_count > 0)
     m_probe.want(shown, m_sides[0].size());
 }
