@@ -178,7 +178,7 @@ TEST_F(FigureCommand, aPdfHasTextAsTextAndPicturesWithoutLoss) {
   make("figure phantom:6 --model compare" + std::string(small) + "-o " + file("figure.pdf"));
   const std::string text = printedBy("pdftotext -layout '" + file("figure.pdf") + "' -");
   for (const char* word :
-       {"a", "Classic", "b", "Enhanced", "SP 1", "cm", "HU", "Opacity", "Not for diagnosis."})
+       {"a", "Classic", "b", "Enhanced", "SP 4–32", "cm", "HU", "Opacity", "Not for diagnosis."})
     EXPECT_NE(text.find(word), std::string::npos) << word << " is not in\n" << text;
   // 400 pixels at 72 dpi are 400 points.
   EXPECT_NE(printedBy("pdfinfo '" + file("figure.pdf") + "'").find("Page size:       400 x "),
