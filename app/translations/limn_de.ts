@@ -8224,11 +8224,11 @@
     </message>
     <message>
         <source>must be &quot;headlight&quot;, or a direction that is not zero, in world axes or as {&quot;camera&quot;: [right, up, forward]}</source>
-        <translation>muss „headlight“ sein oder eine Richtung, die nicht null ist, in Weltachsen oder als {&quot;camera&quot;: [rechts, oben, vorn]}</translation>
+        <translation>muss „headlight“ sein oder eine Richtung, die nicht null ist, in Weltachsen oder als {camera: [rechts, oben, vorn]}</translation>
     </message>
     <message>
         <source>must be the only end: {&quot;paths&quot;: n}, {&quot;levels&quot;: x} or {&quot;seconds&quot;: s}</source>
-        <translation>muss das einzige Ende sein: {&quot;paths&quot;: n}, {&quot;levels&quot;: x} oder {&quot;seconds&quot;: s}</translation>
+        <translation>muss das einzige Ende sein: {paths: n}, {levels: x} oder {seconds: s}</translation>
     </message>
     <message>
         <source>must be smaller than the upper ends on every axis</source>
@@ -10888,7 +10888,7 @@
     </message>
     <message>
         <source>Turn the crop bo&amp;x to this view</source>
-        <translation>Zuschnittbox in diese Ansicht drehen</translation>
+        <translation>Zuschnittbox in diese Ansicht &amp;drehen</translation>
     </message>
     <message>
         <source>Puts a box over the picture that lies as the picture is seen now; what its faces, which are dragged, leave outside is cut away.</source>

@@ -164,6 +164,12 @@ Scene sceneOf(const std::filesystem::path& path, ShadingModel model, Look look) 
   scene = withPreset(
       scene, bestFitting(look == Look::first ? presets() : std::vector<Preset>(), *scene.volume), true);
   scene.shading.model = model;
+  // The paper's numbers: those that presets have beside their curve change.
+  const Shading paper;
+  scene.shading.exponentRange = paper.exponentRange;
+  scene.shading.opacityRange = paper.opacityRange;
+  scene.shading.gradientReference = paper.gradientReference;
+  scene.shading.gradientCurve = paper.gradientCurve;
   return scene;
 }
 

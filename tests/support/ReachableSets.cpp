@@ -96,7 +96,6 @@ const Groups others{
     {Effect::emptySpaceSkipping, Effect::occlusion, Effect::preintegration, Effect::cutFaces},
     {Effect::emptySpaceSkipping, Effect::shadow, Effect::occlusion, Effect::hybrid, Effect::ownWeights},
     {Effect::emptySpaceSkipping, Effect::shadow, Effect::occlusion, Effect::isosurface},
-    {Effect::shadow, Effect::occlusion, Effect::localSteps, Effect::earlyTermination},
     {Effect::shadow, Effect::labelLooks, Effect::region, Effect::denseFunctions},
     {Effect::shadow, Effect::longRays, Effect::fogLinear},
     {Effect::sampleCounts},

@@ -17,6 +17,7 @@ namespace {
 constexpr double lampRadius = 6.0;
 constexpr double marginAround = lampRadius + 2.0; // a lamp on the rim is seen whole
 constexpr double stepDeg = 5.0;                   // of an arrow key
+constexpr std::uint64_t longestPauseMs = 1000;    // between presses that are one edit
 
 // Turned about an axis of the view: 0 rightwards, 1 upwards.
 glm::dvec3 turnedAbout(const glm::dvec3& place, int axis, double degrees) {
@@ -132,7 +133,11 @@ void LightBall::moveTo(const QPointF& position) {
 
 void LightBall::keyPressEvent(QKeyEvent* event) {
   const auto turn = [&](int axis, double degrees) {
-    edit(glm::normalize(turnedAbout(m_place, axis, degrees)), m_keys.idOf(0, event->timestamp()));
+    // Presses one after another are one step back.
+    if (event->timestamp() > m_lastKeyMs + longestPauseMs)
+      m_gestureId = nextGestureId();
+    m_lastKeyMs = event->timestamp();
+    edit(glm::normalize(turnedAbout(m_place, axis, degrees)), m_gestureId);
   };
   switch (event->key()) {
   case Qt::Key_Left:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "widgets/Gesture.h"
-#include "widgets/view/gestures/CameraHistory.h"
 
 #include <QWidget>
 
@@ -51,7 +50,7 @@ private:
   glm::dvec3 m_place{0.0, 0.0, 1.0};
   double m_ambient = 0.25;
   std::uint64_t m_gestureId = 0;
-  GestureRuns m_keys;
+  std::uint64_t m_lastKeyMs = 0;
 };
 
 } // namespace limn
