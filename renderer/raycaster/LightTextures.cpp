@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glsl/textures/LightTextures.h"
+#include "raycaster/LightTextures.h"
 
 #include "gl/DriverHealth.h"
 #include "glsl/programs/SceneUniforms.h"
