@@ -96,11 +96,6 @@ TurnedBoxController::TurnedBoxController(WindowContext& context)
               "are dragged, leave outside is cut away."),
        .needsVolume = true});
   connect(turn, &QAction::triggered, this, &TurnedBoxController::turn);
-  // Put away, the box is the crop's again; what it cut stays.
-  connect(&context.actions.find("cropBox"), &QAction::toggled, this, [this](bool isShown) {
-    if (!isShown)
-      end();
-  });
   connect(&context.view.input(), &ViewInput::turnedBoxEdited, this, &TurnedBoxController::cropTo);
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
@@ -112,7 +107,14 @@ void TurnedBoxController::turn() {
   m_turned = Turned{scene.volume, boxTurnedTo(scene.camera, scene), scene.keep.cuts, scene.keep.cuts,
                     scene.keep.cuts};
   m_context.view.setTurnedBox(m_turned->box);
-  m_context.actions.find("cropBox").setChecked(true);
+  QAction& cropBox = m_context.actions.find("cropBox");
+  cropBox.setChecked(true);
+  // Put away, the box is the crop's again; what it cut stays.
+  disconnect(m_putAway);
+  m_putAway = connect(&cropBox, &QAction::toggled, this, [this](bool isShown) {
+    if (!isShown)
+      end();
+  });
   m_context.window.statusBar()->showMessage(
       tr("The box lies as the picture does now. Its handles cut; the list of cuts has what they take."),
       turnedToldForMs);
@@ -141,6 +143,7 @@ void TurnedBoxController::showScene(const Scene& scene) {
 }
 
 void TurnedBoxController::end() {
+  disconnect(m_putAway);
   m_turned.reset();
   m_context.view.setTurnedBox(std::nullopt);
 }

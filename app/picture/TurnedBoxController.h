@@ -54,6 +54,7 @@ private:
 
   WindowContext& m_context;
   std::optional<Turned> m_turned;
+  QMetaObject::Connection m_putAway; ///< the box, while there is one
 };
 
 } // namespace limn
