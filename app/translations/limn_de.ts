@@ -2517,7 +2517,7 @@
     </message>
     <message>
         <source>Cut open the co&amp;rner to the crosshair</source>
-        <translation>&amp;Ecke bis zum Fadenkreuz aufschneiden</translation>
+        <translation>Ec&amp;ke bis zum Fadenkreuz aufschneiden</translation>
     </message>
     <message>
         <source>The corner is cut open to the crosshair. The cut goes with the crosshair; Esc closes it.</source>
@@ -10888,7 +10888,7 @@
     </message>
     <message>
         <source>Turn the crop bo&amp;x to this view</source>
-        <translation>Zuschnittbox in diese Ansicht &amp;drehen</translation>
+        <translation>Zuschnittbo&amp;x in diese Ansicht drehen</translation>
     </message>
     <message>
         <source>Puts a box over the picture that lies as the picture is seen now; what its faces, which are dragged, leave outside is cut away.</source>

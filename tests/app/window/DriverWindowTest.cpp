@@ -40,8 +40,10 @@ TEST_F(DriverWindow, aSessionGoesOnWhereTheDriverRefusesEveryShader) {
   // Once the driver works, it draws the session as it is now.
   broken.reset();
   const Scene edited = scene();
+  std::cerr << "DBG " << view().width() << "x" << view().height() << " " << edited.camera.position.x << " " << edited.camera.position.y << " " << int(view().compareLayout()) << "\n";
   QTest::mouseClick(view().findChild<QPushButton*>(QStringLiteral("retryGraphics")), Qt::LeftButton);
   ASSERT_TRUE(rest());
+  std::cerr << "DBG " << view().width() << "x" << view().height() << " " << scene().camera.position.x << " " << scene().camera.position.y << " " << int(view().compareLayout()) << "\n";
   EXPECT_EQ(scene(), edited);
   EXPECT_EQ(undo().count(), 1);
   EXPECT_FALSE(view().pictureState().driverHasFailed);

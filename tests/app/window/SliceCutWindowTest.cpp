@@ -257,7 +257,7 @@ TEST_F(SliceCutWindow, aSliceIsCopiedAndSavedWithItsMarksAndWithoutTheCrosshair)
   const glm::dvec3 middle = crosshairOf(axial().content());
   session().setMeasurements({{Measurement::Kind::distance,
                               PatientPlane::axial,
-                              {middle - glm::dvec3(40, 0, 0), middle + glm::dvec3(40, 0, 0)}}},
+                              {middle - glm::dvec3(80, 0, 0), middle + glm::dvec3(80, 0, 0)}}},
                             {nextGestureId(), QStringLiteral("measure")});
   const auto choose = [&](const char* entry) {
     QTest::mouseClick(window->windowHandle(), Qt::RightButton, {}, at(axial(), middle));
@@ -284,7 +284,7 @@ TEST_F(SliceCutWindow, aSliceIsCopiedAndSavedWithItsMarksAndWithoutTheCrosshair)
   for (int column = 0; column < copied.width(); ++column)
     white += copied.pixelColor(column, y) == QColor(255, 255, 255);
   const double mm = mmPerLogicalPixel(axial().frame());
-  EXPECT_GT(white, 0.6 * 80.0 / mm) << "a line of 80 mm";
+  EXPECT_GT(white, 0.5 * 160.0 / mm) << "a line of 160 mm, less what its number covers";
 
   typeName(pathTo("slice"));
   choose("saveSlice");
@@ -303,7 +303,7 @@ TEST_F(SliceCutWindow, aDistanceOfASliceStandsInThePictureAndIsLedInTheSlice) {
   const glm::dvec3 middle = crosshairOf(axial().content());
   session().setMeasurements({{Measurement::Kind::distance,
                               PatientPlane::axial,
-                              {middle - glm::dvec3(40, 0, 0), middle + glm::dvec3(40, 0, 0)}},
+                              {middle - glm::dvec3(80, 0, 0), middle + glm::dvec3(80, 0, 0)}},
                              {Measurement::Kind::ellipse,
                               PatientPlane::axial,
                               {middle - glm::dvec3(10, 10, 0), middle + glm::dvec3(10, 10, 0)}}},
