@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuRenderer.h"
 
-#include "cpu/Threads.h"
+#include "cpu/rays/Threads.h"
 #include "cpu/paths/PathScene.h"
 #include "cpu/paths/TracePaths.h"
 #include "cpu/simd/DrawRow.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/LightStore.h"
 
-#include "cpu/Threads.h"
+#include "cpu/rays/Threads.h"
 #include "cpu/simd/FindLight.h"
 #include "scene/light/LightDirections.h"
 #include "scene/steps/BlockRanges.h"

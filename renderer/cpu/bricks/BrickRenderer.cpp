@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/bricks/BrickRenderer.h"
 
-#include "cpu/Threads.h"
+#include "cpu/rays/Threads.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
 #include "engine/VolumeTooLarge.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cpu/Threads.h"
+#include "cpu/rays/Threads.h"
 
 #include "scene/basics/Error.h"
 
