@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuRenderer.h"
 
-#include "cpu/rays/Threads.h"
 #include "cpu/paths/PathScene.h"
 #include "cpu/paths/TracePaths.h"
+#include "cpu/rays/Threads.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
 #include "engine/PixelRect.h"
