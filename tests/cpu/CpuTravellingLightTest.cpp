@@ -77,9 +77,9 @@ TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
     Bound fine, coarse;
   };
   for (const Bounds& bounds : {Bounds{"shadow alone", {10.0, 0.5}, {16.0, 0.95}},
-                               Bounds{"occlusion alone", {6.4, 1.15}, {14.4, 2.4}},
-                               Bounds{"enhanced, with gradient opacity", {17.6, 1.15}, {30.5, 3.2}},
-                               Bounds{"looks of labels", {13.2, 1.45}, {37.5, 3.3}}}) {
+                               Bounds{"occlusion alone", {12.3, 2.95}, {13.2, 2.75}},
+                               Bounds{"enhanced, with gradient opacity", {19.5, 2.1}, {32.3, 2.65}},
+                               Bounds{"looks of labels", {16.6, 3.25}, {37.0, 3.5}}}) {
     Scene scene = shadowedHead(3.0);
     std::ranges::find(travelCases, std::string(bounds.what), &TravelCase::what)->apply(scene);
     CpuRenderer renderer;

@@ -58,11 +58,11 @@ void completeAll(const LightNodes& nodes, Light& light, const glm::ivec4& allCom
 } // namespace
 
 LightLook lightLook(const LightNodes& nodes, const Grid& grid, bool isFine) {
-  if (isFine)
-    return {LightLook::farthest, 1.5, true};
   const glm::dvec3 mm = nodes.stride * grid.spacingMm;
-  const double half = 0.5 * std::min({mm.x, mm.y, mm.z}) / smallestSpacingMm(grid);
-  return {std::max(1.75, half), std::max(1.5, half), false};
+  const double stride = std::min({mm.x, mm.y, mm.z}) / smallestSpacingMm(grid);
+  if (isFine)
+    return {LightLook::farthest, std::max(1.5, stride), true};
+  return {std::max(1.75, 0.5 * stride), std::max(1.5, stride), false};
 }
 
 void complete(const LightNodes& nodes, DirectLight& light) {

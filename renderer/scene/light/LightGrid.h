@@ -58,10 +58,10 @@ struct LightLook {
   bool operator==(const LightLook&) const = default;
 };
 
-/// Of a picture of fine light, or of one whose light must be found quickly. Between nodes that tissue hides
-/// and others M is mixed: nodes that lie far from each other are asked farther away. The lengths are those
-/// that came nearest to light found for each sample, over four volumes (`limn_cpu_tests
-/// --gtest_filter=CpuTravellingLight.lookedUp*` for one).
+/// Of a picture of fine light, or of one whose light must be found quickly. Nodes hidden in tissue lie beside
+/// open ones: asked nearer than they lie from each other they show as a pattern on every surface, asked
+/// farther they tell of hollows less. Of the lengths that show none these are the nearest to light found for
+/// each sample (`limn_cpu_tests --gtest_filter=CpuTravellingLight.lookedUp*`).
 LightLook lightLook(const LightNodes& nodes, const Grid& grid, bool isFine);
 
 /// Makes every node known: one that is not takes the mean of those that are among its 26 neighbours, so that
