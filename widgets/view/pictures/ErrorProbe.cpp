@@ -38,8 +38,8 @@ bool ErrorProbe::step(DrawingEngine& engine) {
     if (!side.isDue)
       continue;
     side.isDue = false;
-    // What a grid of light is off by takes seconds to tell, and steps alone would tell too little: at rest. Of
-    // paths they tell nothing.
+    // What a grid of light is off by takes seconds to tell, and steps alone would tell too little: at rest.
+    // Of paths they tell nothing.
     if (hasTravellingLight(side.scene) || isPhysical(side.scene))
       continue;
     const double step = side.scene.quality.stepVoxels;
