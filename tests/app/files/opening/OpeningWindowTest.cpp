@@ -40,6 +40,8 @@ protected:
       *asked = dialog.directory().absolutePath();
       dialog.reject();
     });
+    // The dialog before this one may not have given the keys back yet.
+    EXPECT_TRUE(test::waitUntil([this] { return window->isActiveWindow(); }));
     QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
     return *asked;
   }
