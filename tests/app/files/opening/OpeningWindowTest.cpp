@@ -40,8 +40,9 @@ protected:
       *asked = dialog.directory().absolutePath();
       dialog.reject();
     });
-    // The dialog before this one may not have given the keys back yet.
-    EXPECT_TRUE(test::waitUntil([this] { return window->isActiveWindow(); }));
+    // Without a window manager nobody gives the keys back when the dialog before this one ends.
+    window->activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
     QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
     return *asked;
   }
