@@ -7,69 +7,13 @@
 #include <QWidget>
 
 #include <array>
-#include <functional>
 
 class QAction;
-class QBoxLayout;
-class QComboBox;
-class QToolButton;
 
 namespace limn {
 
-class NumberField;
+class PlaneBar;
 class PlaneView;
-
-/// The row above the slices: tools (those that measure share a button with a menu), grey window, slab, tint.
-/// It shows settings and asks for others.
-class PlaneBar : public QWidget {
-  Q_OBJECT
-
-public:
-  explicit PlaneBar(QWidget* parent = nullptr);
-
-  void setContent(const PlaneContent& content);
-  void setTool(PlaneTool tool);
-
-  /// A button for something that is done elsewhere.
-  void addButton(QAction& action);
-
-  /// How high it is at a width: the groups of controls stand beside each other or, where that has no room,
-  /// below.
-  int heightAt(int width) const;
-
-signals:
-  void settingsEdited(const limn::PlaneSettings& settings);
-  void measurementsEdited(const limn::MeasurementsEdited& edited);
-  void toolRequested(limn::PlaneTool tool);
-
-protected:
-  void changeEvent(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
-
-private:
-  QWidget* makeToolGroup();
-  QWidget* makeSlabGroup();
-  QToolButton* makeMeasureButton();
-  QToolButton* makeMoreButton();
-  void fillWindowMenu();
-  bool needsTwoRows(int width) const;
-  void edit(const std::function<void(PlaneSettings&)>& change);
-  void showIcons();
-
-  PlaneContent m_content;
-  QBoxLayout* m_row;
-  std::array<QWidget*, 2> m_groups{};
-  std::array<QToolButton*, 2> m_tools{}; ///< crosshair and window/level, the first of PlaneTool
-  QToolButton* m_measure = nullptr;      ///< the tool that measured last, the others in its menu
-  PlaneTool m_measureTool = PlaneTool::distance;
-  QToolButton* m_windows = nullptr;
-  NumberField* m_width = nullptr;
-  NumberField* m_centre = nullptr;
-  NumberField* m_thickness = nullptr;
-  QComboBox* m_mode = nullptr;
-  QToolButton* m_tint = nullptr;
-};
 
 /// The picture and the slices beside it, as the settings lay them out: the picture alone, four equal places,
 /// or one slice large with the picture and the other two in a column at its right. Without a volume there is
@@ -90,7 +34,7 @@ public:
   void setLinesRemoveInside(bool isInside);
   void setWheelIsForPiece(bool isForPiece);
   /// A button in the row above the slices, for something that is done elsewhere.
-  void addButton(QAction& action) { m_bar->addButton(action); }
+  void addButton(QAction& action);
 
   PlaneView* view(PatientPlane plane) const { return m_views[static_cast<std::size_t>(plane)]; }
 

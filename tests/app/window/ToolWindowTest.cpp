@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "scene/view/PlaneSettings.h"
+#include "widgets/planes/PlaneBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/view/gestures/ViewDrag.h"

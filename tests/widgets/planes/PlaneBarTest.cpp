@@ -2,6 +2,7 @@
 #include "PlaneHost.h"
 
 #include "widgets/controls/NumberField.h"
+#include "widgets/planes/PlaneBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneView.h"
 
