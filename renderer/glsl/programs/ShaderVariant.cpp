@@ -53,7 +53,7 @@ const char* jitterBlock(const Decisions& decisions) {
 // How gradients are found concerns those of the volume.
 const char* gradientBlock(EffectSet effects, const Decisions& decisions) {
   if (effects.has(Effect::smoothNormals))
-    return "gradient.glsl";
+    return "smoothed_gradient.glsl";
   switch (decisions.gradients) {
   case GradientFormat::onTheFly:
     return "gradient.glsl";
