@@ -113,11 +113,12 @@ signals:
   /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
   void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
   void pinRequested(double value);
+  /// Where that value is, world millimetres.
   void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
-  void everythingRequested();         ///< of what a region hides
+  void everythingRequested();         ///< the note was clicked that tells what a region hides
   void maximiseRequested();
-  void windowPresetRequested(int number);
+  void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
   void shortcutListRequested();
   void swapRequested();
   void toolChanged(limn::ViewTool tool);
