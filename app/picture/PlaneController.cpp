@@ -30,7 +30,7 @@ PlaneController::PlaneController(WindowContext& context)
   connect(&context.planes, &PlaneDeck::settingsEdited, &context.session, &Session::setPlanes);
   connect(&context.session, &Session::planesChanged, this, &PlaneController::show);
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { showScene(scene); });
-  connect(&context.view, &CompareView::probed, this, &PlaneController::showProbe);
+  connect(&context.view.input(), &ViewInput::probed, this, &PlaneController::showProbe);
   connect(&context.view.input(), &ViewInput::pinRequested, this, &PlaneController::valuePinned);
   connect(&context.view.input(), &ViewInput::placePinned, this, &PlaneController::showInSlices);
 }

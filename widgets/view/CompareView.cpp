@@ -87,7 +87,6 @@ void CompareView::connectInput() {
     setWipePosition(fraction);
     emit wipeMoved(wipePosition());
   });
-  connect(m_input, &ViewInput::probed, this, &CompareView::probed);
   connect(m_input, &ViewInput::modelsRequested, this, &CompareView::offerModels);
   connect(m_input, &ViewInput::swapRequested, this, [this] { setSwapped(true); });
   connect(m_input, &ViewInput::toolChanged, this, &CompareView::toolChanged);

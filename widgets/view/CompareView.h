@@ -104,6 +104,10 @@ public:
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
+  /// What is seen in the middle of the picture, where known: the scale holds there, else at the camera's
+  /// target.
+  void setMiddle(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.middleMm, worldMm); }
+
   /// Draws what was measured over the pictures; nothing at first.
   void setMeasures(const std::vector<SeenMeasure>& measures) { set(m_order.comparison.measures, measures); }
 
@@ -176,8 +180,6 @@ signals:
   void cameraFitted(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
-  /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
-  void probed(const std::optional<limn::Probe>& probe);
   void modelChosen(int side, limn::ShadingModel model);
   /// A menu opens that offers presets for the picture of a side; it is to be filled.
   void presetMenuAsked(QMenu* menu, int side);

@@ -12,11 +12,14 @@
 
 #include <QDockWidget>
 #include <QMenu>
+#include <QStatusBar>
 
 #include <algorithm>
 
 namespace limn {
 namespace {
+
+constexpr int toldForMs = 6000;
 
 // Whether a curve lets no voxel of a volume be seen.
 bool showsNothing(const TransferFunction& function, const Histogram& histogram) {
@@ -256,10 +259,15 @@ void PresetController::fillMenu(QMenu& menu, int side) {
 }
 
 void PresetController::show(const Preset& preset, const QString& edit) {
-  if (const std::optional<Scene> ofPart = m_shownAs(preset))
+  if (const std::optional<Scene> ofPart = m_shownAs(preset)) {
     m_context.session.edit(*ofPart, {nextGestureId(), edit});
-  else
+    m_context.window.statusBar()->showMessage(
+        tr("\"%1\" shapes the curve in hand, of one label or piece; the picture's other curves stay.")
+            .arg(presetWords(QString::fromStdString(preset.name))),
+        toldForMs);
+  } else {
     m_context.session.usePreset(asUsed(preset), {nextGestureId(), edit});
+  }
   markShown(); // one that changes nothing is in use as well
 }
 

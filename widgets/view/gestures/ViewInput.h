@@ -88,6 +88,7 @@ signals:
   /// The same of the turned box, while one stands over the pictures.
   void turnedBoxEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void wipeEdited(double fraction);
+  /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
   void probed(const std::optional<limn::Probe>& probe);
   /// The ray that is probed, whatever it meets, of the picture of a side.
   void rayRead(const limn::Ray& ray, int side);
