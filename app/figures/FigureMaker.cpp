@@ -30,6 +30,7 @@ uchar byteOfShare(float value) {
 void state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
   const std::optional<ErrorByChance> chance =
       chanceOf(picture.scene, picture.image, {effort.threads, effort.isCancelled, {}});
+  panel.isAim = false;
   panel.isStated = chance.has_value();
   panel.errorLevels = chance ? std::optional(chance->levels) : std::nullopt;
 }

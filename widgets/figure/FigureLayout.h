@@ -27,6 +27,7 @@ struct FigurePanel {
   std::vector<Measurement> measurements = {};
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
+  bool isAim = false;    ///< it is what the drawing goes for; what it reached is known afterwards
   bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated
   bool operator==(const FigurePanel&) const = default;
 };
