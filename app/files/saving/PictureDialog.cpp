@@ -75,6 +75,7 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   setObjectName(QStringLiteral("pictureDialog"));
   setWindowTitle(tr("Save the picture"));
   m_size->setObjectName(QStringLiteral("pictureSize"));
+  m_pixels->setObjectName(QStringLiteral("picturePixels"));
   m_size->addItems(
       {tr("As on screen"), tr("Twice as large"), tr("Four times as large"), tr("For print, 300 dpi")});
   m_size->setCurrentIndex(static_cast<int>(options.size));
