@@ -96,7 +96,7 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   auto* marks = new QVBoxLayout;
   form->addRow(tr("With it"), marks);
   const SavedMarks& on = options.marks;
-  addMark("pictureNames", tr("&Names of models or presets"), on.names);
+  addMark("pictureNames", tr("&Names, and what is hidden"), on.names);
   addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
   addMark("pictureScale", tr("&Scale bar"), on.scale);
   addMark("pictureWarning", tr("\"Not for &diagnosis\""), on.warning);
