@@ -383,7 +383,7 @@ TEST_F(RegionWindow, aTurnedBoxComesBackAsLongAsItsCutsAreTheLast) {
 
   // Another cut behind it ends it.
   std::vector<Cut> more = scene().keep.cuts;
-  more.push_back({ConnectedPiece{{0.0, 0.0, 0.0}, {1e6, 2e6}, 1}});
+  more.push_back({ConnectedPiece{indexToWorld(scene().volume->grid(), {18, 18, 18}), {1000.0, 1300.0}}});
   window->findChild<RegionController*>()->setCuts(more, QStringLiteral("piece"));
   ASSERT_TRUE(ready());
   EXPECT_FALSE(turned);
