@@ -14,6 +14,7 @@
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/panels/ViewPanels.h"
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -100,6 +101,8 @@ void MainWindow::connectPictureAndPanels() {
   connect(properties->cutSection(), &CutSection::pieceRequested, &m_context.view,
           [this] { m_context.view.setTool(ViewTool::piece); });
   connectMeasures(m_picture.measures(), *properties->measureSection());
+  connect(&m_context.actions.find("cropBox"), &QAction::toggled, &m_picture.turnedBox(),
+          &TurnedBoxController::showBox);
   connect(planes, &PlaneController::valueMarked, curve, &TransferFunctionEditor::setMark);
   connect(planes, &PlaneController::valuePinned, curve, &TransferFunctionEditor::setPinnedValue);
   connect(&m_panels.ray(), &RayController::placeChosen, planes, &PlaneController::goTo);

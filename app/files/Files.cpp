@@ -95,18 +95,26 @@ void RemarksController::lookForLooks(const LoadedScene& loaded, const Request& r
     progress.isCancelled = effort.isCancelled;
     const std::vector<std::filesystem::path> found = looksBeside(*dicom, series, progress);
     return [this, volume, found] {
-      if (found.empty() || m_context.document.scene().volume != volume)
-        return;
       QStringList looks;
       for (const std::filesystem::path& look : found)
         looks << QString::fromStdString(look.string());
-      offer(looks);
+      offer(volume, looks);
     };
   });
 }
 
 // Nobody is named: a file may be called after its patient.
-void RemarksController::offer(const QStringList& looks) {
+void RemarksController::offer(const std::shared_ptr<const Volume>& volume, const QStringList& looks) {
+  m_isWaiting = false;
+  if (looks.isEmpty() || m_context.document.scene().volume != volume)
+    return;
+  if (m_context.messages.isAsking()) { // of two questions the first comes first
+    m_isWaiting = true;
+    connect(
+        &m_context.messages, &MessageBar::wanted, this, [this, volume, looks] { offer(volume, looks); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+    return;
+  }
   QStringList details;
   if (!m_context.messages.isHidden()) // what was said of the series stays to be read
     details << m_context.messages.sentence();

@@ -61,7 +61,7 @@ struct FileSources {
 
 /// What there is to say of a volume that was opened, with what can be done about it; what a person has
 /// answered since is no longer said. Of a DICOM series it offers the looks that lie beside it, once it has
-/// searched them beside the event loop.
+/// searched them beside the event loop, and once what is asked meanwhile has been answered.
 class RemarksController : public QObject {
   Q_OBJECT
 
@@ -72,10 +72,13 @@ public:
   /// What to say of the volume that is open now; `notes` come from opening it.
   void show(const std::vector<Message>& notes);
 
+  /// Whether it has looks to offer once something else has been answered.
+  bool isWaiting() const { return m_isWaiting; }
+
 private:
   void say();
   void lookForLooks(const LoadedScene& loaded, const Request& request);
-  void offer(const QStringList& looks);
+  void offer(const std::shared_ptr<const Volume>& volume, const QStringList& looks);
   void followScene(const Scene& scene);
 
   WindowContext& m_context;
@@ -84,6 +87,7 @@ private:
   std::vector<Message> m_notes;
   std::shared_ptr<const Volume> m_volume; ///< of which something is said
   QString m_said;                         ///< what the bar shows of it
+  bool m_isWaiting = false;
 };
 
 /// What comes into the window and leaves it: opening, saving and keeping of sessions, figures and exports.

@@ -265,7 +265,7 @@ void AccuracyController::useSteps(const WithinTolerance& found) {
   setWork(AccuracyWork::none);
   m_context.session.setQuality(found.scene.quality, m_toleranceGesture);
   if (!found.holds)
-    m_context.messages.show(MessageBar::Kind::note, translated(found.sentence));
+    m_context.messages.show(MessageBar::Kind::warning, translated(found.sentence));
 }
 
 // The map is of the picture as it stands on screen, refined or not.

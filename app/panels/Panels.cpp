@@ -216,6 +216,8 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
 // Air and table would lie between its handles and what is seen.
 void CropBoxController::begin(bool isShown) {
   const Scene& scene = m_context.session.scene();
+  if (m_context.view.order().comparison.turnedBox)
+    return; // what shows is another box
   const CropBox around = isShown ? boxAroundBody(scene) : CropBox{};
   if (isShown && scene.crop == CropBox{} && around != CropBox{}) {
     m_begun = Begun{scene.volume, around, nextGestureId()};

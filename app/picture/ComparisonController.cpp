@@ -329,7 +329,8 @@ void ComparisonController::show() {
 }
 
 void ComparisonController::describe(SessionDocument& session) const {
-  session.layout = m_context.view.compareLayout();
+  session.layout = m_wanted; // what gave way comes back with the room
+  session.layoutIsAsked = m_isAsked;
   session.leftModel = m_left;
   session.rightModel = m_look ? m_ownModel.value_or(m_context.session.scene().shading.model) : m_right;
   session.wipe = m_context.view.wipePosition();
@@ -349,7 +350,10 @@ void ComparisonController::restore(const SessionDocument& session) {
   if (m_look && !m_look->shading)
     m_look->shading = m_context.session.scene().shading;
   m_context.view.setWipePosition(session.wipe);
-  setLayout(session.layout);
+  m_beforeImage.reset();
+  m_wanted = session.layout;
+  m_isAsked = session.layoutIsAsked;
+  fitLayout();
 }
 
 } // namespace limn

@@ -54,6 +54,7 @@ public:
   PlaneController& planes() { return m_planes; }
   MeasureController& measures() { return m_measures; }
   CrosshairController& crosshair() { return m_crosshair; }
+  TurnedBoxController& turnedBox() { return m_turnedBox; }
 
   /// What another volume, or none, is called in the status bar.
   void showVolume(const Volume* volume) { m_status.showVolume(volume); }

@@ -17,13 +17,41 @@ namespace {
 
 constexpr int turnedToldForMs = 6000;
 
+// Of a box found again, as a share of its size: a millionth of a voxel, and a million times what a double
+// rounds.
+constexpr double roundingOfBox = 1e-9;
+
 // Where a place lies in a box, as fractions along its axes.
 glm::dvec3 fractionsIn(const Grid& box, const glm::dvec3& placeMm) {
   return (worldToIndex(box, placeMm) + 0.5) / glm::dvec3(box.dims);
 }
 
+// Around the whole volume, along three axes at right angles to one another.
+Grid gridAround(const Grid& volume, const glm::dmat3& axes) {
+  Grid grid;
+  grid.direction = axes;
+  glm::dvec3 first(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const ReachMm reach = reachAlong(volume, axes[axis]);
+    const double size = reach.last - reach.first;
+    grid.dims[axis] = std::max(1, static_cast<int>(std::lround(size / smallestSpacingMm(volume))));
+    grid.spacingMm[axis] = size / grid.dims[axis];
+    first[axis] = reach.first + grid.spacingMm[axis] / 2.0;
+  }
+  grid.originMm = axes * first;
+  return grid;
+}
+
+// The line that says what the rectangle across two axes leaves.
+struct Side {
+  int along, across, up;
+};
+constexpr Side besides{1, 0, 2};
+constexpr Side foreAndAft{2, 0, 1};
+
 // A rectangle of the box, seen along one of its axes, outside of which all goes.
-Cut sideCut(const TurnedBox& box, int along, int across, int up) {
+Cut sideCut(const TurnedBox& box, const Side& side) {
+  const auto [along, across, up] = side;
   const Grid& grid = box.grid;
   const glm::dvec3 size = boxSizeMm(grid);
   const double beyond = boxDiagonalMm(grid);
@@ -46,29 +74,63 @@ Cut sideCut(const TurnedBox& box, int along, int across, int up) {
   return {scissors, true, TurnedBoxController::tr("Turned box").toStdString()};
 }
 
+// The axes of the box that a line would say a side of.
+glm::dmat3 axesOf(const Camera& camera, const Side& side) {
+  const CameraBasis basis = basisOf(camera);
+  glm::dmat3 axes;
+  axes[side.along] = basis.forward;
+  axes[side.up] = basis.up;
+  axes[side.across] = glm::cross(axes[(side.across + 1) % 3], axes[(side.across + 2) % 3]);
+  return axes;
+}
+
+// The part of the box that the line of a side leaves across and up; the whole where it has not four corners.
+void setPart(TurnedBox& box, const Side& side, const Scissors& scissors) {
+  if (scissors.polygon.size() != 4)
+    return;
+  const CameraBasis basis = basisOf(scissors.camera);
+  const auto placeOf = [&](const glm::dvec2& corner) {
+    return fractionsIn(box.grid, scissors.camera.target + halfHeight(scissors.camera) *
+                                                              (corner.x * basis.right + corner.y * basis.up));
+  };
+  const glm::dvec3 lower = placeOf(scissors.polygon[0]), upper = placeOf(scissors.polygon[2]);
+  for (const int axis : {side.across, side.up}) {
+    box.crop.lower[axis] = lower[axis] < roundingOfBox ? 0.0 : lower[axis];
+    box.crop.upper[axis] = upper[axis] > 1.0 - roundingOfBox ? 1.0 : upper[axis];
+  }
+}
+
+// Whether two cuts take the same, but for the rounding of a box found again.
+bool takeTheSame(const Cut& a, const Cut& b) {
+  const auto* one = std::get_if<Scissors>(&a.how);
+  const auto* other = std::get_if<Scissors>(&b.how);
+  if (!one || !other || a.isOn != b.isOn || one->removesInside != other->removesInside ||
+      one->depthMm != other->depthMm || one->aspect != other->aspect ||
+      one->camera.projection != other->camera.projection || one->polygon.size() != other->polygon.size())
+    return false;
+  const double size = other->camera.heightMm;
+  double apart = std::max({glm::distance(one->camera.position, other->camera.position) / size,
+                           glm::distance(one->camera.target, other->camera.target) / size,
+                           glm::distance(one->camera.up, other->camera.up),
+                           std::abs(one->camera.heightMm - size) / size});
+  for (std::size_t i = 0; i < one->polygon.size(); ++i)
+    apart = std::max(apart, glm::distance(one->polygon[i], other->polygon[i]));
+  return apart <= roundingOfBox;
+}
+
 } // namespace
 
 TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene) {
   const Grid& volume = scene.volume->grid();
   const CameraBasis basis = basisOf(camera);
-  TurnedBox turned;
-  Grid& grid = turned.grid;
-  grid.direction = glm::dmat3(basis.right, basis.forward, basis.up);
-  glm::dvec3 first(0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const ReachMm reach = reachAlong(volume, grid.direction[axis]);
-    const double size = reach.last - reach.first;
-    grid.dims[axis] = std::max(1, static_cast<int>(std::lround(size / smallestSpacingMm(volume))));
-    grid.spacingMm[axis] = size / grid.dims[axis];
-    first[axis] = reach.first + grid.spacingMm[axis] / 2.0;
-  }
-  grid.originMm = grid.direction * first;
+  TurnedBox turned{gridAround(volume, glm::dmat3(basis.right, basis.forward, basis.up)), {}};
   const CropBox kept = scene.crop == CropBox{} ? boxAroundBody(scene) : scene.crop;
   turned.crop = {glm::dvec3(1.0), glm::dvec3(0.0)};
   for (int corner = 0; corner < 8; ++corner) {
     const glm::bvec3 isUpper(corner & 1, corner & 2, corner & 4);
     const glm::dvec3 fraction = glm::mix(kept.lower, kept.upper, isUpper);
-    const glm::dvec3 at = fractionsIn(grid, indexToWorld(volume, fraction * glm::dvec3(volume.dims) - 0.5));
+    const glm::dvec3 at =
+        fractionsIn(turned.grid, indexToWorld(volume, fraction * glm::dvec3(volume.dims) - 0.5));
     turned.crop.lower = glm::clamp(glm::min(turned.crop.lower, at), 0.0, 1.0);
     turned.crop.upper = glm::clamp(glm::max(turned.crop.upper, at), 0.0, 1.0);
   }
@@ -79,10 +141,30 @@ std::vector<Cut> cutsOf(const TurnedBox& box) {
   const auto isCut = [&](int axis) { return box.crop.lower[axis] > 0.0 || box.crop.upper[axis] < 1.0; };
   std::vector<Cut> cuts;
   if (isCut(0) || isCut(2))
-    cuts.push_back(sideCut(box, 1, 0, 2));
+    cuts.push_back(sideCut(box, besides));
   if (isCut(1))
-    cuts.push_back(sideCut(box, 2, 0, 1));
+    cuts.push_back(sideCut(box, foreAndAft));
   return cuts;
+}
+
+std::optional<FoundBox> boxAtTheEnd(const std::vector<Cut>& cuts, const Grid& volume) {
+  // Both lines, one of the sides, or one of front and back.
+  const std::vector<std::vector<Side>> ways = {{besides, foreAndAft}, {besides}, {foreAndAft}};
+  for (const std::vector<Side>& way : ways) {
+    if (cuts.size() < way.size())
+      continue;
+    const std::vector<Cut> last(cuts.end() - static_cast<std::ptrdiff_t>(way.size()), cuts.end());
+    if (!std::ranges::all_of(last, [](const Cut& cut) { return std::holds_alternative<Scissors>(cut.how); }))
+      continue;
+    TurnedBox box{gridAround(volume, axesOf(std::get<Scissors>(last.front().how).camera, way.front())), {}};
+    for (std::size_t i = 0; i < way.size(); ++i)
+      setPart(box, way[i], std::get<Scissors>(last[i].how));
+    // Seen along another axis than its own, a line would have its sides the wrong way round.
+    const bool hasRoom = glm::all(glm::lessThan(box.crop.lower, box.crop.upper));
+    if (hasRoom && std::ranges::equal(cutsOf(box), last, takeTheSame))
+      return FoundBox{box, last.size()};
+  }
+  return std::nullopt;
 }
 
 TurnedBoxController::TurnedBoxController(WindowContext& context)
@@ -107,17 +189,28 @@ void TurnedBoxController::turn() {
   m_turned = Turned{scene.volume, boxTurnedTo(scene.camera, scene), scene.keep.cuts, scene.keep.cuts,
                     scene.keep.cuts};
   m_context.view.setTurnedBox(m_turned->box);
-  QAction& cropBox = m_context.actions.find("cropBox");
-  cropBox.setChecked(true);
-  // Put away, the box is the crop's again; what it cut stays.
-  disconnect(m_putAway);
-  m_putAway = connect(&cropBox, &QAction::toggled, this, [this](bool isShown) {
-    if (!isShown)
-      end();
-  });
+  m_context.actions.find("cropBox").setChecked(true);
   m_context.window.statusBar()->showMessage(
       tr("The box lies as the picture does now. Its handles cut; the list of cuts has what they take."),
       turnedToldForMs);
+}
+
+void TurnedBoxController::showBox(bool isShown) {
+  if (!isShown)
+    end();
+  else if (!m_turned)
+    takeUp(m_context.session.scene());
+}
+
+// The box whose lines are the last of the list, if there is one.
+void TurnedBoxController::takeUp(const Scene& scene) {
+  const auto found = scene.volume ? boxAtTheEnd(scene.keep.cuts, scene.volume->grid()) : std::nullopt;
+  if (!found)
+    return end();
+  std::vector<Cut> before = scene.keep.cuts;
+  before.resize(before.size() - found->cuts);
+  m_turned = Turned{scene.volume, found->box, before, scene.keep.cuts, scene.keep.cuts};
+  m_context.view.setTurnedBox(m_turned->box);
 }
 
 void TurnedBoxController::cropTo(const CropBox& crop, const Gesture& gesture) {
@@ -131,7 +224,8 @@ void TurnedBoxController::cropTo(const CropBox& crop, const Gesture& gesture) {
   emit cutsWanted(m_turned->asked, gesture);
 }
 
-// The box is the crop's again once the list of cuts, or the volume, is another.
+// Once the list of cuts is another (one step back, edited), the box is the one that it says now, or the
+// crop's again.
 void TurnedBoxController::showScene(const Scene& scene) {
   if (!m_turned)
     return;
@@ -139,11 +233,10 @@ void TurnedBoxController::showScene(const Scene& scene) {
     m_turned->made = m_turned->asked;
   if (scene.volume == m_turned->volume && scene.keep.cuts == m_turned->made)
     return;
-  end();
+  takeUp(scene);
 }
 
 void TurnedBoxController::end() {
-  disconnect(m_putAway);
   m_turned.reset();
   m_context.view.setTurnedBox(std::nullopt);
 }

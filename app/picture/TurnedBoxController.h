@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,14 +25,29 @@ TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene);
 /// too, one seen along the third.
 std::vector<Cut> cutsOf(const TurnedBox& box);
 
+/// A box found again, and how many of the last cuts are its lines.
+struct FoundBox {
+  TurnedBox box;
+  std::size_t cuts = 0;
+};
+
+/// The box whose lines, as cutsOf makes them and all of them on, are the last of the cuts of this volume;
+/// none where they are something else. Such lines stand nowhere else: a line drawn by hand is seen neither
+/// from where these are nor through a picture of that height.
+std::optional<FoundBox> boxAtTheEnd(const std::vector<Cut>& cuts, const Grid& volume);
+
 /// The crop box turned as the picture is seen: its faces are dragged as those of the crop box, and what they
-/// take away are cuts at the end of the list, which go on until the list is edited otherwise.
+/// take away are cuts at the end of the list. As long as these are the last, the box that is shown is the
+/// turned one, also of a session that is opened again.
 class TurnedBoxController : public QObject {
   Q_OBJECT
 
 public:
   /// The crop box's action must have been registered once the window is shown.
   explicit TurnedBoxController(WindowContext& context);
+
+  /// The crop box is put over the picture, or put away.
+  void showBox(bool isShown);
 
 signals:
   /// The list of cuts shall be this.
@@ -48,13 +64,13 @@ private:
   };
 
   void turn();
+  void takeUp(const Scene& scene);
   void cropTo(const CropBox& crop, const Gesture& gesture);
   void end();
   void showScene(const Scene& scene);
 
   WindowContext& m_context;
   std::optional<Turned> m_turned;
-  QMetaObject::Connection m_putAway; ///< the box, while there is one
 };
 
 } // namespace limn

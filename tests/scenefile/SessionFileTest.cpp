@@ -34,6 +34,7 @@ SessionDocument unusual() {
   session.series = 2;
   session.spacingMm = glm::dvec3(0.5, 0.25, 1.1);
   session.layout = CompareLayout::wipe;
+  session.layoutIsAsked = false;
   session.leftModel = ShadingModel::none;
   session.rightModel = ShadingModel::robust;
   session.wipe = 0.3;

@@ -173,6 +173,24 @@ protected:
   std::vector<std::uint64_t> m_ids;
 };
 
+TEST_F(RangeSliderTest, aRangeHasItsColumnsWhereOneNumberHasThem) {
+  ValueSlider one(spec(false));
+  one.resize(300, 30);
+  one.show();
+  const auto* track = m_range.findChild<TrackSlider*>();
+  const auto* oneTrack = one.findChild<TrackSlider*>();
+  EXPECT_EQ(track->x(), oneTrack->x());
+  EXPECT_EQ(track->width(), oneTrack->width());
+  const auto* oneField = one.findChild<NumberField*>();
+  const QList<NumberField*> fields = m_range.findChildren<NumberField*>();
+  ASSERT_EQ(fields.size(), 2);
+  for (const NumberField* field : fields) {
+    EXPECT_EQ(field->x(), oneField->x());
+    EXPECT_EQ(field->width(), oneField->width());
+  }
+  EXPECT_GE(fields[1]->y(), fields[0]->geometry().bottom());
+}
+
 TEST_F(RangeSliderTest, settingEmitsNothing) {
   m_range.setRange(2.0, 3.0);
   EXPECT_TRUE(m_edits.empty());

@@ -78,9 +78,9 @@ TEST_F(LabelSectionTest, restingOnALabelTellsItsSizeAndValues) {
 
 TEST(LabelGroups, areLabelsWhoseNamesBeginWithTheSameWord) {
   const auto groups = [](const std::vector<const char*>& names) {
-    std::vector<QString> all;
+    std::vector<LabelKind> all;
     for (const char* name : names)
-      all.push_back(QString::fromLatin1(name));
+      all.push_back({QString::fromLatin1(name)});
     return groupsOf(all);
   };
   const auto one = [](int label) { return LabelGroup{{}, {label}}; };
@@ -91,6 +91,47 @@ TEST(LabelGroups, areLabelsWhoseNamesBeginWithTheSameWord) {
   EXPECT_EQ(groups({"Label 1", "Label 2", "Label 3"}), (std::vector<LabelGroup>{one(0), one(1), one(2)}))
       << "a word that all have tells nothing";
   EXPECT_TRUE(groups({}).empty());
+}
+
+// Types are told apart before names, and sorts join what is left.
+TEST(LabelGroups, areLabelsOfWhichTheirFileSaysTheSame) {
+  const auto kind = [](const char* name, const char* type, const char* category) {
+    return LabelKind{QString::fromLatin1(name), QString::fromLatin1(type), QString::fromLatin1(category)};
+  };
+  const auto one = [](int label) { return LabelGroup{{}, {label}}; };
+  std::vector<LabelKind> labels = {kind("Background", "", ""),
+                                   kind("left 1", "Rib", "Anatomical Structure"),
+                                   kind("lobe upper", "Upper lobe of lung", "Anatomical Structure"),
+                                   kind("left 2", "rib", "Anatomical Structure"),
+                                   kind("lobe lower", "Lower lobe of lung", "Anatomical Structure"),
+                                   kind("lobe middle", "Middle lobe of lung", "Anatomical Structure"),
+                                   kind("right 1", "Rib", "Anatomical Structure"),
+                                   kind("tumour", "Neoplasm", "Morphologically Abnormal Structure"),
+                                   kind("cyst", "Cyst", "Morphologically Abnormal Structure"),
+                                   kind("oedema", "Edema", "Morphologically Abnormal Structure")};
+  const std::vector<LabelGroup> expected = {
+      one(0),
+      {QStringLiteral("Rib"), {1, 3, 6}, false},
+      {QStringLiteral("lobe"), {2, 4, 5}, true},
+      {QStringLiteral("Morphologically Abnormal Structure"), {7, 8, 9}, false}};
+  EXPECT_EQ(groupsOf(labels), expected);
+  for (std::size_t n = 1; n < labels.size(); ++n)
+    labels[n].type = labels[n].category = QStringLiteral("Tissue");
+  EXPECT_EQ(groupsOf(labels)[2], (LabelGroup{QStringLiteral("lobe"), {2, 4, 5}}))
+      << "what all share tells nothing, and a name is more";
+}
+
+TEST_F(LabelSectionTest, theLabelsOfOneTypeAreAGroupInTheList) {
+  std::vector<Label> labels{{0, "background", glm::dvec3(0.5)}};
+  for (int n = 1; n <= 4; ++n)
+    labels.push_back(
+        {n, "piece" + std::to_string(n), glm::dvec3(0.9), n < 4 ? "Rib" : "Liver", "Anatomical Structure"});
+  scene.keep = labelled(labels);
+  section.setScene(scene);
+  ASSERT_EQ(model().rowCount(), 3);
+  EXPECT_EQ(model().index(1, 0).data().toString(), QStringLiteral("Rib (3)"));
+  EXPECT_TRUE(model().index(1, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("\"Rib\"")));
+  EXPECT_EQ(model().rowCount(model().index(1, 0)), 3);
 }
 
 TEST_F(LabelSectionTest, aGroupIsShownAndHiddenAtOnceAndOpensForASearch) {

@@ -154,6 +154,7 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_close->setAccessibleName(m_close->text());
   m_close->setToolTip(dismissal.text.isEmpty() ? tr("Hides this message.") : QString());
   m_goes = kind == Kind::note;
+  m_asks = kind == Kind::question;
   QFrame::show();
   layOver();
   goInTime();

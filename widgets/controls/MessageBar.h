@@ -43,6 +43,9 @@ public:
   /// Whether it is seen, or would be unless it were held back.
   bool isWanted() const { return m_isWanted; }
 
+  /// Whether what it says then is a question, to which nobody has answered yet.
+  bool isAsking() const { return m_isWanted && m_asks; }
+
   /// How long a note stands, ms: as long as reading it takes twice.
   static int readingMs(const QString& sentence);
 
@@ -68,6 +71,7 @@ private:
   std::function<void()> m_dismiss;
   QTimer* m_end; ///< runs while a note stands that nobody reads
   bool m_goes = false;
+  bool m_asks = false;
   bool m_isWanted = false;
   bool m_isHeldBack = false;
 };

@@ -21,6 +21,13 @@ int fieldWidth(const NumberSpec& spec) {
   return spec.unit.size() > 2 && spec.decimals > 3 ? 120 : 92;
 }
 
+// All rows have their columns at the same places.
+void setColumns(ResetLabel& label, TrackSlider& track) {
+  label.setFixedWidth(labelColumn);
+  label.setWordWrap(true);
+  track.setMinimumWidth(shortestTrack);
+}
+
 } // namespace
 
 ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
@@ -33,10 +40,7 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_label);
   layout->addWidget(m_slider, 1);
   layout->addWidget(m_field);
-  m_label->setFixedWidth(labelColumn);
-  m_label->setWordWrap(true);
-  m_slider->setMinimumWidth(shortestTrack);
-
+  setColumns(*m_label, *m_slider);
   m_label->setBuddy(m_field);
   setValue(spec.defaultValue);
   setSpec(spec);
@@ -87,15 +91,14 @@ RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
       m_upper(new NumberField(spec.lowest, spec.highest, spec.decimals)) {
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setHorizontalSpacing(4);
+  layout->setHorizontalSpacing(8);
   layout->setVerticalSpacing(4);
-  auto* dash = new QLabel(QString(QChar(0x2013)));
-  layout->addWidget(m_label, 0, 0);
-  layout->addWidget(m_lower, 0, 1);
-  layout->addWidget(dash, 0, 2);
-  layout->addWidget(m_upper, 0, 3);
-  layout->addWidget(m_slider, 1, 0, 1, 4);
-  layout->setColumnStretch(0, 1);
+  layout->addWidget(m_label, 0, 0, 2, 1);
+  layout->addWidget(m_slider, 0, 1, 2, 1);
+  layout->addWidget(m_lower, 0, 2);
+  layout->addWidget(m_upper, 1, 2);
+  layout->setColumnStretch(1, 1);
+  setColumns(*m_label, *m_slider);
 
   setRange(spec.defaultValue, spec.defaultUpper);
   setSpec(spec);
@@ -118,7 +121,7 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_slider->setDecimals(spec.decimals);
   for (NumberField* field : {m_lower, m_upper}) {
     field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
-    field->setFixedWidth(spec.unit.isEmpty() ? 58 : 72);
+    field->setFixedWidth(fieldWidth(spec));
     field->setLimits(spec.lowest, spec.highest, spec.decimals);
   }
   m_lower->setAccessibleName(

@@ -39,8 +39,8 @@ private:
   NumberField* m_field;
 };
 
-/// A range: its name, a field for each end, and one slider with two handles below. The ends do not pass each
-/// other: a typed end stops at the other. A double click on the name resets both.
+/// A range: as one number, with two handles on the slider and a field for each end, the upper one below. The
+/// ends do not pass each other: a typed end stops at the other. A double click on the name resets both.
 class RangeSlider : public QWidget {
   Q_OBJECT
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/LabelGroups.h"
 
+#include "widgets/properties/LabelSection.h"
+
 #include <QRegularExpression>
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace limn {
 namespace {
@@ -20,22 +23,48 @@ QString firstWord(const QString& name) {
 
 } // namespace
 
-std::vector<LabelGroup> groupsOf(const std::vector<QString>& names) {
-  std::map<QString, std::size_t> counts;
-  for (const QString& name : names)
-    ++counts[firstWord(name)];
-  const auto isGroup = [&](const QString& word) {
-    return !word.isEmpty() && counts[word] >= fewestInGroup && counts[word] < names.size();
+std::vector<LabelGroup> groupsOf(const std::vector<LabelKind>& labels) {
+  // What a label shares with others of its group, in lower case, and how it is written there.
+  struct Shared {
+    QString key;
+    QString name;
+    bool isByName = true;
+    bool operator<(const Shared& other) const {
+      return std::tie(isByName, key) < std::tie(other.isByName, other.key);
+    }
   };
+  std::vector<Shared> shared(labels.size());
+  const auto join = [&](const auto& sharedOf) {
+    std::map<QString, std::size_t> all, left;
+    for (std::size_t n = 0; n < labels.size(); ++n) {
+      const QString key = sharedOf(labels[n]).key;
+      ++all[key];
+      left[key] += shared[n].key.isEmpty() ? 1 : 0;
+    }
+    for (std::size_t n = 0; n < labels.size(); ++n) {
+      const Shared by = sharedOf(labels[n]);
+      // Every name says something; a type and a sort only some may have, of the background none is told.
+      const std::size_t told = labels.size() - (by.isByName ? 0 : all[QString()]);
+      if (shared[n].key.isEmpty() && !by.key.isEmpty() && left[by.key] >= fewestInGroup && all[by.key] < told)
+        shared[n] = by;
+    }
+  };
+  join([](const LabelKind& label) { return Shared{label.type.toLower(), label.type, false}; });
+  join([](const LabelKind& label) {
+    const QString word = firstWord(label.name);
+    return Shared{word, label.name.left(word.size()), true};
+  });
+  join([](const LabelKind& label) { return Shared{label.category.toLower(), label.category, false}; });
+
   std::vector<LabelGroup> groups;
-  std::map<QString, std::size_t> begun;
-  for (std::size_t n = 0; n < names.size(); ++n) {
-    const QString word = firstWord(names[n]);
+  std::map<Shared, std::size_t> begun;
+  for (std::size_t n = 0; n < labels.size(); ++n) {
+    const bool isInGroup = !shared[n].key.isEmpty();
     const auto [known, isNew] =
-        isGroup(word) ? begun.try_emplace(word, groups.size()) : std::pair(begun.end(), true);
+        isInGroup ? begun.try_emplace(shared[n], groups.size()) : std::pair(begun.end(), true);
     if (isNew)
-      groups.push_back({known == begun.end() ? QString() : names[n].left(word.size()), {}});
-    groups[known == begun.end() ? groups.size() - 1 : known->second].labels.push_back(static_cast<int>(n));
+      groups.push_back({shared[n].name, {}, shared[n].isByName});
+    groups[isInGroup ? known->second : groups.size() - 1].labels.push_back(static_cast<int>(n));
   }
   return groups;
 }
@@ -54,11 +83,14 @@ void LabelTree::setSourceModel(QAbstractItemModel* table) {
 }
 
 void LabelTree::regroup() {
-  std::vector<QString> names;
-  for (int row = 0; row < sourceModel()->rowCount(); ++row)
-    names.push_back(sourceModel()->index(row, 0).data().toString());
-  m_groups = groupsOf(names);
-  m_placeOf.assign(names.size(), {0, 0});
+  std::vector<LabelKind> labels;
+  for (int row = 0; row < sourceModel()->rowCount(); ++row) {
+    const QModelIndex label = sourceModel()->index(row, 0);
+    labels.push_back({label.data().toString(), label.data(LabelTable::typeRole).toString(),
+                      label.data(LabelTable::categoryRole).toString()});
+  }
+  m_groups = groupsOf(labels);
+  m_placeOf.assign(labels.size(), {0, 0});
   for (std::size_t group = 0; group < m_groups.size(); ++group)
     for (std::size_t n = 0; n < m_groups[group].labels.size(); ++n)
       m_placeOf[static_cast<std::size_t>(m_groups[group].labels[n])] = {static_cast<int>(group),
@@ -148,7 +180,11 @@ QVariant LabelTree::data(const QModelIndex& index, int role) const {
   case Qt::CheckStateRole:
     return markOf(group);
   case Qt::ToolTipRole:
-    return tr("%1 labels whose names begin with \"%2\": a click on the mark shows or hides all of them.")
+    return (group.isByName
+                ? tr("%1 labels whose names begin with \"%2\": a click on the mark shows or hides all of "
+                     "them.")
+                : tr("%1 labels that their file counts as \"%2\": a click on the mark shows or hides all of "
+                     "them."))
         .arg(group.labels.size())
         .arg(group.name);
   default:

@@ -12,13 +12,21 @@ namespace limn {
 struct LabelGroup {
   QString name;            ///< empty: one label that is in no group
   std::vector<int> labels; ///< rows of the table, in their order
+  bool isByName = true;    ///< or by what the file says that they are
   bool operator==(const LabelGroup&) const = default;
 };
 
-/// Labels whose names begin with the same word ("rib_left_1", "rib_right_2": "rib") in groups of three at
-/// least, each where its first label stands. A word with which all names begin tells none apart, and makes no
-/// group.
-std::vector<LabelGroup> groupsOf(const std::vector<QString>& names);
+/// What is known of a label that may join it with others.
+struct LabelKind {
+  QString name;
+  QString type{};     ///< as the file says; empty: it does not
+  QString category{}; ///< likewise, of which sort that is
+};
+
+/// Labels in groups of three at least, each where its first label stands: those of one type; of the rest
+/// those whose names begin with the same word ("rib_left_1", "rib_right_2": "rib"); of the rest those of one
+/// category. What all labels share tells none apart, and makes no group.
+std::vector<LabelGroup> groupsOf(const std::vector<LabelKind>& labels);
 
 /// A table of labels (LabelTable) as a tree: groups hold their labels, the others stand beside them. A group
 /// has a mark, which says whether its labels are shown, and shows or hides all of them.

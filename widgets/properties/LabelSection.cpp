@@ -198,6 +198,10 @@ QVariant LabelTable::nameData(std::size_t place, int role) const {
     return swatchOf(m_colors.contains(place) ? m_colors.at(place) : label.color);
   case Qt::CheckStateRole:
     return markOf(m_region.weights[place]);
+  case typeRole:
+    return QString::fromStdString(label.type);
+  case categoryRole:
+    return QString::fromStdString(label.category);
   case Qt::ToolTipRole:
     return tr("%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept.")
                .arg(QString::fromStdString(label.name))

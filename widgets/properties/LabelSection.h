@@ -28,6 +28,8 @@ class LabelTable : public QAbstractTableModel {
 
 public:
   enum Column { nameColumn, weightColumn, curveColumn, columns };
+  /// Of the name: what the label is, and of which sort, as its file says.
+  enum Role { typeRole = Qt::UserRole, categoryRole };
 
   using QAbstractTableModel::QAbstractTableModel;
 

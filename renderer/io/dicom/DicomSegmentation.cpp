@@ -193,6 +193,17 @@ std::vector<std::uint16_t> SegmentationFile::numbersOn(const Grid& grid, const S
   return numbers;
 }
 
+// What a code of a segment means to people.
+std::string meaningOf(const DicomDataset& segment, DicomTag sequence, const DicomElement* characters) {
+  const DicomDataset* code = firstItemOf(segment, sequence);
+  if (!code)
+    return {};
+  DicomDataset item = *code;
+  if (characters)
+    item.elements.emplace(tag::characterSet, *characters);
+  return plainText(utf8TextOf(item, tag::codeMeaning), longestName);
+}
+
 std::vector<Label> SegmentationFile::labels() const {
   std::vector<Label> labels;
   const auto sequence = m_file.dataset.elements.find(tag::segmentSequence);
@@ -208,6 +219,9 @@ std::vector<Label> SegmentationFile::labels() const {
     Label label{number, plainText(utf8TextOf(item, tag::segmentLabel), longestName), glm::dvec3(1.0)};
     if (color.size() == 3)
       label.color = colorOfCieLab({color[0], color[1], color[2]});
+    const DicomElement* set = characters != m_file.dataset.elements.end() ? &characters->second : nullptr;
+    label.type = meaningOf(item, tag::propertyTypeSequence, set);
+    label.category = meaningOf(item, tag::propertyCategorySequence, set);
     labels.push_back(std::move(label));
   }
   return labels;

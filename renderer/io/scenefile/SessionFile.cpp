@@ -17,6 +17,7 @@ constexpr Words<Panel, 4> panelWords{{"none", "properties", "effects", "accuracy
 
 void readComparison(JsonFields fields, SessionDocument& session) {
   fields.choice("layout", session.layout, compareLayouts);
+  fields.boolean("layout_is_asked", session.layoutIsAsked);
   fields.choice("left", session.leftModel, shadingModels);
   fields.choice("right", session.rightModel, shadingModels);
   fields.number("wipe", session.wipe, fraction);
@@ -129,6 +130,7 @@ std::string sessionToJson(const SessionDocument& session) {
   if (const auto& spacing = session.spacingMm)
     json["spacing_mm"] = {spacing->x, spacing->y, spacing->z};
   json["compare"] = {{"layout", nameOf(session.layout)},
+                     {"layout_is_asked", session.layoutIsAsked},
                      {"left", nameOf(session.leftModel)},
                      {"right", nameOf(session.rightModel)},
                      {"wipe", session.wipe}};

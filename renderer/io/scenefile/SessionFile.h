@@ -29,6 +29,7 @@ struct SessionDocument {
   std::optional<glm::dvec3> spacingMm; ///< given by the user, > 0
 
   CompareLayout layout = CompareLayout::sideBySide;
+  bool layoutIsAsked = true; ///< for by somebody: two pictures stay two where they have little room
   ShadingModel leftModel = ShadingModel::classic;
   ShadingModel rightModel = ShadingModel::enhanced;
   std::optional<Preset> snapshot; ///< a look that was put by, to compare with

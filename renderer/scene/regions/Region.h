@@ -22,6 +22,8 @@ struct Label {
   int value = 0; ///< as the file has it; 0 is the background
   std::string name;
   glm::dvec3 color{1.0};
+  std::string type{};     ///< what it is, among others of its file ("Rib"); empty: not told
+  std::string category{}; ///< of which sort that is ("Anatomical Structure"); empty: not told
   bool operator==(const Label&) const = default;
 };
 

@@ -9,6 +9,8 @@
 #include "widgets/view/gestures/ViewDrag.h"
 
 #include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 // From panel to panel by F6, and the picture and curve alone by F11.
@@ -92,6 +94,30 @@ TEST_F(PanelCycleTest, enterInThePresetListLeadsNowhereAndInTheSearchToThePictur
   QTest::keyClicks(search, QStringLiteral("bone"));
   QTest::keyClick(search, Qt::Key_Return);
   EXPECT_EQ(QApplication::focusWidget(), &view());
+}
+
+// What belongs to no panel is left by F6, and holds nobody.
+TEST_F(PanelCycleTest, fromToolBarAndMessagesItLeadsIntoThePanels) {
+  const auto expectWayOut = [this](QWidget& from) {
+    from.setFocus(Qt::TabFocusReason);
+    ASSERT_EQ(QApplication::focusWidget(), &from);
+    EXPECT_EQ(press(Qt::Key_F6), presetList());
+    EXPECT_EQ(press(Qt::Key_F6), &view());
+    from.setFocus(Qt::TabFocusReason);
+    EXPECT_TRUE(properties().isAncestorOf(press(Qt::Key_F6, Qt::ShiftModifier)));
+  };
+  auto* bar = window->findChild<QToolBar*>(QStringLiteral("toolBar"));
+  QToolButton* tool = nullptr;
+  for (QToolButton* button : bar->findChildren<QToolButton*>())
+    if (!tool && button->isVisible() && button->isEnabled() && button->focusPolicy() & Qt::TabFocus)
+      tool = button;
+  ASSERT_TRUE(tool);
+  expectWayOut(*tool);
+  messages().show(MessageBar::Kind::question, QStringLiteral("Shall I?"));
+  for (QToolButton* button : messages().findChildren<QToolButton*>())
+    if (button->isVisible())
+      return expectWayOut(*button);
+  ADD_FAILURE() << "the message has no button";
 }
 
 class PictureAndCurve : public PanelCycleTest {

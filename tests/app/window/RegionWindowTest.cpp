@@ -58,6 +58,23 @@ protected:
     return {};
   }
 
+  // By its handle, so many of the window's pixels, in the first picture.
+  void dragFace(const CropFace& face, const QPoint& by) {
+    const TurnedBox box = boxOver(view().order().comparison);
+    const CropBoxShape shape =
+        cropBoxShape(box.crop, box.grid, viewProjection(scene().camera, view().logicalRect(0)));
+    const auto grip =
+        std::ranges::find_if(shape.handles, [&](const CropHandle& handle) { return handle.face == face; });
+    ASSERT_NE(grip, shape.handles.end());
+    const QPoint from = view().mapTo(window.get(), grip->centre.toPoint());
+    QWindow* handle = window->windowHandle();
+    QTest::mousePress(handle, Qt::LeftButton, {}, from);
+    for (int step = 1; step <= 6; ++step)
+      QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + by * step / 6);
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, from + by);
+    QCoreApplication::processEvents();
+  }
+
   void drop(const QString& path) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});
@@ -84,6 +101,51 @@ TEST_F(RegionWindow, theTableIsHiddenOnOpeningAndOneClickShowsItAgain) {
   undo().undo();
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);
   EXPECT_TRUE(bodyOnly().isChecked());
+}
+
+// A table that is as much tissue as the body makes it doubtful which of both is the body.
+TEST_F(RegionWindow, whereTheBodyIsInDoubtHidingTheTableIsAskedFor) {
+  write("doubtful.nrrd", [](const glm::ivec3& v) {
+    const double radius = glm::length(glm::dvec3(v) - glm::dvec3(18.0, 15.0, 18.0));
+    return radius < 6.0 ? 1200 : radius < 13.0 ? 40 : v.y >= 33 && v.y < 38 ? 200 : -1000;
+  });
+  const QString question =
+      QStringLiteral("Hide the table and the holder? It is not certain which part is the body.");
+  const auto answer = [this](const QString& text) {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == text)
+        return QTest::mouseClick(button, Qt::LeftButton);
+    ADD_FAILURE() << "nothing says " << text.toStdString();
+  };
+  const auto isAsked = [&] {
+    return test::waitUntil([&] { return messages().isVisible() && messages().sentence() == question; });
+  };
+  ASSERT_TRUE(open(pathTo("doubtful.nrrd")));
+  EXPECT_EQ(scene().keep, Region{}) << "nothing is hidden unasked";
+  ASSERT_TRUE(isAsked());
+  answer(QStringLiteral("Leave them"));
+  EXPECT_FALSE(messages().isVisible());
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_EQ(undo().count(), 0);
+
+  ASSERT_TRUE(open(pathTo("doubtful.nrrd")));
+  ASSERT_TRUE(isAsked());
+  answer(QStringLiteral("Hide them"));
+  EXPECT_FALSE(messages().isVisible());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_EQ(weightAt(scene().keep, {18, 35, 18}), 0.0) << "the table";
+  EXPECT_EQ(weightAt(scene().keep, {18, 15, 18}), 1.0) << "the body";
+  EXPECT_TRUE(bodyOnly().isChecked());
+  EXPECT_EQ(undo().undoText(), QStringLiteral("body only"));
+  undo().undo();
+  EXPECT_EQ(scene().keep, Region{});
+
+  // It is asked of the volume that is open, and once what is said first has been read.
+  ASSERT_TRUE(open(pathTo("doubtful.nrrd")));
+  messages().show(MessageBar::Kind::warning, QStringLiteral("Something else."));
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(messages().isVisible() && messages().sentence() == question);
 }
 
 TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndEachNoteTakesBackWhatItTells) {
@@ -238,19 +300,7 @@ TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   EXPECT_NEAR(glm::length(turned->grid.direction[2] - basis.up), 0.0, 1e-12);
 
   // Its upper face is dragged 60 pixels down.
-  const ViewProjection projection = viewProjection(scene().camera, view().logicalRect(0));
-  const CropBoxShape shape = cropBoxShape(turned->crop, turned->grid, projection);
-  const auto top = std::ranges::find_if(shape.handles, [](const CropHandle& handle) {
-    return handle.face == CropFace{2, true};
-  });
-  ASSERT_NE(top, shape.handles.end());
-  const QPoint from = view().mapTo(window.get(), top->centre.toPoint());
-  QWindow* handle = window->windowHandle();
-  QTest::mousePress(handle, Qt::LeftButton, {}, from);
-  for (int step = 1; step <= 6; ++step)
-    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(0, 10 * step));
-  QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(0, 60));
-  QCoreApplication::processEvents();
+  dragFace({2, true}, {0, 60});
   ASSERT_TRUE(ready());
   ASSERT_TRUE(turned);
   ASSERT_EQ(scene().keep.cuts.size(), 1u) << "one line says what one face cuts";
@@ -279,6 +329,64 @@ TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   undo().undo();
   EXPECT_TRUE(scene().keep.cuts.empty());
   EXPECT_FALSE(turned) << "the box is the crop's again";
+}
+
+// It is kept as lines, so it is found again in them: by undo, once it was put away, in a session.
+TEST_F(RegionWindow, aTurnedBoxComesBackAsLongAsItsCutsAreTheLast) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  bodyOnly().trigger();
+  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3));
+  ASSERT_TRUE(rest());
+  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
+  const auto& turned = view().order().comparison.turnedBox;
+  dragFace({2, true}, {0, 60});
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(scene().keep.cuts.size(), 1u);
+  const TurnedBox once = turned.value();
+  dragFace({0, false}, {50, 0});
+  ASSERT_TRUE(ready());
+  const TurnedBox twice = turned.value();
+  ASSERT_NE(once.crop, twice.crop);
+  const auto expectBox = [&](const TurnedBox& box, const char* when) {
+    ASSERT_TRUE(turned) << when;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(turned->crop.lower[axis], box.crop.lower[axis], 1e-9) << when; // of a box found again
+      EXPECT_NEAR(turned->crop.upper[axis], box.crop.upper[axis], 1e-9) << when;
+      EXPECT_NEAR(glm::length(turned->grid.direction[axis] - box.grid.direction[axis]), 0.0, 1e-9) << when;
+    }
+  };
+  undo().undo();
+  ASSERT_TRUE(ready());
+  expectBox(once, "one step back");
+  undo().redo();
+  ASSERT_TRUE(ready());
+  expectBox(twice, "and forth again");
+
+  QAction& cropBox = *window->findChild<QAction*>(QStringLiteral("cropBox"));
+  const CropBox crop = scene().crop;
+  cropBox.trigger();
+  EXPECT_FALSE(turned);
+  cropBox.trigger();
+  expectBox(twice, "put away and shown again");
+  EXPECT_EQ(scene().crop, crop) << "no box around the body is begun beside it";
+
+  std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("session.json")));
+  ASSERT_TRUE(rest());
+  expectBox(twice, "in a session");
+  const std::size_t cuts = scene().keep.cuts.size();
+  dragFace({2, true}, {0, 30});
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.cuts.size(), cuts) << "a drag goes on with its lines";
+  EXPECT_LT(turned.value().crop.upper.z, twice.crop.upper.z);
+
+  // Another cut behind it ends it.
+  std::vector<Cut> more = scene().keep.cuts;
+  more.push_back({ConnectedPiece{indexToWorld(scene().volume->grid(), {18, 18, 18}), {1000.0, 1300.0}}});
+  window->findChild<RegionController*>()->setCuts(more, QStringLiteral("piece"));
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(turned);
 }
 
 TEST_F(RegionWindow, bodyOnlyIsAskedForBesideLabelsThatAreOpen) {

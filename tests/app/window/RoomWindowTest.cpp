@@ -119,6 +119,25 @@ TEST_F(Room, picturesNarrowerThanFourHundredPixelsBecomeOne) {
   EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide) << "asked for";
 }
 
+// It is saved as what was wanted, so that it comes back with the room.
+TEST_F(Room, aSessionOfWhatGaveWayHasBothPicturesAgainWhereThereIsRoom) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  comparison().begin();
+  ASSERT_LT(view().width(), 800);
+  ASSERT_EQ(view().compareLayout(), CompareLayout::single);
+  std::ofstream(folder.path() / "narrow.json") << sessionToJson(window->sessionDocument());
+  setLayout(CompareLayout::single);
+  std::ofstream(folder.path() / "single.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("narrow.json")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single) << "it still has no room";
+  setSize({1600, 900});
+  EXPECT_TRUE(test::waitUntil([this] { return view().compareLayout() == CompareLayout::sideBySide; }));
+  ASSERT_TRUE(open(pathTo("single.json")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single) << "asked for";
+  ASSERT_TRUE(open(pathTo("narrow.json")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+}
+
 // In the program's own style; in Qt's the button is narrower than what our sheet puts around its icon.
 TEST(ToolBarStyle, leavesTheButtonForMoreToolsRoomToBeSeen) {
   const LookStyle style;

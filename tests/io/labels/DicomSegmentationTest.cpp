@@ -120,6 +120,25 @@ TEST_F(DicomSegmentation, becomesLabelsWithNamesAndColours) {
       }
 }
 
+TEST_F(DicomSegmentation, sayWhatTheySegmentWhereTheFileDoes) {
+  const auto code = [](const char* meaning) {
+    DicomBuilder item;
+    item.text(0x00080100, "SH", "1").text(0x00080104, "LO", meaning);
+    return item;
+  };
+  DicomBuilder first = segment(1, "Größe", {});
+  first.sequence(0x00620003, {code("Anatomical Structure")}).sequence(0x0062000F, {code("Höhle")});
+  DicomBuilder file = segmentation();
+  file.sequence(0x00620002, {first, segment(2, "Rib", {})});
+  const Region region = readLabels(written(file), gridOfVolume());
+  const std::vector<Label>& labels = region.labels->labels();
+  ASSERT_EQ(labels.size(), 3u);
+  EXPECT_EQ(labels[1].category, "Anatomical Structure");
+  EXPECT_EQ(labels[1].type, "Höhle") << "in the file's characters";
+  EXPECT_EQ(labels[2].category, "");
+  EXPECT_EQ(labels[2].type, "");
+}
+
 TEST_F(DicomSegmentation, coloursAreThoseOfTheStandard) {
   // sRGB red in CIELab of D50 is (54.29, 80.80, 69.89), green (87.82, -79.27, 80.99), blue (29.57, 68.29,
   // -112.03): B. Lindbloom's calculator, Bradford adaptation.

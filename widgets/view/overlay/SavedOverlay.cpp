@@ -26,6 +26,8 @@ OverlaySource leftAlone(OverlaySource source) {
   source.comparison.markMm.reset();
   source.comparison.halfMm.reset();
   source.comparison.preview.clear();
+  for (SeenMeasure& measure : source.comparison.measures)
+    measure.isInHand = false;
   source.state.limitation.clear();
   source.state.refines = false;
   source.state.resting = true;

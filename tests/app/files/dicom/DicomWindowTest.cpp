@@ -151,6 +151,30 @@ TEST_F(DicomWindow, offersALookThatLiesBesideTheSeries) {
   EXPECT_EQ(scene().camera, kept);
 }
 
+TEST_F(DicomWindow, anOfferWaitsUntilWhatIsAskedIsAnswered) {
+  ask();
+  save("kept.dicom");
+  dialog().close();
+  fs::copy_file(folder.path() / "kept.dicom/look.dcm", folder.path() / "series/look.dcm");
+  // As the question about the table, which may come first: before looks are searched.
+  const QString question = QStringLiteral("Shall I?");
+  QObject::connect(
+      window->findChild<OpeningController*>(), &OpeningController::loaded, window.get(),
+      [&] { messages().show(MessageBar::Kind::question, question); }, Qt::SingleShotConnection);
+  ASSERT_TRUE(open(pathTo("series")));
+  auto* remarks = window->findChild<RemarksController*>();
+  ASSERT_TRUE(remarks);
+  ASSERT_TRUE(test::waitUntil([&] { return remarks->isWaiting(); })) << messages().sentence().toStdString();
+  EXPECT_EQ(messages().sentence(), question);
+  ASSERT_TRUE(messages().isVisible());
+  messages().hide();
+  EXPECT_TRUE(test::waitUntil([&] {
+    return messages().isVisible() &&
+           messages().sentence() == QStringLiteral("Beside this series lies a look that belongs to it.");
+  }));
+  EXPECT_FALSE(remarks->isWaiting());
+}
+
 TEST_F(DicomWindow, asksWhereTheSeriesOfALookIs) {
   ask();
   save("kept.dicom");

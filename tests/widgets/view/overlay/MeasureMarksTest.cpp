@@ -4,6 +4,7 @@
 #include "scene/volume/Phantom.h"
 #include "widgets/ContrastRatio.h"
 #include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/overlay/SavedOverlay.h"
 
 #include <QImage>
 #include <QPainter>
@@ -171,6 +172,27 @@ TEST(MeasureMarks, picturesHaveThemWhereTheCameraSeesTheirPlaces) {
               *pixelOf(viewProjection(camera, pictureRect(source.geometry, position)), {20, 0, 10}));
     EXPECT_TRUE(measures.picture.contains(shape.places[0]));
   }
+}
+
+// Nobody has a hand on what is in a file.
+TEST(SavedMarks, showNoMeasurementAsInHand) {
+  OverlaySource source;
+  source.comparison.layout = CompareLayout::single;
+  source.comparison.scene.volume = phantomVolume({12.0, 0.0, 1});
+  const Camera camera = source.comparison.scene.camera =
+      defaultCamera(source.comparison.scene.volume->grid());
+  source.geometry = {CompareLayout::single, 0.5, {700, 400}, 1.0};
+  source.state.sides.resize(1);
+  source.comparison.measures = {{0,
+                                 Kind::distance,
+                                 {camera.target, camera.target + 30.0 * basisOf(camera).right},
+                                 QStringLiteral("30 mm"),
+                                 true}};
+  const auto first = [](const Overlay& overlay) { return overlay.measures.at(0).marks.at(0).shape; };
+  ASSERT_TRUE(first(overlayOf(source)).isInHand);
+  const MeasureShape saved = first(savedOverlay(source, {}));
+  EXPECT_FALSE(saved.isInHand);
+  EXPECT_EQ(saved.places.size(), 2u) << "but it is there";
 }
 
 } // namespace
