@@ -77,7 +77,9 @@ protected:
       hand.act();
     }
     hand.leaveOthers();
-    if (!bringBack() || !rest())
+    const bool isBack = bringBack();
+    test::noteAction(QStringLiteral("rest"));
+    if (!isBack || !rest())
       ADD_FAILURE() << "the window does not come to rest";
     forgetPeak(); // what nobody holds is none of the program's
     const bool hasPrograms = view().engine() == Engine::rayCaster;
