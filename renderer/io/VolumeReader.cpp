@@ -12,7 +12,7 @@
 #include "io/formats/vtk/VtkXmlFile.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
-#include "io/reading/PartWanted.h"
+#include "io/reading/PartOfVolume.h"
 #include "io/reading/ReadError.h"
 #include "scene/volume/Orientation.h"
 
@@ -74,12 +74,12 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
 // A kind of file, told by its content.
 struct FileKind {
   bool (*isKind)(std::string_view start); // of the first bytes, inflated where they are packed with gzip
-  VolumeParts (*read)(const fs::path& path, const MemoryBudget& budget, const Progress& progress);
+  VolumeParts (*read)(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress);
   bool mayBePacked;
 };
 
-VolumeParts readPicture(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
-  return readPictures(path, {path}, budget, progress);
+VolumeParts readPicture(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
+  return readPictures(path, {path}, keeping, progress);
 }
 
 constexpr FileKind fileKinds[] = {
@@ -89,7 +89,7 @@ constexpr FileKind fileKinds[] = {
 };
 
 // The reader of a file is chosen by its content; only the voxel file of a NIfTI pair goes by its name.
-VolumeParts readFile(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readFile(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const std::string start = firstBytes(path, probeBytes);
   if (start.empty())
     failReading(path, Message::tr("the file is empty"), copyAgain);
@@ -98,21 +98,21 @@ VolumeParts readFile(const fs::path& path, const MemoryBudget& budget, const Pro
       if (!kind.mayBePacked && isGzip(path))
         failReading(path, Message::tr("it is packed with gzip"),
                     Message::tr("unpack it and open the file inside"));
-      return kind.read(path, budget, progress);
+      return kind.read(path, keeping, progress);
     }
   const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
   if (lowerCase(inner.extension().string()) == ".img")
-    return readNifti(path, budget, progress);
+    return readNifti(path, keeping, progress);
   failUnknown(path);
 }
 
-VolumeParts readFolder(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readFolder(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const std::vector<fs::path> pictures = picturesIn(path);
   if (pictures.empty())
     failReading(path, Message::tr("the folder holds no DICOM, TIFF, PNG or JPEG slices"),
                 Message::tr("open the folder that holds the slices, or a volume file"));
   requireWholeStack(path, pictures);
-  return readPictures(path, pictures, budget, progress);
+  return readPictures(path, pictures, keeping, progress);
 }
 
 // Applies what the person adds, and says what is not known.
@@ -143,48 +143,22 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   });
 }
 
-double bytesIn(const VoxelArray& stored, const VoxelBox& box) {
-  const glm::dvec3 size(box.upper - box.lower);
-  const auto each = std::visit([]<class T>(const StoredVoxels<T>&) { return sizeof(T); }, stored);
-  return size.x * size.y * size.z * static_cast<double>(each);
-}
-
-// Leaves of the voxels those of a box, where memory holds them; returns which are left.
-VoxelBox keepBox(const fs::path& path, const VoxelBox& box, const MemoryBudget& memory, VolumeParts& parts) {
-  const double bytes = bytesIn(parts.stored, box);
-  if (bytes > memory.voxelBytes())
-    return allVoxels(parts.grid);
-  requireMemory(path, bytes);
-  parts.stored = parts.mapped ? readBox(*parts.mapped, parts.stored, parts.grid.dims, box, {})
-                              : cutOut(parts.stored, parts.grid.dims, box);
-  parts.room.reset();
-  return box;
-}
-
-// The part of a volume that this process holds.
-std::shared_ptr<const Volume> partOfVolume(const fs::path& path, VolumeParts parts,
-                                           const ReadOptions& options, const Progress& progress) {
-  const PartWanted& wanted = *options.part;
-  const PartWanted::Share share = wanted.share(parts.grid);
-  VolumePart part{
-      keepBox(path, share.held, wanted.memory, parts), share.own, {}, wanted.binCounts, wanted.visible};
-  const Effort effort = effortOf(progress, countingVoxels);
-  const VoxelFacts facts = wanted.joined(factsOf(parts.stored, part.box, part.own, effort));
-  part.reread = [path, options, facts, all = allVoxels(parts.grid)](const VoxelBox& box) {
-    ReadOptions again = options;
-    again.part.reset();
-    if (!contains(box, all)) {
-      PartWanted other = *options.part;
-      other.share = [box](const Grid&) { return PartWanted::Share{box, box}; };
-      other.joined = [facts](const VoxelFacts&) { return facts; };
-      again.part = std::make_shared<const PartWanted>(std::move(other));
-    }
-    return readVolume(path, again);
-  };
+// The part of a volume that this process holds: of files that stay where they are on the disk, all.
+std::shared_ptr<const Volume> partOfVolume(const fs::path& path, VolumeParts parts, const VoxelBox& own,
+                                           bool isInSlices, const ReadOptions& options,
+                                           const Progress& progress) {
+  PartRead read;
+  read.grid = parts.grid;
+  read.stored = std::move(parts.stored);
+  read.rescale = parts.rescale;
+  read.info = std::move(parts.info);
+  read.room = std::move(parts.room);
+  read.held = parts.held.value_or(allVoxels(parts.grid));
+  read.own = own;
+  read.isInSlices = isInSlices;
+  const auto again = [path](const ReadOptions& other) { return readVolume(path, other); };
   return naming(path, [&] {
-    return std::make_shared<const Volume>(
-        parts.grid, std::move(parts.stored), parts.rescale, std::move(parts.info), facts,
-        std::make_shared<const VolumePart>(std::move(part)), effort, std::move(parts.room));
+    return volumeOfPart(std::move(read), options, again, effortOf(progress, countingVoxels));
   });
 }
 
@@ -196,13 +170,20 @@ std::shared_ptr<const Volume> readExisting(const fs::path& path, const DicomFold
   if (!isFolder && !fs::is_regular_file(path))
     failReading(path, Message::tr("it is no file but a device, pipe or socket"),
                 Message::tr("choose a file or folder"));
-  const Progress reading = part(progress, 0.0, 0.95);
-  const MemoryBudget budget = options.memory.value_or(MemoryBudget());
-  VolumeParts parts = isFolder ? readFolder(path, budget, reading)
-                               : readFile(path, options.part ? budget.mappingAll() : budget, reading);
+  VoxelKeeping keeping(options.part ? options.part->memory : options.memory.value_or(MemoryBudget()));
+  PartWanted::Share share;
+  bool isInSlices = false;
+  if (options.part)
+    keeping.box = [&](const Grid& grid, bool inSlices) {
+      share = options.part->share(grid, inSlices);
+      isInSlices = inSlices;
+      return share.held;
+    };
+  const Progress reading = part(progress, 0.0, 0.95), counting = part(progress, 0.95, 1.0);
+  VolumeParts parts = isFolder ? readFolder(path, keeping, reading) : readFile(path, keeping, reading);
   complete(path, options, parts);
-  return options.part && !isFolder ? partOfVolume(path, std::move(parts), options, part(progress, 0.95, 1.0))
-                                   : finished(path, std::move(parts), part(progress, 0.95, 1.0));
+  return options.part ? partOfVolume(path, std::move(parts), share.own, isInSlices, options, counting)
+                      : finished(path, std::move(parts), counting);
 }
 
 // Runs a step and turns what may go wrong in it into one sentence for `path`.

@@ -44,6 +44,30 @@ TEST(Bricks, everyPlaceLiesInExactlyOne) {
   }
 }
 
+// Then each needs whole slices alone: its own, and those that the neighbours of its voxels lie in.
+TEST(Bricks, ofSlicesAreDividedBetweenThoseWhereEachHasEnough) {
+  Grid grid;
+  grid.dims = {512, 512, 300};
+  for (const int count : {2, 3, 4, 9}) {
+    const Bricks bricks(grid, CropBox{}, count, true);
+    int end = 0;
+    for (int brick = 0; brick < count; ++brick) {
+      const VoxelBox own = ownVoxels(grid, bricks.box(brick));
+      EXPECT_EQ(own.lower, glm::ivec3(0, 0, end));
+      EXPECT_EQ(own.upper, glm::ivec3(512, 512, own.upper.z));
+      EXPECT_GE(own.upper.z - own.lower.z, 32);
+      EXPECT_LE(own.upper.z - own.lower.z, 300 / count + 1);
+      end = own.upper.z;
+    }
+    EXPECT_EQ(end, 300);
+  }
+  // Ten have fewer than 32 slices each: thin slabs would read more around them than of their own.
+  const Bricks more(grid, CropBox{}, 10, true), ordinary(grid, CropBox{}, 10);
+  for (int brick = 0; brick < 10; ++brick)
+    EXPECT_EQ(ownVoxels(grid, more.box(brick)).upper, ownVoxels(grid, ordinary.box(brick)).upper);
+  EXPECT_LT(ownVoxels(grid, ordinary.box(0)).upper.y, 512);
+}
+
 // A ray meets the bricks in the order in which they are put over each other, wherever the eye is.
 TEST(Bricks, raysPassThroughThemFrontToBack) {
   const Grid grid = test::noisyPhantom(ShadingModel::classic).volume->grid();

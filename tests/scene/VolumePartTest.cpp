@@ -76,7 +76,8 @@ Part joinedAnyhow(std::vector<Part> parts, Random& random) {
 }
 
 template <class T>
-Divided divided(const glm::ivec3& dims, const Rescale& rescale, int count, Random& random) {
+Divided divided(const glm::ivec3& dims, const Rescale& rescale, int count, Random& random,
+                const std::optional<PaddingRange>& padding = {}) {
   const Grid grid = slantedGrid(dims);
   const VoxelArray all = StoredVoxels<T>(voxelsOf<T>(dims, random));
   std::vector<VoxelBox> owns;
@@ -86,20 +87,21 @@ Divided divided(const glm::ivec3& dims, const Rescale& rescale, int count, Rando
   for (const VoxelBox& own : owns) {
     auto part = std::make_shared<VolumePart>();
     part->own = own;
+    part->padding = padding;
     // One beyond on each side at least, as gradients need; an empty part holds something, too.
     const glm::ivec3 more(within(random, 1, 4));
     part->box.lower = glm::clamp(own.lower - more, glm::ivec3(0), dims - 1);
     part->box.upper = glm::min(own.upper + more, dims);
     cuts.emplace_back(part, cutOut(all, dims, part->box));
-    facts.push_back(factsOf(cuts.back().second, part->box, own));
+    facts.push_back(factsOf(cuts.back().second, part->box, own, {}, padding));
   }
   Divided result;
   result.facts = joinedAnyhow(facts, random);
-  EXPECT_EQ(result.facts, factsOf(all, allVoxels(grid), allVoxels(grid)));
+  EXPECT_EQ(result.facts, factsOf(all, allVoxels(grid), allVoxels(grid), {}, padding));
   for (auto& [part, cut] : cuts)
     result.parts.push_back(
         std::make_shared<const Volume>(grid, cut, rescale, VolumeInfo{}, result.facts, part));
-  result.whole = std::make_shared<const Volume>(grid, all, rescale, std::nullopt, VolumeInfo{});
+  result.whole = std::make_shared<const Volume>(grid, all, rescale, padding, VolumeInfo{});
   return result;
 }
 
@@ -186,6 +188,23 @@ TEST(VolumePart, partsOfAnyVolumeTellWhatTheWholeTells) {
     expectSameFacts(divided<std::int32_t>(dims, rescale, count, random), random);
     expectSameFacts(divided<float>(dims, rescale, count, random), random);
     expectSameFacts(divided<double>(dims, rescale, count, random), random);
+  }
+}
+
+// Declared padding is invalid as NaN is, in types that are counted and those that are not.
+TEST(VolumePart, partsLeaveOutPaddingAsTheWholeDoes) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const glm::ivec3 dims(within(random, 20, 70), within(random, 10, 40), within(random, 2, 30));
+    const Rescale rescale{seed % 2 == 0 ? -0.5 : 2.0, -100.0};
+    const PaddingRange padding{20.0, 37.0};
+    const Divided bytes = divided<std::uint8_t>(dims, rescale, 3, random, padding);
+    EXPECT_GT(bytes.whole->invalidVoxels(), 0u);
+    expectSameFacts(bytes, random);
+    expectSameFacts(divided<std::int16_t>(dims, rescale, 4, random, padding), random);
+    expectSameFacts(divided<std::int32_t>(dims, rescale, 5, random, padding), random);
+    expectSameFacts(divided<float>(dims, rescale, 2, random, padding), random);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/mpi/SharedDrawing.h"
 
+#include "app/core/drawing/ProcessCost.h"
+
 #include <algorithm>
 #include <fstream>
 #include <string>
@@ -40,6 +42,12 @@ void RanksInOrder::over(const std::vector<glm::vec4>& share, glm::vec4* folded) 
   MPI_Reduce(share.data(), folded, static_cast<int>(share.size()), m_pixel, m_over, m_first, m_ranks);
 }
 
+SharedDrawing::SharedDrawing(const Ranks& ranks, int threads)
+    : m_ranks(ranks), m_facts(ranks, threads), m_renderer(threads) {
+  forgetPeak();
+  m_startMb = residentMb();
+}
+
 // The scene's volume with what this rank reads of it held.
 std::shared_ptr<const Volume> SharedDrawing::holding(const Scene& scene, const IndexBox& brick) {
   const VoxelBox needed = voxelsRead(scene.volume->grid(), brick, scene.quality.stepVoxels);
@@ -60,7 +68,8 @@ Image SharedDrawing::draw(const std::function<Scene()>& scene, const glm::ivec2&
     drawn = scene();
     requireDrawable(drawn);
     const Grid& grid = drawn.volume->grid();
-    const Bricks bricks(grid, drawn.crop, m_ranks.count());
+    const bool inSlices = drawn.volume->part() && drawn.volume->part()->isInSlices;
+    const Bricks bricks(grid, drawn.crop, m_ranks.count(), inSlices);
     order = bricks.frontToBack(rayFrame(drawn.camera, grid, size));
     brick = bricks.box(m_ranks.rank());
   }));
@@ -108,6 +117,7 @@ void SharedDrawing::foldScalars(const PixelRect& strip, Image& picture) {
 void SharedDrawing::noteMemory() {
   m_cost.samples = static_cast<double>(m_renderer.samples());
   m_cost.ownMb = std::max(m_cost.ownMb, ownMemoryMb());
+  m_cost.addedMb = peakResidentMb() - m_startMb;
 }
 
 double bytesRead() {

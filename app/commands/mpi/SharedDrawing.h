@@ -35,6 +35,8 @@ struct RankCost {
   double samples = 0.0;     ///< of the pictures' rays, in its brick, those stepped over included
   double foldedBytes = 0.0; ///< what it gave to be folded
   double ownMb = 0.0;       ///< the most memory of its own (anonymous) seen between two strips, MB (10⁶)
+  double addedMb = 0.0; ///< the most that it had at any time beyond what it had before it read a volume, MB;
+                        ///< pages of files are among it, of voxels on the disk, too
 };
 
 /// What this process has asked the system to read so far, bytes; what it touches of mapped files is not
@@ -44,8 +46,8 @@ double bytesRead();
 /// Draws pictures on all ranks, the brick of each.
 class SharedDrawing {
 public:
-  SharedDrawing(const Ranks& ranks, int threads)
-      : m_ranks(ranks), m_facts(ranks, threads), m_renderer(threads) {}
+  /// Before this rank reads a volume: memory counts from here on.
+  SharedDrawing(const Ranks& ranks, int threads);
 
   /// All ranks call it alike; `scene` gives them the same scene and may throw. The picture is the first
   /// rank's; others get an empty one. Throws on all ranks what fails on any.
@@ -64,6 +66,7 @@ private:
   SharedFacts m_facts;
   std::shared_ptr<const Volume> m_reread; // where a scene needs other voxels than those that were read first
   BrickRenderer m_renderer;
+  double m_startMb = 0.0;
   RankCost m_cost;
 };
 

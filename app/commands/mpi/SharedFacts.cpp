@@ -6,13 +6,13 @@
 
 namespace limn {
 
-PartWanted::Share shareOf(const Ranks& ranks, const Grid& grid) {
-  const IndexBox brick = Bricks(grid, CropBox{}, ranks.count()).box(ranks.rank());
+PartWanted::Share shareOf(const Ranks& ranks, const Grid& grid, bool inSlices) {
+  const IndexBox brick = Bricks(grid, CropBox{}, ranks.count(), inSlices).box(ranks.rank());
   return {voxelsRead(grid, brick, Quality{}.stepVoxels), ownVoxels(grid, brick)};
 }
 
 VoxelBox ownVoxels(const Ranks& ranks, const Volume& volume) {
-  return volume.part() ? volume.part()->own : shareOf(ranks, volume.grid()).own;
+  return volume.part() ? volume.part()->own : shareOf(ranks, volume.grid(), false).own;
 }
 
 BinCounts countsOfOwn(const Volume& volume, int mostBins) {

@@ -15,7 +15,7 @@ using cpu::WholeFacts;
 
 /// Which voxels of a volume a rank holds while it knows of no scene, and which it counts: its brick of a
 /// scene without crop and with ordinary steps.
-PartWanted::Share shareOf(const Ranks& ranks, const Grid& grid);
+PartWanted::Share shareOf(const Ranks& ranks, const Grid& grid, bool inSlices);
 
 /// The voxels that this rank counts of a volume, whether it holds others or not.
 VoxelBox ownVoxels(const Ranks& ranks, const Volume& volume);

@@ -9,6 +9,8 @@
 #include "io/reading/PartWanted.h"
 #include "io/scenefile/SceneFile.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -140,7 +142,7 @@ int threadsOf(const RenderArguments& arguments, const Ranks& ranks) {
 // What this rank reads of a volume, in its part of the machine's memory unless so much was given.
 PartWanted partOf(const SourceArguments& source, const Ranks& ranks) {
   PartWanted part;
-  part.share = [&ranks](const Grid& grid) { return shareOf(ranks, grid); };
+  part.share = [&ranks](const Grid& grid, bool inSlices) { return shareOf(ranks, grid, inSlices); };
   const auto neighbours = static_cast<std::uint64_t>(ranks.onThisMachine());
   part.memory = source.memoryMb > 0.0 ? MemoryBudget(static_cast<std::uint64_t>(1e6 * source.memoryMb))
                                       : MemoryBudget(MemoryBudget().bytes() / neighbours);
@@ -227,10 +229,12 @@ int follow(const MpiArguments& arguments, const PartWanted& part, const Ranks& r
 }
 
 void printCost(const Ranks& ranks, const RankCost& cost) {
-  const std::vector<double> all = ranks.gathered({cost.samples, cost.ownMb, cost.foldedBytes, bytesRead()});
-  for (std::size_t i = 0; i + 3 < all.size(); i += 4)
-    std::printf("rank %zu: %.0f samples in its brick, %.1f MB of its own, %.0f bytes folded, %.0f read\n",
-                i / 4, all[i], all[i + 1], all[i + 2], all[i + 3]);
+  const std::vector<double> all =
+      ranks.gathered({cost.samples, cost.ownMb, cost.foldedBytes, bytesRead(), cost.addedMb});
+  for (std::size_t i = 0; i + 4 < all.size(); i += 5)
+    std::printf("rank %zu: %.0f samples in its brick, %.1f MB of its own, %.0f bytes folded, %.0f read, "
+                "took %.1f MB at most\n",
+                i / 5, all[i], all[i + 1], all[i + 2], all[i + 3], all[i + 4]);
 }
 
 int run(int argc, char** argv, const Ranks& ranks) {
@@ -244,15 +248,15 @@ int run(int argc, char** argv, const Ranks& ranks) {
   CommandSyntax words = program.words();
   addRenderOptions(words, arguments.render);
   words.flag("--cost", arguments.printsCost,
-             "also print for each rank its samples, its own memory, and the bytes that it gave to be folded "
-             "and asked the system to read");
+             "also print for each rank its samples, its own memory, the bytes that it gave to be folded and "
+             "asked the system to read, and the most memory that it took at a time");
   words.footer("Example: mpirun -n 4 limn-mpi head.nii.gz --size 1200x1200 -o head.png");
   if (const std::optional<int> status = program.run(argc, argv))
     return *status;
   const PartWanted part = partOf(arguments.render.scene.source, ranks);
   if (ranks.count() > 1)
     arguments.render.scene.source.part = std::make_shared<const PartWanted>(part);
-  // Of what is read whole, ranks of one machine share the pages of a file, but no memory of their own.
+  // What must be read whole (README.md) lies on the disk, not in the memory of each.
   if (double& memoryMb = arguments.render.scene.source.memoryMb; memoryMb <= 0.0)
     memoryMb = MemoryBudget::least / 1e6;
   SharedDrawing drawing(ranks, threadsOf(arguments.render, ranks));
@@ -267,6 +271,9 @@ int run(int argc, char** argv, const Ranks& ranks) {
 } // namespace limn
 
 int main(int argc, char** argv) {
+  // Ranks share a machine's memory: what one of them frees goes back to the system at once.
+  mallopt(M_TRIM_THRESHOLD, 1 << 16);
+  mallopt(M_TOP_PAD, 0);
   const limn::Ranks ranks(argc, argv);
   // One voice: the first rank's.
   if (!ranks.isFirst() &&

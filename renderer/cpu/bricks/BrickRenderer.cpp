@@ -49,6 +49,9 @@ std::vector<SurfaceHits> hitsOf(std::deque<BrickRenderer>& renderers, const Pixe
 // Beyond every volume, and far enough from infinity to be divided by a direction.
 constexpr double farAway = 1e30;
 
+// Of a brick of so many slices the ones that it needs beyond its own, up to eight on a side, are a half.
+constexpr double leastSlices = 32.0;
+
 // Of axes of equal length the last: what lies together in a file stays together.
 int longestAxis(const glm::dvec3& size) {
   int longest = 2;
@@ -87,25 +90,30 @@ Image drawInBricks(const Scene& scene, const glm::ivec2& size, int count, int th
   return folded;
 }
 
-Bricks::Bricks(const Grid& grid, const CropBox& crop, int count) : m_boxes(static_cast<std::size_t>(count)) {
-  divide(croppedBox(grid, crop), {glm::dvec3(-farAway), glm::dvec3(farAway)}, 0, count);
+Bricks::Bricks(const Grid& grid, const CropBox& crop, int count, bool inSlices)
+    : m_boxes(static_cast<std::size_t>(count)) {
+  const IndexBox whole = croppedBox(grid, crop);
+  const bool isThick = whole.upper.z - whole.lower.z >= leastSlices * count;
+  divide(whole, {glm::dvec3(-farAway), glm::dvec3(farAway)}, 0, count,
+         inSlices && isThick ? std::optional(2) : std::nullopt);
 }
 
-void Bricks::divide(const IndexBox& inner, const IndexBox& outer, int first, int count) {
+void Bricks::divide(const IndexBox& inner, const IndexBox& outer, int first, int count,
+                    std::optional<int> across) {
   if (count == 1) {
     m_boxes[static_cast<std::size_t>(first)] = outer;
     return;
   }
   const int below = count / 2;
   const glm::dvec3 size = inner.upper - inner.lower;
-  const int axis = longestAxis(size);
+  const int axis = across.value_or(longestAxis(size));
   const double plane = inner.lower[axis] + size[axis] * below / count;
   m_splits.push_back({first, below, count, axis, plane});
   IndexBox innerBelow = inner, innerAbove = inner, outerBelow = outer, outerAbove = outer;
   innerBelow.upper[axis] = innerAbove.lower[axis] = plane;
   outerBelow.upper[axis] = outerAbove.lower[axis] = plane;
-  divide(innerBelow, outerBelow, first, below);
-  divide(innerAbove, outerAbove, first + below, count - below);
+  divide(innerBelow, outerBelow, first, below, across);
+  divide(innerAbove, outerAbove, first + below, count - below, across);
 }
 
 std::vector<int> Bricks::frontToBack(const RayFrame& frame) const {

@@ -6,6 +6,7 @@
 #include "scene/basics/Image.h"
 #include "scene/steps/RayFrame.h"
 
+#include <optional>
 #include <vector>
 
 namespace limn {
@@ -15,8 +16,10 @@ namespace limn {
 /// infinitely far, so that every sample of a ray lies in exactly one brick.
 class Bricks {
 public:
-  /// `count` ≥ 1 bricks; where there are more of them than slices, bricks are thinner than a voxel.
-  Bricks(const Grid& grid, const CropBox& crop, int count);
+  /// `count` ≥ 1 bricks; where there are more of them than slices, bricks are thinner than a voxel. A volume
+  /// `inSlices` is divided between its slices, where each brick has enough of them that what bricks need
+  /// around them stays little.
+  Bricks(const Grid& grid, const CropBox& crop, int count, bool inSlices = false);
 
   int count() const { return static_cast<int>(m_boxes.size()); }
   const IndexBox& box(int brick) const { return m_boxes[static_cast<std::size_t>(brick)]; }
@@ -34,7 +37,8 @@ private:
     double plane;
   };
 
-  void divide(const IndexBox& inner, const IndexBox& outer, int first, int count);
+  // Across `axis`, or the longest of each.
+  void divide(const IndexBox& inner, const IndexBox& outer, int first, int count, std::optional<int> across);
 
   std::vector<IndexBox> m_boxes;
   std::vector<Split> m_splits; // each before those of its parts

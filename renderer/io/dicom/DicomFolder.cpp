@@ -5,6 +5,7 @@
 #include "io/dicom/series/DicomGeometry.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
+#include "io/reading/PartOfVolume.h"
 #include "io/reading/ReadError.h"
 
 #include <sys/vfs.h>
@@ -276,6 +277,33 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
   return info;
 }
 
+// The part of a series that this process holds. No slice is straightened.
+std::shared_ptr<const Volume> partOfSeries(const fs::path& path, const DicomSeries& series,
+                                           DicomGeometry geometry, const ReadOptions& options,
+                                           const Progress& progress, std::vector<Message> warnings) {
+  applySpacing(options, geometry);
+  requirePlausible(path, geometry.grid);
+  const PartWanted& wanted = *options.part;
+  const PartWanted::Share share = wanted.share(geometry.grid, true);
+  DicomVoxels voxels = readVoxels(series, {path, wanted.memory, false, share.held},
+                                  part(progress, headersShare, 0.95), warnings);
+  PartRead read;
+  read.grid = geometry.grid;
+  read.stored = storedVoxels(std::move(voxels.stored));
+  read.rescale = voxels.rescale;
+  read.padding = voxels.padding;
+  read.info = infoOf(series, geometry, warnings);
+  read.room = voxels.room;
+  read.held = share.held;
+  read.own = share.own;
+  read.isInSlices = true;
+  read.bitsIgnored = voxels.bitsIgnored;
+  const auto again = [path](const ReadOptions& other) { return openDicom(path, {})->read(other, {}); };
+  return naming(path, [&] {
+    return volumeOfPart(std::move(read), options, again, effortOf(part(progress, 0.95, 1.0), countingVoxels));
+  });
+}
+
 std::shared_ptr<const Volume> volumeOf(const fs::path& path, const DicomSeries& series,
                                        const ReadOptions& options, const Progress& progress,
                                        std::vector<Message> warnings) {
@@ -284,12 +312,18 @@ std::shared_ptr<const Volume> volumeOf(const fs::path& path, const DicomSeries& 
   const DicomHeader& first = *series.front().header;
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
   requireRoom(path, glm::max(sourceDims, geometry.grid.dims));
+  if (options.part && !geometry.needsResampling)
+    return partOfSeries(path, series, geometry, options, progress, std::move(warnings));
+  if (options.part)
+    warnings.emplace_back(notStraightInParts);
   const DicomKeeping keeping{path, options.memory.value_or(MemoryBudget()), geometry.needsResampling};
   DicomVoxels voxels = readVoxels(
       series, keeping, part(progress, headersShare, geometry.needsResampling ? 0.75 : 0.95), warnings);
   if (geometry.needsResampling)
     voxels =
         resampled(std::move(voxels), sourceDims, geometry, keeping, part(progress, 0.75, 0.95), warnings);
+  if (voxels.bitsIgnored)
+    warnings.emplace_back(bitsIgnoredWarning);
   applySpacing(options, geometry);
   requirePlausible(path, geometry.grid);
   return naming(path, [&] {

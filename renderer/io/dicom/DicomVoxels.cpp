@@ -80,18 +80,41 @@ float modalityValue(const DicomSlice& slice, double stored) {
   return static_cast<float>(rescale.slope * stored + rescale.intercept);
 }
 
+std::size_t pixelsOf(const DicomHeader& header) {
+  return static_cast<std::size_t>(header.columns) * static_cast<std::size_t>(header.rows);
+}
+
+std::size_t areaOf(const VoxelBox& box) {
+  const glm::ivec3 size = box.upper - box.lower;
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+std::size_t slicesOf(const VoxelBox& box) {
+  return static_cast<std::size_t>(box.upper.z - box.lower.z);
+}
+
+// What a box keeps of a slice.
+template <class T>
+void keepRows(const std::vector<T>& slice, int columns, const VoxelBox& box, T* to) {
+  for (int y = box.lower.y; y < box.upper.y; ++y)
+    to = std::copy_n(slice.data() + voxelOffset({columns, 0, 0}, box.lower.x, y, 0),
+                     box.upper.x - box.lower.x, to);
+}
+
 // What is to be said of the voxels.
 struct DicomReadNotes {
   DicomUnpackNotes unpacking;
   std::vector<Message>& warnings;
 };
 
-// Reads all slices in an order that opens each file once, and hands each raw frame to `use`.
+// Reads the slices of a box in an order that opens each file once, and hands each raw frame to `use` with its
+// place among those slices.
 template <class Use>
-void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use) {
-  std::vector<std::size_t> order(series.size());
+void forEachFrame(const DicomSeries& series, const VoxelBox& box, const Progress& progress, Use&& use) {
+  const auto first = static_cast<std::size_t>(box.lower.z);
+  std::vector<std::size_t> order(slicesOf(box));
   for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
+    order[i] = first + i;
   std::ranges::stable_sort(
       order, [&](std::size_t a, std::size_t b) { return std::less<>()(series[a].header, series[b].header); });
   std::optional<DicomPixelReader> reader;
@@ -103,7 +126,7 @@ void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use
     if (slice.header != open)
       reader.emplace(*slice.header);
     open = slice.header;
-    use(order[done], slice, reader->frame(slice.frameIndex));
+    use(order[done] - first, slice, reader->frame(slice.frameIndex));
   }
 }
 
@@ -115,34 +138,45 @@ RoomVector<T> kept(const DicomKeeping& keeping, std::size_t voxels, std::vector<
                                keeping.isPassing ? untold : warnings));
 }
 
-DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const DicomKeeping& keeping,
+DicomVoxels readStored(const DicomSeries& series, const VoxelBox& box, const DicomKeeping& keeping,
                        const Progress& progress, DicomReadNotes& notes) {
-  DicomVoxels voxels{arrayFor(series), rescaleOf(series.front()), series.front().header->padding, nullptr};
+  const std::size_t perSlice = areaOf(box), slices = slicesOf(box);
+  DicomVoxels voxels{arrayFor(series), rescaleOf(series.front()), series.front().header->padding, nullptr,
+                     false};
   std::visit(
       [&](auto& array) {
         using Value = typename std::decay_t<decltype(array)>::value_type;
-        array = kept<Value>(keeping, perSlice * series.size(), notes.warnings);
+        array = kept<Value>(keeping, perSlice * slices, notes.warnings);
         voxels.room = array.get_allocator().room();
+        std::vector<Value> whole;
         if constexpr (!std::is_same_v<Value, float>)
-          forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const auto& raw) {
-            unpackFrame(*slice.header, raw, placeOf(array, index, series.size(), perSlice), notes.unpacking);
-          });
+          forEachFrame(series, box, progress,
+                       [&](std::size_t index, const DicomSlice& slice, const auto& raw) {
+                         if (perSlice == pixelsOf(*slice.header))
+                           return unpackFrame(*slice.header, raw, placeOf(array, index, slices, perSlice),
+                                              notes.unpacking);
+                         whole.resize(pixelsOf(*slice.header));
+                         unpackFrame(*slice.header, raw, whole.data(), notes.unpacking);
+                         keepRows(whole, slice.header->columns, box, placeOf(array, index, slices, perSlice));
+                       });
       },
       voxels.stored);
   return voxels;
 }
 
-DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, const DicomKeeping& keeping,
+DicomVoxels readModalityValues(const DicomSeries& series, const VoxelBox& box, const DicomKeeping& keeping,
                                const Progress& progress, DicomReadNotes& notes) {
-  auto values = kept<float>(keeping, perSlice * series.size(), notes.warnings);
-  std::vector<double> stored(perSlice);
-  forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const DicomRawFrame& raw) {
+  const std::size_t perSlice = areaOf(box), slices = slicesOf(box);
+  auto values = kept<float>(keeping, perSlice * slices, notes.warnings);
+  std::vector<double> stored(pixelsOf(*series.front().header));
+  std::vector<float> whole(stored.size());
+  forEachFrame(series, box, progress, [&](std::size_t index, const DicomSlice& slice, const auto& raw) {
     unpackFrame(*slice.header, raw, stored.data(), notes.unpacking);
-    std::ranges::transform(stored, placeOf(values, index, series.size(), perSlice),
-                           [&](double value) { return modalityValue(slice, value); });
+    std::ranges::transform(stored, whole.begin(), [&](double value) { return modalityValue(slice, value); });
+    keepRows(whole, slice.header->columns, box, placeOf(values, index, slices, perSlice));
   });
   const std::shared_ptr<Room> room = values.get_allocator().room();
-  return {std::move(values), Rescale{}, std::nullopt, room};
+  return {std::move(values), Rescale{}, std::nullopt, room, false};
 }
 
 Message ratioText(const std::optional<double>& ratio) {
@@ -331,15 +365,13 @@ DicomVoxels readVoxels(const DicomSeries& series, const DicomKeeping& keeping, c
                   Message::tr("The DICOM file %1 gives a rescale slope of 0 or none that is a number, which "
                               "leaves no values; its header is damaged.")
                       .arg(slice.header->path.string()));
-  const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
+  const VoxelBox all{glm::ivec3(0), glm::ivec3(first.columns, first.rows, static_cast<int>(series.size()))};
+  const VoxelBox box = keeping.box.value_or(all);
   DicomReadNotes notes{{}, warnings};
   noteFormat(series, warnings);
-  DicomVoxels voxels = keepsStoredValues(series)
-                           ? readStored(series, perSlice, keeping, progress, notes)
-                           : readModalityValues(series, perSlice, keeping, progress, notes);
-  if (notes.unpacking.ignoredBits)
-    warnings.emplace_back(
-        Message::tr("Some pixels have bits set beyond those that hold the value; these bits were ignored."));
+  DicomVoxels voxels = keepsStoredValues(series) ? readStored(series, box, keeping, progress, notes)
+                                                 : readModalityValues(series, box, keeping, progress, notes);
+  voxels.bitsIgnored = notes.unpacking.ignoredBits;
   return voxels;
 }
 
@@ -349,7 +381,8 @@ DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const Di
       [&]<class T>(RoomVector<T>& stored) -> DicomVoxels {
         const std::optional<T> empty = emptyValue(stored, voxels.padding);
         if (!empty)
-          return resampled({widened(std::exchange(stored, {})), voxels.rescale, std::nullopt, voxels.room},
+          return resampled({widened(std::exchange(stored, {})), voxels.rescale, std::nullopt, voxels.room,
+                            voxels.bitsIgnored},
                            sourceDims, geometry, keeping, progress, warnings);
         const Source<T> source{stored, sourceDims, voxels.padding};
         const glm::ivec3 dims = geometry.grid.dims;
@@ -366,7 +399,7 @@ DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const Di
         std::optional<PaddingRange> padding = voxels.padding;
         if (!padding && !std::is_floating_point_v<T>)
           padding = PaddingRange{static_cast<double>(*empty), static_cast<double>(*empty)};
-        return {std::move(result), voxels.rescale, padding, room};
+        return {std::move(result), voxels.rescale, padding, room, voxels.bitsIgnored};
       },
       voxels.stored);
 }

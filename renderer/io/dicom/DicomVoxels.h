@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace limn {
 
@@ -18,6 +19,7 @@ struct DicomVoxels {
   Rescale rescale;
   std::optional<PaddingRange> padding;
   std::shared_ptr<Room> room; ///< where they lie; null: in memory
+  bool bitsIgnored = false;   ///< some had bits set beyond those of a value
 };
 
 /// Where the voxels of a series go.
@@ -25,11 +27,15 @@ struct DicomKeeping {
   std::filesystem::path path; ///< that was opened, for errors
   MemoryBudget budget;
   bool isPassing = false; ///< until they are resampled: what lies on disk meanwhile is not told
+  /// The voxels to keep, columns, rows and slices as they are sorted; absent: all. Files of other slices are
+  /// not opened.
+  std::optional<VoxelBox> box = {};
 };
 
 /// Reads and decodes every slice of a series whose files are supported and whole. Keeps the stored type where
 /// all slices share rescale, padding and format; otherwise, and through a modality look-up table, the values
-/// become float with padding as NaN. Colour becomes luminance. What was changed is stated in `warnings`.
+/// become float with padding as NaN. Colour becomes luminance. What was changed is stated in `warnings`,
+/// but for ignored bits.
 /// Reports fractions 0..1. Throws Error (input); Cancelled.
 /// They lie on disk where the budget does not hold them.
 DicomVoxels readVoxels(const DicomSeries& series, const DicomKeeping& keeping, const Progress& progress,

@@ -11,12 +11,11 @@ namespace limn {
 /// Which voxels of a volume one of several processes holds, and how it learns what others found of theirs.
 struct PartWanted {
   struct Share {
-    VoxelBox
-        held; ///< what is read, where it fits into `memory`; otherwise all stay where they are on the disk
-    VoxelBox own; ///< within it; of all processes each voxel is one's own
+    VoxelBox held; ///< what is read; more where voxels stay on the disk
+    VoxelBox own;  ///< within it; of all processes each voxel is one's own
   };
-  std::function<Share(const Grid& grid)> share;
-  MemoryBudget memory;
+  std::function<Share(const Grid& grid, bool inSlices)> share; ///< see VoxelKeeping::box
+  MemoryBudget memory;                                         ///< what does not fit into it lies on the disk
 
   /// What all processes found of their own voxels, given what this one did; called once. May throw.
   std::function<VoxelFacts(const VoxelFacts& own)> joined;

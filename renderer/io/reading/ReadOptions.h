@@ -18,8 +18,8 @@ struct ReadOptions {
   std::optional<glm::dvec3> spacingMm; ///< for image stacks and files without spacing; overrides otherwise
   std::optional<int> series;           ///< number of a series as DicomFolder gives it
   std::optional<MemoryBudget> memory;  ///< how much of it the process may take (default: MemoryBudget's)
-  /// Where this is one of several processes that hold a volume together. Folders (DICOM, pictures) are held
-  /// whole by each nevertheless.
+  /// Where this is one of several processes that hold a volume together. A DICOM series that must be
+  /// straightened is held whole by each nevertheless; its remarks say so.
   std::shared_ptr<const PartWanted> part;
 };
 

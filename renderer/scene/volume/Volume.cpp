@@ -239,7 +239,7 @@ Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, VolumeInfo info, c
     std::visit(
         [&]<class T>(StoredVoxels<T>& array) {
           const auto replacement = static_cast<T>(m_rescale.slope >= 0.0 ? facts.smallest : facts.largest);
-          m_invalid = replaceInvalid(array.writable(m_room), std::nullopt, replacement, effort, m_room);
+          m_invalid = replaceInvalid(array.writable(m_room), m_part->padding, replacement, effort, m_room);
         },
         stored);
   m_stored = std::make_shared<const VoxelArray>(std::move(stored));

@@ -11,10 +11,20 @@ namespace limn {
 namespace {
 
 template <class T>
-bool isValid(T voxel) {
+bool isValid(T voxel, const std::optional<PaddingRange>& padding) {
   if constexpr (std::is_floating_point_v<T>)
-    return std::isfinite(voxel);
-  return true;
+    if (!std::isfinite(voxel))
+      return false;
+  return !padding || voxel < padding->first || voxel > padding->last;
+}
+
+// Of counts of the values from `first` on those of padding are taken for invalid.
+void leaveOut(const std::optional<PaddingRange>& padding, VoxelFacts& facts) {
+  for (std::size_t i = 0; padding && i < facts.counts.counts.size(); ++i)
+    if (!isValid(facts.counts.first + static_cast<int>(i), padding)) {
+      facts.invalid += facts.counts.counts[i];
+      facts.counts.counts[i] = 0;
+    }
 }
 
 // Calls `worker(eachRow)` on several threads; `eachRow(function)` calls `function(offset)` with the place in
@@ -38,7 +48,7 @@ void shareOutRows(const VoxelBox& held, const VoxelBox& of, const Effort& effort
 
 template <class T>
 VoxelFacts factsOf(const StoredVoxels<T>& stored, const VoxelBox& held, const VoxelBox& of,
-                   const Effort& effort) {
+                   const Effort& effort, const std::optional<PaddingRange>& padding) {
   constexpr bool isCounted = sizeof(T) <= 2;
   constexpr int lowest = isCounted ? static_cast<int>(std::numeric_limits<T>::lowest()) : 0;
   const int width = of.upper.x - of.lower.x;
@@ -59,7 +69,7 @@ VoxelFacts factsOf(const StoredVoxels<T>& stored, const VoxelBox& held, const Vo
       bool isAny = false;
       eachRow([&](std::size_t first) {
         for (int i = 0; i < width; ++i)
-          if (const T voxel = stored[first + i]; isValid(voxel)) {
+          if (const T voxel = stored[first + i]; isValid(voxel, padding)) {
             smallest = std::min(smallest, voxel);
             largest = std::max(largest, voxel);
             isAny = true;
@@ -76,6 +86,7 @@ VoxelFacts factsOf(const StoredVoxels<T>& stored, const VoxelBox& held, const Vo
     all = joined(all, own);
   });
   // Of all values of a type only those from the smallest to the largest are told of.
+  leaveOut(padding, all);
   std::vector<std::uint64_t>& counts = all.counts.counts;
   const auto isAny = [](std::uint64_t count) { return count > 0; };
   const auto first = std::find_if(counts.begin(), counts.end(), isAny);
@@ -96,16 +107,18 @@ VoxelFacts factsOf(const StoredVoxels<T>& stored, const VoxelBox& held, const Vo
 
 bool VoxelFacts::operator==(const VoxelFacts& other) const {
   return smallest == other.smallest && largest == other.largest && invalid == other.invalid &&
-         counts.first == other.counts.first && counts.counts == other.counts.counts;
+         counts.first == other.counts.first && counts.counts == other.counts.counts &&
+         bitsIgnored == other.bitsIgnored;
 }
 
-VoxelFacts factsOf(const VoxelArray& stored, const VoxelBox& held, const VoxelBox& of, const Effort& effort) {
-  return std::visit([&](const auto& voxels) { return factsOf(voxels, held, of, effort); }, stored);
+VoxelFacts factsOf(const VoxelArray& stored, const VoxelBox& held, const VoxelBox& of, const Effort& effort,
+                   const std::optional<PaddingRange>& padding) {
+  return std::visit([&](const auto& voxels) { return factsOf(voxels, held, of, effort, padding); }, stored);
 }
 
 VoxelFacts joined(const VoxelFacts& a, const VoxelFacts& b) {
-  VoxelFacts both{
-      std::min(a.smallest, b.smallest), std::max(a.largest, b.largest), a.invalid + b.invalid, {}};
+  VoxelFacts both{std::min(a.smallest, b.smallest), std::max(a.largest, b.largest), a.invalid + b.invalid,
+                  StoredCounts{}, a.bitsIgnored || b.bitsIgnored};
   if (a.counts.counts.empty() || b.counts.counts.empty()) {
     both.counts = a.counts.counts.empty() ? b.counts : a.counts;
     return both;

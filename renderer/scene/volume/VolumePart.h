@@ -16,17 +16,18 @@ struct VisibleVoxels;
 struct VoxelFacts {
   double smallest = std::numeric_limits<double>::infinity(); ///< of the valid; of none the largest is less
   double largest = -std::numeric_limits<double>::infinity();
-  std::uint64_t invalid = 0; ///< NaN and ±Inf
+  std::uint64_t invalid = 0; ///< NaN, ±Inf and declared padding
   StoredCounts counts;       ///< of the valid, of types of 8 and 16 bits
+  bool bitsIgnored = false;  ///< whoever read them ignored bits beyond those of a value
 
   bool operator==(const VoxelFacts& other) const;
-  auto fields() { return std::tie(smallest, largest, invalid, counts.first, counts.counts); }
+  auto fields() { return std::tie(smallest, largest, invalid, counts.first, counts.counts, bitsIgnored); }
 };
 
-/// Of the voxels `of`, in the array of the voxels of `held`, within which they lie; `of` may be empty. Throws
-/// Cancelled.
+/// Of the voxels `of`, in the array of the voxels of `held`, within which they lie; `of` may be empty. Stored
+/// values of `padding` are none. Throws Cancelled.
 VoxelFacts factsOf(const VoxelArray& stored, const VoxelBox& held, const VoxelBox& of,
-                   const Effort& effort = {});
+                   const Effort& effort = {}, const std::optional<PaddingRange>& padding = {});
 
 /// Of the voxels of both, which share none. In any order and grouping the same.
 VoxelFacts joined(const VoxelFacts& a, const VoxelFacts& b);
@@ -52,6 +53,9 @@ struct VolumePart {
   /// What only all processes together know. Absent with processes that are asked and do not ask.
   std::function<BinCounts(const Volume&, int mostBins)> binCounts;
   std::function<VisibleVoxels(const Scene&, int unitVoxels)> visible; ///< see visibleWithin
+
+  std::optional<PaddingRange> padding = {}; ///< stored values that are declared to be no voxels
+  bool isInSlices = false; ///< what is read of it comes slice by slice, so parts are best of whole ones
 };
 
 inline VoxelBox allVoxels(const Grid& grid) {

@@ -17,15 +17,18 @@
 namespace limn {
 namespace {
 
-// What a second half may add, MB: what the allocator leaves in pieces, undo steps, glyphs; and for each
-// further program that is held what a software driver's compiler keeps of one (30 of them took 165 MB
-// resident).
+// What the window has filled its caches with (undo steps, volumes of light, pictures of presets) it has in
+// five minutes; from then on, or from the first half of less, memory is flat.
+constexpr int fillingSeconds = 300;
+
+// What may be added then, MB: what the allocator leaves in pieces, undo steps, glyphs; and for each further
+// program that is held what a software driver's compiler keeps of one (30 of them took 165 MB resident).
 constexpr double marginMb = 32.0;
 constexpr double programMb = 6.0;
 
-// What is held for a while may stand above that as a half ends, and gives way to other work: memory is filled
-// where it has not come back in so many further halves. What is lost does not come back.
-constexpr int mostHalves = 3;
+// What is held for a while may stand above that as a piece of the time ends, and gives way to other work:
+// memory is filled where it has not come back in so many further pieces. What is lost does not come back.
+constexpr int furtherPieces = 2;
 
 /// What the process holds at rest.
 struct Held {
@@ -74,7 +77,9 @@ protected:
       hand.act();
     }
     hand.leaveOthers();
-    if (!bringBack() || !rest())
+    const bool isBack = bringBack();
+    test::noteAction(QStringLiteral("rest"));
+    if (!isBack || !rest())
       ADD_FAILURE() << "the window does not come to rest";
     forgetPeak(); // what nobody holds is none of the program's
     const bool hasPrograms = view().engine() == Engine::rayCaster;
@@ -96,18 +101,25 @@ TEST_F(RandomActions, neitherKillNorWarnNorFillTheMemory) {
       qEnvironmentVariableIsSet("LIMN_RANDOM_SEED") ? qEnvironmentVariableIntValue("LIMN_RANDOM_SEED") : 1);
   test::watchForDeath(seed);
   test::RandomHand hand(seed, *window);
-  const Held first = use(hand, seconds / 2);
+  const int piece = std::clamp(seconds / 2, 1, fillingSeconds);
+  const Held first = use(hand, piece);
   std::printf("seed %u: %.0f MB with %d programs after %d actions", seed, first.residentMb, first.programs,
               m_actions);
+  std::fflush(stdout);
   Held held = first;
   const auto isFilled = [&] {
     const int further = std::max(0, held.programs - first.programs);
     return held.residentMb > first.residentMb + marginMb + programMb * further;
   };
-  for (int half = 0; half < mostHalves && (half == 0 || (isFilled() && !test::isSanitised)); ++half) {
-    held = use(hand, seconds - seconds / 2);
+  const auto goOn = [&](int pieceSeconds) {
+    held = use(hand, pieceSeconds);
     std::printf(", %.0f with %d after %d", held.residentMb, held.programs, m_actions);
-  }
+    std::fflush(stdout);
+  };
+  for (int left = seconds - piece; left > 0 && warnings.isEmpty(); left -= piece)
+    goOn(std::min(left, piece));
+  for (int n = 0; n < furtherPieces && isFilled() && !test::isSanitised && warnings.isEmpty(); ++n)
+    goOn(piece);
   std::puts("");
   EXPECT_TRUE(window->isVisible());
   ASSERT_TRUE(warnings.isEmpty()) << "seed " << seed << ": " << warnings.join(u'\n').toStdString()

@@ -176,7 +176,7 @@ bool isTar(std::string_view bytes) {
   return bytes.size() >= 262 && bytes.substr(257, 5) == "ustar";
 }
 
-VolumeParts readInVesalius(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readInVesalius(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const pugi::xml_document document = mainList(path);
   const pugi::xml_node project = document.child("plist").child("dict");
   const pugi::xml_node matrix = valueOf(project, "matrix");
@@ -196,7 +196,7 @@ VolumeParts readInVesalius(const fs::path& path, const MemoryBudget& budget, con
           path,
           Message::tr("its matrix has %1 bytes where the project asks for %2").arg(size, bytesOf(layout)),
           copyAgain);
-    readVoxels(path, bytes, layout, budget, progress, 0, parts);
+    readVoxels(path, bytes, layout, keeping, progress, 0, parts);
   });
   if (!found)
     failReading(path, Message::tr("its matrix \"%1\" is missing").arg(name), copyAgain);

@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <filesystem>
 #include <string_view>
@@ -18,7 +18,7 @@ bool isTar(std::string_view bytes);
 /// patient's right to left. The format has no origin: the volume is centred on the world's. Projects whose
 /// slices were not axial, or that were made from a NIfTI file, open with the orientation unknown.
 /// Throws Error; Cancelled.
-VolumeParts readInVesalius(const std::filesystem::path& path, const MemoryBudget& budget,
+VolumeParts readInVesalius(const std::filesystem::path& path, const VoxelKeeping& keeping,
                            const Progress& progress);
 
 } // namespace limn

@@ -168,7 +168,7 @@ bool isMetaImage(std::string_view bytes) {
   return startsAsText && !header.field({"ndims"}).empty() && !header.field({"dimsize"}).empty();
 }
 
-VolumeParts readMetaImage(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readMetaImage(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const Header header = parseHeader(firstBytes(path, longestHeader));
   const Shape shape = shapeOf(path, header);
   VoxelLayout layout = layoutOf(path, header, shape.dims);
@@ -190,9 +190,9 @@ VolumeParts readMetaImage(const fs::path& path, const MemoryBudget& budget, cons
     failReading(path, Message::tr("it holds compressed text"),
                 Message::tr("save it uncompressed or as binary data"));
   if (isText)
-    readTextVoxels(location, layout, budget, progress, parts);
+    readTextVoxels(location, layout, keeping, progress, parts);
   else
-    readVoxels(location, layout, budget, progress, parts);
+    readVoxels(location, layout, keeping, progress, parts);
   return parts;
 }
 

@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <filesystem>
 #include <string_view>
@@ -17,7 +17,7 @@ bool isMetaImage(std::string_view bytes);
 /// counts as known where the header has a TransformMatrix and does not declare it meaningless ("???").
 /// Throws Error; Cancelled. Source: itk.org/Wiki/ITK/MetaIO/Documentation; directions and offset are in LPS
 /// as ITK writes them.
-VolumeParts readMetaImage(const std::filesystem::path& path, const MemoryBudget& budget,
+VolumeParts readMetaImage(const std::filesystem::path& path, const VoxelKeeping& keeping,
                           const Progress& progress);
 
 } // namespace limn

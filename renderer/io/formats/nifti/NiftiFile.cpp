@@ -400,7 +400,7 @@ bool isNifti(std::string_view bytes) {
   return parseNiftiHeader(bytes) || isAnalyzeHeader(bytes);
 }
 
-VolumeParts readNifti(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readNifti(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const fs::path headerFile = isVoxelFile(path) ? partner(path, ".hdr") : path;
   const NiftiHeader header = headerOf(headerFile);
   const fs::path voxelFile = header.singleFile   ? headerFile
@@ -426,7 +426,7 @@ VolumeParts readNifti(const fs::path& path, const MemoryBudget& budget, const Pr
   layout.volumes = volumesOf(headerFile, header);
   noteLayout(layout, parts.info.warnings);
   parts.rescale = rescaleOf(header, sample.components, parts.info.warnings);
-  readVoxels(locationOf(voxelFile, header), layout, budget, progress, parts);
+  readVoxels(locationOf(voxelFile, header), layout, keeping, progress, parts);
   return parts;
 }
 

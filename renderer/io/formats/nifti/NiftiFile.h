@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <filesystem>
 #include <string>
@@ -23,7 +23,7 @@ std::vector<std::string> niftiExtensions(const std::filesystem::path& path);
 
 /// Reads a NIfTI-1 or NIfTI-2 volume from its header file (.nii, .nii.gz, .hdr, .hdr.gz) or voxel file
 /// (.img, .img.gz). Of several volumes the first is read, with a warning.
-VolumeParts readNifti(const std::filesystem::path& path, const MemoryBudget& budget,
+VolumeParts readNifti(const std::filesystem::path& path, const VoxelKeeping& keeping,
                       const Progress& progress);
 
 } // namespace limn

@@ -345,7 +345,7 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& file) {
   return header;
 }
 
-VolumeParts readNrrd(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readNrrd(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const NrrdHeader header = readNrrdHeader(path);
   const NrrdAxes axes = nrrdAxes(path, header);
   const std::string encoding = lowerCase(header.field("encoding"));
@@ -373,9 +373,9 @@ VolumeParts readNrrd(const fs::path& path, const MemoryBudget& budget, const Pro
   const ByteLocation location =
       locationOf(path, header, isGzipped ? Encoding::deflated : Encoding::raw, allBytes);
   if (isText)
-    readTextVoxels(location, layout, budget, progress, parts);
+    readTextVoxels(location, layout, keeping, progress, parts);
   else
-    readVoxels(location, layout, budget, progress, parts);
+    readVoxels(location, layout, keeping, progress, parts);
   return parts;
 }
 

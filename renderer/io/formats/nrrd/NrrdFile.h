@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <glm/glm.hpp>
 
@@ -35,6 +35,7 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& file);
 /// Reads a NRRD volume, attached (.nrrd) or detached (.nhdr), raw, gzip or text. Three spatial axes (two
 /// make one slice), before them at most an axis of colours, after them further volumes of which the first
 /// is read with a warning. Throws Error; Cancelled.
-VolumeParts readNrrd(const std::filesystem::path& path, const MemoryBudget& budget, const Progress& progress);
+VolumeParts readNrrd(const std::filesystem::path& path, const VoxelKeeping& keeping,
+                     const Progress& progress);
 
 } // namespace limn

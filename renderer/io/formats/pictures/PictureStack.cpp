@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/pictures/PictureStack.h"
 
+#include "io/formats/voxels/BoxOfVoxels.h"
 #include "io/openimageio/PictureLibrary.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
@@ -128,12 +129,18 @@ std::string kindOf(const fs::path& file) {
   return kindOf(std::string_view(bytes));
 }
 
-// Collects slices that all look like the first.
+// Collects slices that all look like the first, or the voxels of a box of them.
 class Stack {
 public:
-  Stack(fs::path path, const MemoryBudget& budget) : m_path(std::move(path)), m_budget(budget) {}
+  Stack(fs::path path, const VoxelKeeping& keeping) : m_path(std::move(path)), m_keeping(keeping) {}
 
-  // Reads a picture; `expectedSlices` only guides the room made.
+  // Whether the next slice must be opened at all: the first tells what all are.
+  bool needsNext() const { return m_slices == 0 || isKept(m_slices); }
+
+  // In place of `add`, where it is not.
+  void pass() { ++m_slices; }
+
+  // Reads a picture. There will be so many slices.
   void add(const Picture& picture, const fs::path& file, int page, std::size_t expectedSlices) {
     if (m_slices == 0)
       start(picture.shape, expectedSlices);
@@ -142,7 +149,8 @@ public:
                   Message::tr("its picture %1 (page %2) has another size or type than the first")
                       .arg(file.filename().string(), page + 1),
                   Message::tr("keep only the slices of one stack in the folder"));
-    withStoredType(m_shape.type, [&](auto value) { append<decltype(value)>(picture); });
+    if (isKept(m_slices))
+      withStoredType(m_shape.type, [&](auto value) { append<decltype(value)>(picture); });
     ++m_slices;
   }
 
@@ -150,6 +158,8 @@ public:
     VolumeParts parts = std::move(m_parts);
     parts.grid.dims = {m_shape.width, m_shape.height, m_slices};
     parts.stored = storedVoxels(std::move(m_stored));
+    if (m_keeping.box)
+      parts.held = m_box;
     parts.info.spacingKnown = false;
     parts.info.orientationKnown = false;
     if (m_shape.channels > 2)
@@ -158,13 +168,17 @@ public:
   }
 
 private:
+  bool isKept(int slice) const { return slice >= m_box.lower.z && slice < m_box.upper.z; }
+
   void start(const PictureShape& shape, std::size_t expectedSlices) {
     m_shape = shape;
-    const std::size_t voxels =
-        static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height) * expectedSlices;
+    Grid grid;
+    grid.dims = {shape.width, shape.height, static_cast<int>(expectedSlices)};
+    m_box = m_keeping.box ? m_keeping.box(grid, true) : VoxelBox{glm::ivec3(0), grid.dims};
+    const std::size_t voxels = voxelsIn(m_box);
     m_parts.room =
         roomFor(m_path, static_cast<double>(voxels) * static_cast<double>(bytesPerVoxel(shape.type)),
-                m_budget, m_parts.info.warnings);
+                m_keeping.budget, m_parts.info.warnings);
     withStoredType(shape.type, [&](auto value) {
       RoomVector<Kept<decltype(value)>> stored(m_parts.room);
       stored.reserve(voxels);
@@ -179,18 +193,22 @@ private:
     const auto channels = static_cast<std::size_t>(m_shape.channels);
     const auto width = static_cast<std::size_t>(m_shape.width);
     const auto band = static_cast<int>(std::max<std::size_t>(1, bytesPerBand / rowBytes(m_shape)));
+    const auto first = static_cast<std::size_t>(m_box.lower.x), end = static_cast<std::size_t>(m_box.upper.x);
     std::vector<Stored> samples;
-    for (int y = 0; y < m_shape.height; y += band) {
-      const int rows = std::min(band, m_shape.height - y);
+    for (int y = 0; y < m_box.upper.y; y += band) {
+      const int rows = std::min(band, m_box.upper.y - y);
       samples.resize(width * channels * static_cast<std::size_t>(rows));
       picture.readRows(reinterpret_cast<unsigned char*>(samples.data()), y, rows);
-      for (std::size_t i = 0; i < samples.size(); i += channels)
-        voxels.push_back(keptValue(samples.data() + i, m_shape.channels));
+      for (int row = std::max(m_box.lower.y - y, 0); row < rows; ++row)
+        for (std::size_t i = first; i < end; ++i)
+          voxels.push_back(keptValue(samples.data() + (static_cast<std::size_t>(row) * width + i) * channels,
+                                     m_shape.channels));
     }
   }
 
   fs::path m_path;
-  MemoryBudget m_budget;
+  VoxelKeeping m_keeping;
+  VoxelBox m_box; // of the voxels that are kept, once the first picture is known
   VolumeParts m_parts;
   PictureShape m_shape;
   VoxelVectors m_stored;
@@ -301,13 +319,17 @@ void requireWholeStack(const fs::path& folder, const std::vector<fs::path>& pict
               Message::tr("copy it again, or take it out of the folder if it is no slice"));
 }
 
-VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files, const MemoryBudget& budget,
-                         const Progress& progress) {
-  Stack stack(path, budget);
+VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files,
+                         const VoxelKeeping& keeping, const Progress& progress) {
+  Stack stack(path, keeping);
   std::set<std::string> kinds;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string kind = kindOf(files[i]);
     kinds.insert(kind);
+    if (files.size() > 1 && !stack.needsNext()) {
+      stack.pass();
+      continue;
+    }
     const int pages = kind == "TIFF" ? tiffPages(files[i]) : 1;
     if (files.size() > 1 && pages > 1)
       failReading(path, Message::tr("its picture %1 has several pages").arg(files[i].filename().string()),

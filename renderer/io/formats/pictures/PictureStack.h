@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <filesystem>
 #include <string_view>
@@ -63,8 +63,9 @@ bool naturalLess(std::string_view a, std::string_view b);
 
 /// Reads a stack of pictures, one slice each in the order given, or the pages of one file. All must have one
 /// size and type; colours become luminance with a warning. Pictures say nothing of spacing along the stack
-/// or of orientation: both are unknown. Throws Error; Cancelled.
+/// or of orientation: both are unknown. Of a part of a folder no other pictures are opened, but for the
+/// first. Throws Error; Cancelled.
 VolumeParts readPictures(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
-                         const MemoryBudget& budget, const Progress& progress);
+                         const VoxelKeeping& keeping, const Progress& progress);
 
 } // namespace limn

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/voxels/Voxels.h"
 
+#include "io/formats/voxels/BoxOfVoxels.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
+#include "io/reading/PartOfVolume.h"
 #include "io/reading/ReadError.h"
-#include "scene/basics/Descriptor.h"
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 
 namespace limn {
 namespace {
@@ -21,13 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t bytesPerStep = 1 << 20;
-
-template <class Stored>
-void swapBytes(Stored* values, std::size_t count) {
-  auto* bytes = reinterpret_cast<unsigned char*>(values);
-  for (std::size_t i = 0; i < count; ++i)
-    std::reverse(bytes + i * sizeof(Stored), bytes + (i + 1) * sizeof(Stored));
-}
 
 // Makes room for `step` more voxels, at most doubling what has been filled from real bytes.
 template <class T>
@@ -38,19 +27,11 @@ void growBy(RoomVector<T>& voxels, std::size_t step, std::uint64_t final) {
   voxels.resize(wanted);
 }
 
-// Throws the sentence of voxels that end early.
-void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
-  failReading(file,
-              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got, wanted),
-              copyAgain);
-}
-
 template <class Stored>
 RoomVector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
                                 const Progress& progress, std::uint64_t certain,
                                 const std::shared_ptr<Room>& room) {
   const auto components = static_cast<std::size_t>(layout.components);
-  const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
   const std::size_t perStep =
       std::min<std::uint64_t>(bytesPerStep / sizeof(Stored) / components, layout.count);
   const auto read = [&](Stored* samples, std::size_t done, std::size_t step) {
@@ -58,8 +39,7 @@ RoomVector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, c
     const std::size_t got = bytes(reinterpret_cast<unsigned char*>(samples), wanted);
     if (got < wanted)
       failShort(file, done + got / (components * sizeof(Stored)), layout.count);
-    if (swap)
-      swapBytes(samples, step * components);
+    toNativeOrder(samples, step * components, layout);
   };
   std::vector<Stored> samples;
   RoomVector<Kept<Stored>> voxels(room);
@@ -86,21 +66,6 @@ RoomVector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, c
   return voxels;
 }
 
-// So many bytes from a place in a file on.
-void readAt(const fs::path& path, const Descriptor& file, std::uint64_t from, unsigned char* to,
-            std::size_t bytes) {
-  while (bytes > 0) {
-    const ssize_t got = ::pread(file.number(), to, bytes, static_cast<off_t>(from));
-    if (got < 0 && errno == EINTR)
-      continue;
-    if (got <= 0)
-      failReading(path, Message::tr("its voxels end early"), copyAgain);
-    from += static_cast<std::uint64_t>(got);
-    to += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-}
-
 // Of the voxels as they are kept: colours are one value then.
 double bytesKept(const VoxelLayout& layout) {
   return static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type));
@@ -124,6 +89,10 @@ void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool m
 constexpr std::size_t textBytesPerStep = 1 << 16;
 constexpr std::size_t voxelsPerReport = 1 << 18;
 constexpr std::size_t longestWord = 400; // of a number written out: 10³⁰⁸ and its fraction
+
+bool isWithin(const glm::ivec3& voxel, const VoxelBox& box) {
+  return glm::all(glm::greaterThanEqual(voxel, box.lower)) && glm::all(glm::lessThan(voxel, box.upper));
+}
 
 bool isBlank(char c) {
   return c == ' ' || c == '\n' || c == '\r' || c == '\t';
@@ -192,25 +161,55 @@ Stored numberIn(const fs::path& file, std::string_view word) {
 
 template <class Stored>
 RoomVector<Kept<Stored>> readAs(const fs::path& file, Words& words, const VoxelLayout& layout,
-                                const Progress& progress, const std::shared_ptr<Room>& room) {
+                                const glm::ivec3& dims, const VoxelBox& box, const Progress& progress,
+                                const std::shared_ptr<Room>& room) {
   RoomVector<Kept<Stored>> voxels(room);
-  voxels.reserve(layout.count);
-  while (voxels.size() < layout.count) {
+  voxels.reserve(voxelsIn(box));
+  const auto width = static_cast<std::uint64_t>(dims.x), height = static_cast<std::uint64_t>(dims.y);
+  for (std::uint64_t n = 0; n < layout.count; ++n) {
     const std::string_view word = words.next();
     if (word.empty())
-      failShort(file, voxels.size(), layout.count);
-    voxels.push_back(static_cast<Kept<Stored>>(numberIn<Stored>(file, word)));
-    if (voxels.size() % voxelsPerReport == 0)
-      reportOrStop(progress, static_cast<double>(voxels.size()) / static_cast<double>(layout.count),
+      failShort(file, n, layout.count);
+    const auto value = static_cast<Kept<Stored>>(numberIn<Stored>(file, word));
+    if (isWithin(glm::ivec3(n % width, n / width % height, n / (width * height)), box))
+      voxels.push_back(value);
+    if (n % voxelsPerReport == 0)
+      reportOrStop(progress, static_cast<double>(n) / static_cast<double>(layout.count),
                    Message::tr("Reading voxels"));
   }
   return voxels;
+}
+
+bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+               VolumeParts& parts) {
+  const bool isNative = layout.bigEndian == (std::endian::native == std::endian::big);
+  const std::uint64_t offset = location.offset + location.skip;
+  return withStoredType(layout.type, [&](auto value) {
+    using Stored = decltype(value);
+    if constexpr (std::is_same_v<Stored, Kept<Stored>>)
+      if (location.encoding == Encoding::raw && layout.components == 1 &&
+          bytesKept(layout) > budget.unmappedBytes() && (isNative || sizeof(Stored) == 1) &&
+          offset % alignof(Stored) == 0) {
+        parts.room = std::make_shared<Room>();
+        const auto bytes = parts.room->mapped(location.file, offset, bytesOf(layout));
+        const auto* first = reinterpret_cast<const Stored*>(bytes.get());
+        parts.stored = StoredVoxels<Stored>(std::span(first, layout.count), bytes);
+        return true;
+      }
+    return false;
+  });
 }
 
 } // namespace
 
 std::size_t bytesPerVoxel(VoxelType type) {
   return withStoredType(type, [](auto value) { return sizeof(value); });
+}
+
+void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
+  failReading(file,
+              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got, wanted),
+              copyAgain);
 }
 
 std::uint64_t bytesOf(const VoxelLayout& layout) {
@@ -267,69 +266,42 @@ void noteLayout(const VoxelLayout& layout, std::vector<Message>& warnings) {
 }
 
 void readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                const MemoryBudget& budget, const Progress& progress, std::uint64_t certain,
+                const VoxelKeeping& keeping, const Progress& progress, std::uint64_t certain,
                 VolumeParts& parts) {
-  parts.room = roomFor(file, bytesKept(layout), budget, parts.info.warnings);
+  if (keeping.box) {
+    const RunReader read = passing(file, bytes, layout);
+    readBox(file, read, layout, keeping.box(parts.grid, false), keeping.budget, progress, parts);
+    read(bytesOf(layout), nullptr, 0); // the others must be there, too
+    parts.info.warnings.emplace_back(notInParts);
+    return;
+  }
+  parts.room = roomFor(file, bytesKept(layout), keeping.budget, parts.info.warnings);
   withStoredType(layout.type, [&](auto value) {
     parts.stored = readAs<decltype(value)>(file, bytes, layout, progress, certain, parts.room);
   });
 }
 
-bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
-               VolumeParts& parts) {
-  const bool isNative = layout.bigEndian == (std::endian::native == std::endian::big);
-  const std::uint64_t offset = location.offset + location.skip;
-  return withStoredType(layout.type, [&](auto value) {
-    using Stored = decltype(value);
-    if constexpr (std::is_same_v<Stored, Kept<Stored>>)
-      if (location.encoding == Encoding::raw && layout.components == 1 &&
-          bytesKept(layout) > budget.unmappedBytes() && (isNative || sizeof(Stored) == 1) &&
-          offset % alignof(Stored) == 0) {
-        parts.room = std::make_shared<Room>();
-        const auto bytes = parts.room->mapped(location.file, offset, bytesOf(layout));
-        const auto* first = reinterpret_cast<const Stored*>(bytes.get());
-        parts.stored = StoredVoxels<Stored>(std::span(first, layout.count), bytes);
-        parts.mapped = ByteLocation{location.file, offset};
-        return true;
-      }
-    return false;
-  });
+bool readInPlace(const ByteLocation& location, const VoxelLayout& layout, const VoxelKeeping& keeping,
+                 const Progress& progress, VolumeParts& parts) {
+  if (!keeping.box || location.encoding != Encoding::raw)
+    return mapVoxels(location, layout, keeping.budget, parts);
+  const VoxelBox box = keeping.box(parts.grid, false);
+  const bool isLarge = bytesKept(layout, box) > keeping.budget.voxelBytes();
+  if (!isLarge || !mapVoxels(location, layout, keeping.budget.mappingAll(), parts))
+    readBox(location.file, seeking(location), layout, box, keeping.budget, progress, parts);
+  return true;
 }
 
-VoxelArray readBox(const ByteLocation& mapped, const VoxelArray& all, const glm::ivec3& dims,
-                   const VoxelBox& box, const std::shared_ptr<Room>& room) {
-  const Descriptor file(::open(mapped.file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0)
-    failReading(mapped.file, std::strerror(errno), Message::tr("check the name and the right to read it"));
-  const auto read = [&]<class T>(const StoredVoxels<T>&) -> VoxelArray {
-    const glm::ivec3 size = box.upper - box.lower;
-    RoomVector<T> voxels(static_cast<std::size_t>(size.x) * size.y * size.z, room);
-    // What lies together in the file is read together.
-    const bool isRowWhole = size.x == dims.x;
-    const int rowsTogether = isRowWhole ? size.y : 1;
-    T* to = voxels.data();
-    for (int z = box.lower.z; z < box.upper.z; ++z)
-      for (int y = box.lower.y; y < box.upper.y; y += rowsTogether) {
-        const std::size_t count = static_cast<std::size_t>(size.x) * rowsTogether;
-        const std::uint64_t from = mapped.offset + sizeof(T) * voxelOffset(dims, box.lower.x, y, z);
-        readAt(mapped.file, file, from, reinterpret_cast<unsigned char*>(to), count * sizeof(T));
-        to += count;
-      }
-    return StoredVoxels<T>(std::move(voxels));
-  };
-  return std::visit(read, all);
-}
-
-void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const VoxelKeeping& keeping,
                 const Progress& progress, VolumeParts& parts) {
   const ByteReader bytes = openBytes(location, bytesOf(layout));
-  if (mapVoxels(location, layout, budget, parts)) {
+  if (readInPlace(location, layout, keeping, progress, parts)) {
     const std::uint64_t end = location.offset + location.skip + bytesOf(layout);
     noteSurplus(location, layout, fs::file_size(location.file) > end, parts.info.warnings);
     return;
   }
   const bool isChecked = location.encoding == Encoding::raw;
-  readVoxels(location.file, bytes, layout, budget, progress, isChecked ? layout.count : 0, parts);
+  readVoxels(location.file, bytes, layout, keeping, progress, isChecked ? layout.count : 0, parts);
   // At the end of compressed data this makes zlib compare the check sum.
   unsigned char beyond = 0;
   noteSurplus(location, layout, bytes(&beyond, 1) > 0, parts.info.warnings);
@@ -342,17 +314,23 @@ double luminance(const double* samples, int components) {
 }
 
 void readTextVoxels(const fs::path& file, const ByteReader& text, const VoxelLayout& layout,
-                    const MemoryBudget& budget, const Progress& progress, bool mayBeCut, VolumeParts& parts) {
+                    const VoxelKeeping& keeping, const Progress& progress, bool mayBeCut,
+                    VolumeParts& parts) {
   if (layout.components != 1)
     failReading(file, Message::tr("it holds colours as text"),
                 Message::tr("convert it to a binary encoding"));
   std::vector<Message>& warnings = parts.info.warnings;
-  parts.room =
-      roomFor(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)),
-              budget, warnings);
+  const glm::ivec3 dims = parts.grid.dims;
+  VoxelBox box{glm::ivec3(0), dims};
+  if (keeping.box) {
+    box = keeping.box(parts.grid, false);
+    parts.held = box;
+    warnings.emplace_back(notInParts);
+  }
+  parts.room = roomFor(file, bytesKept(layout, box), keeping.budget, warnings);
   Words words(file, text);
   withStoredType(layout.type, [&](auto value) {
-    parts.stored = readAs<decltype(value)>(file, words, layout, progress, parts.room);
+    parts.stored = readAs<decltype(value)>(file, words, layout, dims, box, progress, parts.room);
   });
   const bool isFollowed = !words.next().empty();
   if (isFollowed && layout.volumes == 1 && layout.endsFile)
@@ -361,10 +339,10 @@ void readTextVoxels(const fs::path& file, const ByteReader& text, const VoxelLay
     warnings.emplace_back(Message::tr("The text ends right behind its last number, which may be cut off."));
 }
 
-void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const VoxelKeeping& keeping,
                     const Progress& progress, VolumeParts& parts) {
   // The shortest voxel is a digit, and white space parts it from the next.
-  readTextVoxels(location.file, openBytes(location, 2 * layout.count - 1), layout, budget, progress, true,
+  readTextVoxels(location.file, openBytes(location, 2 * layout.count - 1), layout, keeping, progress, true,
                  parts);
 }
 

@@ -3,9 +3,11 @@
 
 #include "io/formats/voxels/Bytes.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 #include "scene/volume/Volume.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -23,8 +25,8 @@ struct VolumeParts {
   VoxelArray stored;
   Rescale rescale;
   VolumeInfo info;
-  std::shared_ptr<Room> room;         ///< where `stored` lies; null: in memory
-  std::optional<ByteLocation> mapped; ///< where the first of them lies in a file, where they were mapped
+  std::shared_ptr<Room> room;   ///< where `stored` lies; null: in memory
+  std::optional<VoxelBox> held; ///< the voxels `stored`, where they are not all
 };
 
 /// The number types that files store; 64-bit integers become double.
@@ -46,6 +48,9 @@ struct VoxelLayout {
 /// Bytes that the voxels of one volume fill.
 std::uint64_t bytesOf(const VoxelLayout& layout);
 
+/// Throws Error, naming `file`: so many voxels of those that its header asks for are there.
+[[noreturn]] void failShort(const std::filesystem::path& file, std::uint64_t got, std::uint64_t wanted);
+
 /// Product of the dimensions. Throws Error where one is not positive or the product is beyond any file.
 std::uint64_t voxelCount(const std::filesystem::path& file, const glm::ivec3& dims);
 
@@ -65,29 +70,27 @@ void noteLayout(const VoxelLayout& layout, std::vector<Message>& warnings);
 
 /// Reads exactly the voxels that `layout` describes into `parts.stored`: in memory, or in `parts.room` where
 /// the budget does not hold them. In memory, room is made at once for `certain` voxels, whose bytes are known
-/// to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end early or
-/// there is no room; Cancelled.
+/// to exist, and beyond them only as bytes arrive. Of a part alone no others are kept, which a warning says.
+/// `parts.grid` must be known. Throws Error, naming `file`, where the bytes end early or there is no room;
+/// Cancelled.
 void readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                const MemoryBudget& budget, const Progress& progress, std::uint64_t certain,
+                const VoxelKeeping& keeping, const Progress& progress, std::uint64_t certain,
                 VolumeParts& parts);
 
 /// Opens `location` and reads exactly the voxels that `layout` describes; where the budget does not hold them
-/// and they lie in the file as they are kept, they are mapped. Warns where the file holds more than its
+/// and they lie in the file as they are kept, they are mapped. Of a part of what is not compressed no other
+/// bytes are read. Warns where the file holds more than its
 /// header asks for, which then is likely wrong, or ends within the volumes behind the first.
-void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const VoxelKeeping& keeping,
                 const Progress& progress, VolumeParts& parts);
 
-/// Maps the voxels where the budget does not hold them and they lie in the file as they are kept: one
-/// component of a type that is kept, in this machine's order of bytes, at a place where such numbers may lie.
-/// Returns whether it did.
-bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
-               VolumeParts& parts);
-
-/// The voxels of a box, read from where others of the same type are mapped, without a look at those around
-/// it; in `room`, or in memory where there is none. Throws Error, naming the file, where it became shorter;
-/// what Room does.
-VoxelArray readBox(const ByteLocation& mapped, const VoxelArray& all, const glm::ivec3& dims,
-                   const VoxelBox& box, const std::shared_ptr<Room>& room);
+/// Does without a look at all voxels of a file that is not compressed, which must be known to hold them: of a
+/// part those bytes alone are read. All, and a part that the budget does not hold, are mapped where they lie
+/// in the file as they are kept: one component of a type that is kept, in this machine's order of bytes, at
+/// a place where such numbers may lie. Returns whether it did either. Throws Error, naming the file, where it
+/// became shorter or there is no room; Cancelled.
+bool readInPlace(const ByteLocation& location, const VoxelLayout& layout, const VoxelKeeping& keeping,
+                 const Progress& progress, VolumeParts& parts);
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);
@@ -120,6 +123,16 @@ auto withStoredType(VoxelType type, Function&& function) {
   return function(double{});
 }
 
+/// Turns numbers as a file stores them into those of this machine.
+template <class Stored>
+void toNativeOrder(Stored* values, std::size_t count, const VoxelLayout& layout) {
+  if (layout.bigEndian == (std::endian::native == std::endian::big))
+    return;
+  auto* bytes = reinterpret_cast<unsigned char*>(values);
+  for (std::size_t i = 0; i < count; ++i)
+    std::reverse(bytes + i * sizeof(Stored), bytes + (i + 1) * sizeof(Stored));
+}
+
 /// The type in which a stored type is kept.
 template <class Stored>
 using Kept = std::conditional_t<std::is_integral_v<Stored> && sizeof(Stored) == 8, double, Stored>;
@@ -143,15 +156,15 @@ inline const Message surplusWarning =
 /// The sentence for a volume whose colours became luminance.
 inline const Message colorWarning = Message::tr("The file holds colours; their luminance is shown.");
 
-/// Reads voxels written as decimal numbers between white space, scalar only, as the bytes arrive. `warnings`
-/// takes note of numbers behind the last voxel; with `mayBeCut` also of a text that ends right behind a
-/// digit, of which it may have lost others. Throws Error, naming `file`, where the text is too short or a
-/// word is no number of the layout's type; Cancelled.
+/// Reads voxels written as decimal numbers between white space, scalar only, as the bytes arrive; keeps and
+/// warns as readVoxels does. `warnings` takes note of numbers behind the last voxel; with `mayBeCut` also of
+/// a text that ends right behind a digit, of which it may have lost others. Throws Error, naming `file`,
+/// where the text is too short or a word is no number of the layout's type; Cancelled.
 void readTextVoxels(const std::filesystem::path& file, const ByteReader& text, const VoxelLayout& layout,
-                    const MemoryBudget& budget, const Progress& progress, bool mayBeCut, VolumeParts& parts);
+                    const VoxelKeeping& keeping, const Progress& progress, bool mayBeCut, VolumeParts& parts);
 
 /// The same from a place in a file, which must not be compressed.
-void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const VoxelKeeping& keeping,
                     const Progress& progress, VolumeParts& parts);
 
 } // namespace limn

@@ -117,7 +117,7 @@ bool isVtkLegacy(std::string_view bytes) {
   return bytes.starts_with("# vtk DataFile");
 }
 
-VolumeParts readVtkLegacy(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readVtkLegacy(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const LegacyHeader header = parseHeader(path, firstBytes(path, longestLegacyHeader));
   const auto dataset = header.lines.find("DATASET");
   if (dataset == header.lines.end() || dataset->second.empty() ||
@@ -150,9 +150,9 @@ VolumeParts readVtkLegacy(const fs::path& path, const MemoryBudget& budget, cons
   location.file = path;
   location.offset = header.end;
   if (header.isText)
-    readTextVoxels(location, layout, budget, progress, parts);
+    readTextVoxels(location, layout, keeping, progress, parts);
   else
-    readVoxels(location, layout, budget, progress, parts);
+    readVoxels(location, layout, keeping, progress, parts);
   return parts;
 }
 

@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <filesystem>
 #include <string_view>
@@ -16,7 +16,7 @@ bool isVtkLegacy(std::string_view bytes);
 /// Reads the first scalars of a legacy VTK file of STRUCTURED_POINTS, binary or text. Its axes say nothing
 /// of the patient: the orientation is unknown. Throws Error; Cancelled.
 /// Source: VTK User's Guide, "Simple Legacy Formats".
-VolumeParts readVtkLegacy(const std::filesystem::path& path, const MemoryBudget& budget,
+VolumeParts readVtkLegacy(const std::filesystem::path& path, const VoxelKeeping& keeping,
                           const Progress& progress);
 
 } // namespace limn

@@ -515,11 +515,11 @@ ByteReader codedBytes(const fs::path& file, const Document& document, const pugi
 }
 
 void readArray(const fs::path& file, const Document& document, const pugi::xml_node& array,
-               const VoxelLayout& layout, const MemoryBudget& budget, const Progress& progress,
+               const VoxelLayout& layout, const VoxelKeeping& keeping, const Progress& progress,
                VolumeParts& parts) {
   const std::string format = array.attribute("format").as_string("ascii");
   if (format == "ascii") {
-    readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, budget, progress,
+    readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, keeping, progress,
                    false, parts);
     return;
   }
@@ -534,10 +534,10 @@ void readArray(const fs::path& file, const Document& document, const pugi::xml_n
   if (!encoding.isBase64 && !encoding.isCompressed) {
     ByteLocation location = appendedAt(file, document, array);
     location.skip = static_cast<std::uint64_t>(encoding.bytesPerLength);
-    if (mapVoxels(location, layout, budget, parts))
+    if (readInPlace(location, layout, keeping, progress, parts))
       return;
   }
-  readVoxels(file, reader, layout, budget, progress, encoding.isCompressed ? 0 : layout.count, parts);
+  readVoxels(file, reader, layout, keeping, progress, encoding.isCompressed ? 0 : layout.count, parts);
 }
 
 } // namespace
@@ -546,7 +546,7 @@ bool isVtkXml(std::string_view bytes) {
   return bytes.find("<VTKFile") != std::string_view::npos && trimmed(bytes).starts_with('<');
 }
 
-VolumeParts readVtkXml(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+VolumeParts readVtkXml(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {
   const Document document = parse(path);
   const Points points = pointsOf(path, document.image());
   const pugi::xml_node piece = pieceOf(path, document.image());
@@ -566,7 +566,7 @@ VolumeParts readVtkXml(const fs::path& path, const MemoryBudget& budget, const P
   parts.grid = gridFromAxes(path, dims, points.stepsMm, points.firstMm + points.stepsMm * shift);
   const VoxelLayout layout = layoutOf(path, document, array, dims);
   noteLayout(layout, parts.info.warnings);
-  readArray(path, document, array, layout, budget, progress, parts);
+  readArray(path, document, array, layout, keeping, progress, parts);
   return parts;
 }
 

@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
-#include "scene/basics/MemoryBudget.h"
+#include "io/reading/VoxelKeeping.h"
 
 #include <filesystem>
 #include <string_view>
@@ -15,7 +15,7 @@ bool isVtkXml(std::string_view bytes);
 
 /// Reads the active scalars of VTK image data (.vti) of one piece: text, base64 or raw, plain or compressed
 /// by zlib. Its axes say nothing of the patient: the orientation is unknown. Throws Error; Cancelled.
-VolumeParts readVtkXml(const std::filesystem::path& path, const MemoryBudget& budget,
+VolumeParts readVtkXml(const std::filesystem::path& path, const VoxelKeeping& keeping,
                        const Progress& progress);
 
 } // namespace limn
