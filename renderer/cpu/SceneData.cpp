@@ -322,6 +322,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   if (effects.has(Effect::localSteps))
     terms.fineness = finenessOf(scene.quality);
   terms.isExact = scene.quality.toleranceLevels.has_value();
+  terms.roundsPlaces = m_roundsPlaces && !terms.fineness && !terms.isExact;
   terms.frame = rayFrame(scene.camera, grid, size);
   terms.size = size;
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);

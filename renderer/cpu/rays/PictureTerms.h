@@ -102,6 +102,7 @@ struct PictureTerms {
   TravelTerms travel;
   std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
   bool isExact = false;           ///< scalars and surfaces are found cell by cell, too
+  bool roundsPlaces = false;      ///< samples lie where a card weighs voxels (CpuRenderer::Weights)
 
   RayFrame frame;
   glm::ivec2 size{0};
