@@ -16,7 +16,7 @@ public:
 
   /// By which weights voxels are mixed at a sample. In 8 bits, as graphics cards have them, its place between
   /// voxels is rounded to 1/256: what tests know of a card without one, beside GLSL that does the same
-  /// (glsl/decisions/Decisions). No command draws so. What goes cell by cell takes no samples and stays.
+  /// (glsl/decisions/Decisions). No command draws so. What keeps a tolerance takes no samples and stays.
   enum class Weights { floats, eightBits };
 
   /// `threads` of the processor, 0: all. Throws Error (usage) where LIMN_CPU_TARGET asks for what the

@@ -56,7 +56,7 @@ BlockBox blocksMet(const Grid& grid, const IndexBox& brick, double stepVoxels);
 /// nothing else.
 class SceneData {
 public:
-  /// `roundsPlaces`: samples lie on 1/256 of a voxel, as CpuRenderer::Weights says.
+  /// `roundsPlaces`: voxels are floats and mixed as CpuRenderer::Weights says.
   explicit SceneData(int threads, bool skipsEmptySpace, bool roundsPlaces = false)
       : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace), m_roundsPlaces(roundsPlaces) {}
 

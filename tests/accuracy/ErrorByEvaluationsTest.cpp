@@ -35,7 +35,6 @@ void expectSteep(Scene scene, const std::string& what) {
     const std::vector<glm::dvec4> exact = test::exactByCells(scene, costedPicture);
     const std::vector<EvaluationCost> costs =
         test::evaluationCosts(scene, costedPicture, EvaluationWay::cells, exact);
-    ASSERT_GE(costs.size(), 2u);
     EXPECT_LE(costs.back().error, test::toldErrors.back());
     const double slope = test::slopeOf(costs);
     std::printf("%s, %s: %.2f level for %.0f evaluations a ray to %.3f for %.0f, slope %.1f\n", what.c_str(),
@@ -76,7 +75,7 @@ TEST(ErrorByEvaluations, ofASquareIsALineOfSlopeTwo) {
   EXPECT_NEAR(test::slopeOf(costs), -2.0, 1e-9);
   EXPECT_NEAR(test::evaluationsFor(costs, 2.0), std::sqrt(8.0), 1e-9);
   EXPECT_TRUE(std::isnan(test::evaluationsFor(costs, 17.0)));
-  EXPECT_TRUE(std::isnan(test::slopeOf({{8.0, 1.0}, {1.0, 2.0}}))) << "three of the errors told at least";
+  EXPECT_TRUE(std::isnan(test::slopeOf({{8.0, 1.0}, {3.0, 2.0}}))) << "three of the errors told at least";
 }
 
 } // namespace

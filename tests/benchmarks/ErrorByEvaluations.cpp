@@ -29,7 +29,8 @@ void tell(const std::string& what, const char* way, const std::vector<test::Eval
     std::isnan(evaluations) ? std::printf(" |") : std::printf(" %.0f |", evaluations);
   }
   const double slope = test::slopeOf(costs);
-  std::isnan(slope) ? std::printf(" |\n") : std::printf(" %.1f |\n", slope);
+  std::isnan(slope) ? std::printf(" |") : std::printf(" %.1f |", slope);
+  std::printf(" %.2f for %.0f |\n", costs.front().error, costs.front().evaluations);
   std::fflush(stdout);
 }
 
@@ -79,7 +80,7 @@ int main(int count, char** arguments) {
     std::printf("| scene | way |");
     for (const double error : limn::test::toldErrors)
       std::printf(" %g |", error);
-    std::printf(" slope |\n");
+    std::printf(" slope | coarsest |\n");
     for (int i = first; i + 1 < count; i += 2)
       limn::measure(arguments[i], arguments[i + 1], glm::ivec2(pixels), isEqualToo);
   } catch (const limn::Error& error) {

@@ -28,19 +28,9 @@ struct Samples {
 
   /// Voxel indices `step` steps behind sample 0.
   HWY_INLINE V3 indexAt(VF step) const {
-    const V3 index{hn::MulAdd(step, all(ray.stride.x), all(ray.first.x)),
-                   hn::MulAdd(step, all(ray.stride.y), all(ray.first.y)),
-                   hn::MulAdd(step, all(ray.stride.z), all(ray.first.z))};
-    return HWY_LIKELY(!terms.roundsPlaces) ? index : asOnACard(index);
-  }
-
-  /// Where a graphics card would filter instead: at the nearest 1/256 of a voxel (shaders/decisions).
-  HWY_NOINLINE static V3 asOnACard(const V3& index) {
-    return {rounded(index.x), rounded(index.y), rounded(index.z)};
-  }
-
-  HWY_INLINE static VF rounded(VF place) {
-    return hn::Mul(hn::Floor(hn::MulAdd(place, all(256.0f), all(0.5f))), all(1.0f / 256.0f));
+    return {hn::MulAdd(step, all(ray.stride.x), all(ray.first.x)),
+            hn::MulAdd(step, all(ray.stride.y), all(ray.first.y)),
+            hn::MulAdd(step, all(ray.stride.z), all(ray.first.z))};
   }
 
   HWY_INLINE VF scalarAt(VF step) const { return field.scalarAt(indexAt(step)); }
