@@ -8,7 +8,9 @@
 #include "cpu/simd/InstructionSet.h"
 #include "engine/PixelRect.h"
 #include "engine/VolumeTooLarge.h"
+#include "scene/basics/Error.h"
 
+#include <algorithm>
 #include <thread>
 
 namespace limn {
@@ -18,11 +20,39 @@ EffectSet withMore(EffectSet needed, EffectSet more) {
   return canonical(needed.with(more));
 }
 
+// How many pixels are drawn before anybody asks whether to go on, and how many such strips a thread takes on
+// end. Where light is found for each sample a pixel takes milliseconds, and so it does cell by cell in noise
+// under a function of hundreds of points.
+struct StripSize {
+  int width = 64, together = 1;
+};
+
+StripSize stripSize(const cpu::PictureTerms& terms) {
+  if (terms.effects.hasAny(travellingLight) && terms.travel.found.nodes.count.x == 0)
+    return {4, 1};
+  return terms.fineness || terms.isExact ? StripSize{8, 8} : StripSize{};
+}
+
+// Nothing to be seen. To fill a picture of 3,000² takes longer than whoever cancels may wait.
+Image blank(const glm::ivec2& size, const std::function<bool()>& isCancelled) {
+  constexpr std::size_t piece = 1 << 18; // a few ms
+  Image image;
+  image.size = size;
+  const auto count = static_cast<std::size_t>(size.x) * size.y;
+  image.pixels.reserve(count);
+  while (image.pixels.size() < count) {
+    if (isCancelled && image.pixels.size() > 0 && isCancelled())
+      throw Cancelled();
+    image.pixels.resize(std::min(image.pixels.size() + piece, count), glm::vec4(0.0f));
+  }
+  return image;
+}
+
 } // namespace
 
-CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace)
+CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace, Weights weights)
     : m_threads(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
-      m_data(m_threads, emptySpace == EmptySpace::skipped) {
+      m_data(m_threads, emptySpace == EmptySpace::skipped, weights == Weights::eightBits) {
   cpu::requireInstructionSet();
 }
 
@@ -37,7 +67,7 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   if (isPhysical(scene))
     return drawPaths(scene, size, tile, isCancelled);
   const EffectPlan needed = plan(scene, isCancelled);
-  Image image(tile.size);
+  Image image = blank(tile.size, isCancelled);
   if (!needed.isVisible)
     return image;
   const EffectSet effects = choose(needed.effects, others);
@@ -47,9 +77,8 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   const auto drawStrip = [&](const cpu::Strip& strip) {
     cpu::drawRow(terms, strip.y, strip.fromX, strip.toX, &image.pixels[strip.inTile]);
   };
-  // Where light is found for each sample a pixel takes milliseconds.
-  const bool isSlow = effects.hasAny(travellingLight) && terms.travel.found.nodes.count.x == 0;
-  cpu::forEachStrip(tile, covered, m_threads, drawStrip, isCancelled, isSlow ? 4 : 64);
+  const StripSize strip = stripSize(terms);
+  cpu::forEachStrip(tile, covered, m_threads, drawStrip, isCancelled, strip.width, strip.together);
   return image;
 }
 

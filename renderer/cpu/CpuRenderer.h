@@ -14,9 +14,15 @@ public:
   /// Stepping over empty space changes no bit of a picture; tests switch it off to show that.
   enum class EmptySpace { skipped, sampled };
 
+  /// By which weights voxels are mixed at a sample. In 8 bits, as graphics cards have them, its place between
+  /// voxels is rounded to 1/256: what tests know of a card without one, beside GLSL that does the same
+  /// (glsl/decisions/Decisions). No command draws so. What keeps a tolerance takes no samples and stays.
+  enum class Weights { floats, eightBits };
+
   /// `threads` of the processor, 0: all. Throws Error (usage) where LIMN_CPU_TARGET asks for what the
   /// processor does not have (cpu/simd/InstructionSet.h).
-  explicit CpuRenderer(int threads = 0, EmptySpace emptySpace = EmptySpace::skipped);
+  explicit CpuRenderer(int threads = 0, EmptySpace emptySpace = EmptySpace::skipped,
+                       Weights weights = Weights::floats);
 
   /// The pixels of `tile` of a picture of `size` pixels: premultiplied RGBA without background. Any tiling
   /// and any number of threads give the same picture bit for bit. Asks `isCancelled`, which may be empty, at

@@ -219,7 +219,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
     m_pathsKept.reset();
     m_volume.reset(); // should it be cancelled
     m_voxels.reset();
-    m_voxels.emplace(scene.volume, part, effort);
+    m_voxels.emplace(scene.volume, part, effort, m_roundsPlaces);
     m_volume = scene.volume;
     return;
   }
@@ -229,7 +229,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_gradients = {};
   m_gradientScale = {};
   m_light = {}; // keeps its volume
-  m_voxels.emplace(scene.volume, part, effort);
+  m_voxels.emplace(scene.volume, part, effort, m_roundsPlaces);
   m_volume = scene.volume;
   m_steepness.reset();
   m_functionKept.reset();
@@ -322,6 +322,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   if (effects.has(Effect::localSteps))
     terms.fineness = finenessOf(scene.quality);
   terms.isExact = scene.quality.toleranceLevels.has_value();
+  terms.voxels.roundsPlaces = m_roundsPlaces && !terms.isExact;
   terms.frame = rayFrame(scene.camera, grid, size);
   terms.size = size;
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);
@@ -353,6 +354,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
     terms.smoothed =
         sourceOf(VoxelSource::Kind::single, std::get<StoredVoxels<float>>(m_gradients.smoothed()->stored()),
                  grid.dims, 1.0f);
+  terms.smoothed.roundsPlaces = terms.voxels.roundsPlaces;
   setGradient(scene, m_gradientScale, terms);
   setFog(scene, terms);
   terms.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));

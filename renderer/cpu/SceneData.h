@@ -56,8 +56,9 @@ BlockBox blocksMet(const Grid& grid, const IndexBox& brick, double stepVoxels);
 /// nothing else.
 class SceneData {
 public:
-  explicit SceneData(int threads, bool skipsEmptySpace)
-      : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace) {}
+  /// `roundsPlaces`: voxels are floats and mixed as CpuRenderer::Weights says.
+  explicit SceneData(int threads, bool skipsEmptySpace, bool roundsPlaces = false)
+      : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace), m_roundsPlaces(roundsPlaces) {}
 
   /// Only what rays read in this box is made ready from now on; absent: everything.
   void setBrick(const std::optional<IndexBox>& brick) { m_brick = brick; }
@@ -111,6 +112,7 @@ private:
 
   int m_threads;
   bool m_skipsEmptySpace;
+  bool m_roundsPlaces;
   std::optional<IndexBox> m_brick;
   std::optional<WholeFacts> m_whole;
   std::shared_ptr<const Volume> m_volume;

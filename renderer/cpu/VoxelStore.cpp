@@ -154,14 +154,15 @@ VoxelBox voxelsOf(const BlockBox& part, const glm::ivec3& dims) {
   return {part.lower * blockSize, glm::min(part.upper * blockSize + 1, dims)};
 }
 
-VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort)
+VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort,
+                       bool asFloats)
     : m_volume(std::move(volume)), m_part(part) {
   const VoxelBox read = voxelsOf(part, m_volume->grid().dims);
   const VoxelBox held = heldOf(*m_volume);
   assert(contains(held, read));
   requireCountable(m_volume->grid().dims);
   const auto store = [&]<class T>(const StoredVoxels<T>& stored) {
-    if (canStayAsStored<T>(*m_volume)) {
+    if (!asFloats && canStayAsStored<T>(*m_volume)) {
       m_source = asStored(stored, *m_volume);
       m_blocks = blocksOfVoxels(stored.data(), *m_volume, part, {m_source.scale, m_source.shift}, effort);
       return;

@@ -21,8 +21,9 @@ public:
   /// Rays read the voxels of `part` alone, half open: no others are looked at, and of those that are copied
   /// the rest stays unset. A volume that holds a part
   /// of its voxels must hold those. Throws Error (input) where there are too many rows to count, before
-  /// anything is copied; what Room does; Cancelled.
-  VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort);
+  /// anything is copied; what Room does; Cancelled. `asFloats`: all types are copied to floats.
+  VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort,
+             bool asFloats = false);
 
   const VoxelSource& source() const { return m_source; }
 

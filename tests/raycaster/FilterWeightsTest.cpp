@@ -3,6 +3,7 @@
 // as a card has them, against weights in floats.
 #include "accuracy/Tolerance.h"
 #include "accuracy/sweep/ErrorByChance.h"
+#include "cpu/CpuRenderer.h"
 #include "glsl/programs/FilterBits.h"
 #include "glsl/programs/GlslEvaluator.h"
 #include "glsl/programs/ShaderVariant.h"
@@ -221,6 +222,44 @@ TEST_F(FilterWeights3D, theErrorOfACardsPictureIsWhatIsToldOfIt) {
       EXPECT_LE(error.largest, mostLevelsOfValue(one.scene));
     }
   }
+}
+
+// Two programs that share nothing but the definition round alike, so neither figure is a driver's own. What
+// differs is decided by float rounding where a place lies between two weights: a quarter, as above.
+TEST_F(FilterWeights3D, theProcessorRoundsToTheSameError) {
+  constexpr glm::ivec2 size(192, 192);
+  RayCaster floats;
+  RayCaster rounded = card();
+  CpuRenderer exact;
+  CpuRenderer asCard(0, CpuRenderer::EmptySpace::skipped, CpuRenderer::Weights::eightBits);
+  std::cout
+      << "| scene | processor: p99.9 | largest | OpenGL: p99.9 | apart: p99.9 |\n|---|---|---|---|---|\n";
+  for (const Case& one : cases()) {
+    SCOPED_TRACE(one.what);
+    const Image inFloats = exact.render(one.scene, size);
+    const Image byProcessor = asCard.render(one.scene, size);
+    const Image byDriver = rounded.render(one.scene, size);
+    const ImageError error = imageError(byProcessor, inFloats);
+    const double driver = imageError(byDriver, floats.render(one.scene, size)).p99_9;
+    const double apart = imageError(byProcessor, byDriver).p99_9;
+    std::cout << "| " << one.what << " | " << error.p99_9 << " | " << error.largest << " | " << driver
+              << " | " << apart << " |\n";
+    EXPECT_LE(error.p99_9, one.mostP99_9);
+    EXPECT_NEAR(error.p99_9, driver, 0.25 * driver);
+    if (one.scene.projection == Projection::mip || one.scene.projection == Projection::average) {
+      EXPECT_LE(error.largest, mostLevelsOfValue(one.scene));
+    }
+  }
+}
+
+// Cell by cell nothing is sampled, so a card's weights change nothing there.
+TEST_F(FilterWeights3D, whatGoesCellByCellIsNotRounded) {
+  Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0}), ShadingModel::enhanced);
+  scene.quality.toleranceLevels = 1.0;
+  scene.quality.fineness = 4.0;
+  CpuRenderer asCard(0, CpuRenderer::EmptySpace::skipped, CpuRenderer::Weights::eightBits);
+  const Image exact = CpuRenderer().render(scene, {48, 48});
+  EXPECT_LE(imageError(asCard.render(scene, {48, 48}), exact).largest, roundingLevels);
 }
 
 TEST(FilterWeightsText, nothingThatACommandOffersRoundsWeights) {

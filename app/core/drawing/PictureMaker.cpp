@@ -173,11 +173,14 @@ Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size
   constexpr int rows = 128;
   if (size.y <= rows)
     return renderer.draw(scene, size, {{0, 0}, size}, effort.isCancelled);
-  Image whole(size);
+  // Strip is put behind strip: to fill a large picture before would keep whoever cancels waiting.
+  Image whole;
+  whole.size = size;
+  whole.pixels.reserve(static_cast<std::size_t>(size.x) * size.y);
   for (int y = 0; y < size.y; y += rows) {
     const PixelRect tile{{0, y}, {size.x, std::min(rows, size.y - y)}};
     const Image strip = renderer.draw(scene, size, tile, effort.isCancelled);
-    std::ranges::copy(strip.pixels, &whole.at(0, y));
+    whole.pixels.insert(whole.pixels.end(), strip.pixels.begin(), strip.pixels.end());
     if (effort.report)
       effort.report(1.0 * (y + tile.size.y) / size.y);
   }

@@ -34,9 +34,15 @@ std::string sentenceOn(const DecisionCost& cost) {
          std::to_string(std::lround(100.0 * cost.timesDefault)) + " % of the time" + memory + ".";
 }
 
-constexpr std::size_t fewestTimes = 3;
+constexpr std::size_t fewestTimes = 2;
+constexpr std::size_t someTimes = 3;
 constexpr std::size_t usualTimes = 7;
-constexpr double quickMs = 100.0; ///< pictures that take longer are drawn the fewest times
+
+// The slower a picture, the less its time varies by a share, and the longer people wait for another.
+std::size_t timesOf(double ms) {
+  constexpr double quickMs = 100.0, slowMs = 1000.0;
+  return ms <= quickMs ? usualTimes : ms <= slowMs ? someTimes : fewestTimes;
+}
 
 double elapsedMs(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -94,9 +100,7 @@ public:
   void takeTimes() {
     for (std::size_t round = 0; round < usualTimes; ++round)
       for (std::size_t i = 0; i < m_times.size(); ++i) {
-        const std::size_t enough =
-            !m_times[i].empty() && m_times[i].front() > quickMs ? fewestTimes : usualTimes;
-        if (m_times[i].size() >= enough)
+        if (!m_times[i].empty() && m_times[i].size() >= timesOf(m_times[i].front()))
           continue;
         const OperatingPoint& point = m_report.points[i].point;
         tell(0.5 + 0.5 *

@@ -53,7 +53,8 @@ std::vector<OperatingPoint> fewPoints();
 
 /// Draws the scene at every point, compares with the converged picture, takes times in rounds over all points
 /// (so that a machine that grows slower slows them alike), and fills in `points`, with orders and Pareto
-/// marks, and `remarks` of the report. At least three pictures a point, seven where they are quick.
+/// marks, and `remarks` of the report. Seven pictures a point where they are quick, two where they take
+/// longer than a second.
 void measurePoints(AccuracyReport& report, const Scene& scene, const std::vector<OperatingPoint>& points,
                    const PrecisePixels& converged, const SweepRenderers& renderers,
                    const ReportProgress& progress = {});

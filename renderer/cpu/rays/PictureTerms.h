@@ -25,10 +25,11 @@ struct VoxelSource {
   std::int64_t bytes = 0;               ///< from there to the end of the voxels
   float scale = 1.0f;                   ///< normalised scalar = scale · voxel + shift
   float shift = 0.0f;
-  glm::ivec3 first{0};      ///< of the voxels; others are never read, whatever index is asked for
-  glm::ivec3 dims{1};       ///< how many there are from the first on
-  std::int64_t strideY = 0; ///< bytes to the next row, 0 where there is one row
-  std::int64_t strideZ = 0; ///< bytes to the next slice, likewise
+  glm::ivec3 first{0};       ///< of the voxels; others are never read, whatever index is asked for
+  glm::ivec3 dims{1};        ///< how many there are from the first on
+  std::int64_t strideY = 0;  ///< bytes to the next row, 0 where there is one row
+  std::int64_t strideZ = 0;  ///< bytes to the next slice, likewise
+  bool roundsPlaces = false; ///< floats are mixed by a card's weights (CpuRenderer::Weights)
 };
 
 /// Where nothing shows: for each block of 4³ cells the distance in blocks to the nearest in which something

@@ -41,7 +41,7 @@ struct InOrder {};
 } // namespace
 
 void forEach(int count, int threads, const std::function<void(int)>& work,
-             const std::function<bool()>& isCancelled) {
+             const std::function<bool()>& isCancelled, int together) {
   // By itself TBB has no more threads than the processor.
   std::optional<tbb::global_control> limit;
   if (threads > tbb::this_task_arena::max_concurrency())
@@ -63,7 +63,8 @@ void forEach(int count, int threads, const std::function<void(int)>& work,
       }
     };
     workIsReady();
-    tbb::parallel_for(tbb::blocked_range<int>(0, count), piece, tbb::simple_partitioner(), context);
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, static_cast<std::size_t>(together)), piece,
+                      tbb::simple_partitioner(), context);
   });
   workIsDone();
   if (isStopped)

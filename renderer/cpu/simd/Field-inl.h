@@ -42,11 +42,11 @@ public:
 
   /// The cells of continuous voxel indices, clamped to the outermost voxel centres.
   HWY_INLINE Cells cellsAt(const V3& index) const {
-    Cells cells;
-    cells.x = lowOf(index.x, m_voxels.first.x, m_voxels.dims.x, cells.weight.x);
-    cells.y = lowOf(index.y, m_voxels.first.y, m_voxels.dims.y, cells.weight.y);
-    cells.z = lowOf(index.z, m_voxels.first.z, m_voxels.dims.z, cells.weight.z);
-    return cells;
+    // Voxels as they are stored pay nothing for the question.
+    if constexpr (kind == VoxelSource::Kind::single)
+      if (HWY_UNLIKELY(m_voxels.roundsPlaces))
+        return cellsAround({rounded(index.x), rounded(index.y), rounded(index.z)});
+    return cellsAround(index);
   }
 
   /// Normalised scalars at continuous voxel indices.
@@ -188,6 +188,19 @@ private:
   struct Places {
     VI row, bytes;
   };
+
+  HWY_INLINE Cells cellsAround(const V3& index) const {
+    Cells cells;
+    cells.x = lowOf(index.x, m_voxels.first.x, m_voxels.dims.x, cells.weight.x);
+    cells.y = lowOf(index.y, m_voxels.first.y, m_voxels.dims.y, cells.weight.y);
+    cells.z = lowOf(index.z, m_voxels.first.z, m_voxels.dims.z, cells.weight.z);
+    return cells;
+  }
+
+  // Where a graphics card would filter in place of this (shaders/decisions/weights_of_8_bits.glsl).
+  HWY_INLINE static VF rounded(VF place) {
+    return hn::Mul(hn::Floor(hn::MulAdd(place, all(256.0f), all(0.5f))), all(1.0f / 256.0f));
+  }
 
   HWY_INLINE static VI lowOf(VF index, int first, int dim, VF& weight) {
     const VF clampedIndex = clamped(index, static_cast<float>(first), static_cast<float>(first + dim - 1));
