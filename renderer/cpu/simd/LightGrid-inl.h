@@ -53,14 +53,14 @@ public:
     const VF middle = hn::MulAdd(hn::Add(hn::Add(along.x, along.y), along.z), all(127.0f), perCode);
     VF sum = hn::Zero(floats);
     for (int row = 0; row < 4; ++row) {
-      HWY_ALIGN std::uint32_t lower[most], upper[most];
+      HWY_ALIGN std::uint32_t pairs[2 * most];
       const std::array<std::uint8_t, 4>* nodes = m_travel.found.ambient->data() + stepTo(2 * row);
-      for (int lane = 0; lane < lanes(); ++lane) {
-        std::memcpy(&lower[lane], nodes + m_low[lane], 4);
-        std::memcpy(&upper[lane], nodes + m_low[lane] + 1, 4);
-      }
-      const VF first = around(hn::Load(words, lower), perCode, along);
-      const VF second = around(hn::Load(words, upper), perCode, along);
+      for (int lane = 0; lane < lanes(); ++lane)
+        std::memcpy(&pairs[2 * lane], nodes + m_low[lane], 8);
+      VW lower, upper;
+      hn::LoadInterleaved2(words, pairs, lower, upper);
+      const VF first = around(lower, perCode, along);
+      const VF second = around(upper, perCode, along);
       sum = hn::MulAdd(shareOf(row), hn::MulAdd(m_weight.x, hn::Sub(second, first), first), sum);
     }
     return clamped(hn::Sub(sum, middle), 0.0f, 1.0f);

@@ -160,7 +160,7 @@ struct Samples {
     }
     const Reaching reaching{dimmed(terms.light.shadow.strength, direct),
                             dimmed(terms.light.occlusion.strength, ambient)};
-    return light.shaded(material, gradients, step, &reaching);
+    return light.shaded(material, normal, gradients.ratio, step, &reaching);
   }
 
   HWY_INLINE static VF dimmed(double strength, VF comes) {
