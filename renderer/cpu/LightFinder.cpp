@@ -35,8 +35,8 @@ int differences(const Scene& one, const Scene& other) {
   Shading shading = other.shading;
   shading.lightDirection = one.shading.lightDirection;
   return (one.shading != shading) + (one.shading.lightDirection != other.shading.lightDirection) +
-         (one.gradientOpacity != other.gradientOpacity) + (one.crop != other.crop) + (one.keep != other.keep) +
-         (one.projection != other.projection) + (one.isovalue != other.isovalue) +
+         (one.gradientOpacity != other.gradientOpacity) + (one.crop != other.crop) +
+         (one.keep != other.keep) + (one.projection != other.projection) + (one.isovalue != other.isovalue) +
          differences(one.transferFunction, other.transferFunction);
 }
 
@@ -131,8 +131,7 @@ bool LightInBackground::isFinding(const Scene& scene) {
 
 void LightInBackground::want(const Scene& lit) {
   const Scene fine = withDetail(lit, LightDetail::fine);
-  std::erase_if(m_wanted,
-                [&](const Scene& wanted) { return withDetail(wanted, LightDetail::fine) == fine; });
+  std::erase_if(m_wanted, [&](const Scene& wanted) { return withDetail(wanted, LightDetail::fine) == fine; });
   m_wanted.push_front(lit);
   while (m_wanted.size() > mostWanted)
     m_wanted.pop_back();
@@ -152,8 +151,8 @@ const LightInBackground::Known* LightInBackground::exactly(const Scene& lit) con
 const LightInBackground::Known* LightInBackground::instead(const Scene& lit) const {
   if (const Known* coarse = exactly(withDetail(lit, LightDetail::coarse)))
     return coarse;
-  const auto nearest = std::ranges::min_element(
-      m_known, {}, [&](const Known& known) { return differences(known.of, lit); });
+  const auto nearest =
+      std::ranges::min_element(m_known, {}, [&](const Known& known) { return differences(known.of, lit); });
   return nearest == m_known.end() ? nullptr : &*nearest;
 }
 
@@ -190,8 +189,7 @@ void LightInBackground::findNext(std::unique_lock<std::mutex>& lock) {
   const auto isInVain = [&] {
     const std::lock_guard inner(m_mutex);
     const bool isFine = sought.quality.light == LightDetail::fine;
-    return m_ends || (isFine && missingCoarse()) ||
-           std::ranges::none_of(m_wanted, [&](const Scene& wanted) {
+    return m_ends || (isFine && missingCoarse()) || std::ranges::none_of(m_wanted, [&](const Scene& wanted) {
              return isFine ? wanted == sought : wanted.volume == sought.volume;
            });
   };

@@ -148,8 +148,8 @@ TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const Pictur
     return travelOf(scene, terms, ofSamples);
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
-  travel.look = lightLook(light.nodes, scene.volume->grid(),
-                          scene.quality.light == LightDetail::fine && light.isFine);
+  travel.look =
+      lightLook(light.nodes, scene.volume->grid(), scene.quality.light == LightDetail::fine && light.isFine);
   travel.perIndex = glm::vec3(1.0 / light.nodes.stride);
   travel.shift = glm::vec3(-(terms.centre + light.nodes.first) / light.nodes.stride);
   return travel;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What light on its way keeps to, drawn by the CPU engine: what is cropped away dims nothing, steps change no
-// strength, what is neutral changes no bit, and what a picture says of its light is so (DEFINITION section 11).
+// strength, what is neutral changes no bit, and what a picture says of its light is so (DEFINITION section
+// 11).
 #include "accuracy/ImageError.h"
 #include "accuracy/Tolerance.h"
 #include "cpu/CpuRenderer.h"
@@ -142,8 +143,10 @@ TEST(CpuLightKept, theErrorThatIsToldIsTheErrorThatIsFound) {
     const double found =
         imageError(pictureIn(scene, LightDetail::fine, size), pictureIn(scene, LightDetail::sampled, size))
             .p99_9;
-    std::cout << (lights == 1 ? "shadow" : lights == 2 ? "occlusion" : "both") << ": told " << told
-              << ", found " << found << " levels\n";
+    std::cout << (lights == 1   ? "shadow"
+                  : lights == 2 ? "occlusion"
+                                : "both")
+              << ": told " << told << ", found " << found << " levels\n";
     EXPECT_GE(told, 0.8 * found); // what issues ask of every figure of error
     EXPECT_LE(told, 1.2 * found);
   }

@@ -120,8 +120,8 @@ TEST(LargeVolume, isMovedAndDrawnWithinABudgetOfAFifth) {
 // Light finds as few nodes of 1024³ voxels as of any: a coarser grid, in memory that does not grow with them.
 TEST(LargeVolume, shadowsAndOcclusionOfVoxelsOnDiskTakeLittle) {
   const glm::ivec3 dims(1024), middle(500, 520, 480);
-  const auto volume =
-      test::sparseVolume(dims, [&](std::int16_t* voxels) { writeCube(voxels, dims, middle, glm::ivec3(40)); });
+  const auto volume = test::sparseVolume(
+      dims, [&](std::int16_t* voxels) { writeCube(voxels, dims, middle, glm::ivec3(40)); });
   Scene scene = sceneAround(volume, middle, 40.0);
   scene.projection = Projection::composite;
   scene.shading.model = ShadingModel::classic;

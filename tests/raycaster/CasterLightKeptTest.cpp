@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What light on its way keeps to, drawn by the ray caster: as tests/cpu/CpuLightKeptTest asks of the processor.
+// What light on its way keeps to, drawn by the ray caster: as tests/cpu/CpuLightKeptTest asks of the
+// processor.
 #include "accuracy/ImageError.h"
 #include "cpu/CpuRenderer.h"
 #include "cpu/LightFinder.h"

@@ -96,7 +96,8 @@ TEST_F(EffectCostsOnADriver, areBelowZeroWhereAnEffectSavesTime) {
   EXPECT_LT(costs.costs()[static_cast<std::size_t>(crop - rows.begin())]->ms, 0.0);
 }
 
-// Whoever knows the light is asked once: what is cropped or left out would have it found anew, beside drawing.
+// Whoever knows the light is asked once: what is cropped or left out would have it found anew, beside
+// drawing.
 TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
   Scene scene = test::shadowedHead(6.0, ShadingModel::enhanced);
   scene.crop.lower.y = 0.3;

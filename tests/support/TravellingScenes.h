@@ -67,8 +67,9 @@ inline Scene headCutAtTheJaw(bool hasJaw) {
   scene.volume = volumeOf(whole.grid(), [&](int i, int j, int k) {
     // At a cut face samples and their gradients read two voxels beyond. One voxel keeps the range of values.
     const bool isJaw = k < cut - 3 && glm::ivec3(i, j, k) != glm::ivec3(0);
-    return i + j + k == 0 ? whole.range().highest
-                          : !hasJaw && isJaw ? whole.range().lowest : whole.value({i, j, k});
+    return i + j + k == 0     ? whole.range().highest
+           : !hasJaw && isJaw ? whole.range().lowest
+                              : whole.value({i, j, k});
   });
   return scene;
 }

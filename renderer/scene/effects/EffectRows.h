@@ -27,8 +27,8 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan);
 /// What a row's effect costs: the time of a picture with it less the time without it. Below 0 where it saves
 /// time.
 struct EffectCost {
-  double ms = 0.0;       ///< of medians
-  double spreadMs = 0.0; ///< half the range in which the middle half of the differences lies
+  double ms = 0.0;                        ///< of medians
+  double spreadMs = 0.0;                  ///< half the range in which the middle half of the differences lies
   std::optional<PictureChange> brought{}; ///< to the picture; told of light on its way alone
   bool operator==(const EffectCost&) const = default;
 };

@@ -39,8 +39,7 @@ double GradientField::more(const std::shared_ptr<const Volume>& volume, double s
 }
 
 GradientScale GradientField::scale(const Shading& shading, bool usesRatio, const Effort& effort) {
-  GradientScale scale =
-      (m_isAskedFor ? m_smoothed.front().scales : m_plain).of(shading, usesRatio, effort);
+  GradientScale scale = (m_isAskedFor ? m_smoothed.front().scales : m_plain).of(shading, usesRatio, effort);
   scale.smoothed = smoothed();
   return scale;
 }

@@ -10,8 +10,8 @@
 namespace limn {
 
 /// The field whose gradient light and boundaries follow: that of the volume, or a smoothed one
-/// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume takes
-/// its place, smoothed fields of the two σ asked for last: pictures side by side may take turns.
+/// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume
+/// takes its place, smoothed fields of the two σ asked for last: pictures side by side may take turns.
 class GradientField {
 public:
   /// Goes on smoothing for some ten ms; the share that is done, 1 once nothing is missing. With a σ of 0, mm,

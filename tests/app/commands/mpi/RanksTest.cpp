@@ -147,8 +147,7 @@ TEST_F(RanksTest, refuseShadowsAndOcclusionAndDrawNeutralOnes) {
   };
   for (const bool hasShadow : {true, false}) {
     write(hasShadow ? 0.8 : 0.0, hasShadow ? 0.0 : 0.8, false);
-    const test::Outcome refused =
-        onRanks(3, quoted("scene.json") + " --quiet -o " + quoted("none.png"));
+    const test::Outcome refused = onRanks(3, quoted("scene.json") + " --quiet -o " + quoted("none.png"));
     EXPECT_NE(refused.status, 0);
     EXPECT_NE(refused.err.find("Shadows and occlusion cannot be drawn in bricks"), std::string::npos)
         << refused.err;
