@@ -74,12 +74,16 @@ inline Scene headCutAtTheJaw(bool hasJaw) {
   return scene;
 }
 
-/// The mean of the colour channels over a picture, in levels.
+/// The mean of the colour channels over what a picture covers, in levels.
 inline double brightness(const Image& image) {
   double sum = 0.0;
+  int covered = 0;
   for (const glm::vec4& pixel : image.pixels)
-    sum += static_cast<double>(pixel.r) + pixel.g + pixel.b;
-  return 255.0 * sum / (3.0 * static_cast<double>(image.pixels.size()));
+    if (pixel.a >= 1.0f / 510.0f) {
+      sum += static_cast<double>(pixel.r) + pixel.g + pixel.b;
+      ++covered;
+    }
+  return covered > 0 ? 255.0 * sum / (3.0 * covered) : 0.0;
 }
 
 /// What such a head may have beside.
