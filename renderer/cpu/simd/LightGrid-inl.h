@@ -52,7 +52,9 @@ public:
     }
     const VH rows = across(planes[0], planes[1], m_lower.z, m_upper.z);
     const VW mixed = hn::BitCast(words, across(rows, nextOf(rows), m_lower.y, m_upper.y));
-    return hn::MulSub(lowHalf(mixed), all(1.0f / (254.0f * 256.0f)), all(1.0f / 254.0f));
+    // What is lost in rounding must not make less than nothing of it.
+    return hn::Max(hn::MulSub(lowHalf(mixed), all(1.0f / (254.0f * 256.0f)), all(1.0f / 254.0f)),
+                   hn::Zero(floats));
   }
 
   /// Of ambient light, around normals of unit length, or zero.
