@@ -55,10 +55,13 @@ Report measuredReport(Renderer& renderer, CostedDrawing& drawing, const std::str
 }
 
 void printJson(const Report& report) {
-  std::vector<double> costsMs;
-  for (const auto& cost : report.costs)
-    costsMs.push_back(cost ? cost->ms : 0.0);
-  std::cout << effectsJson(report.renderer, report.rows, costsMs);
+  std::cout << effectsJson(report.renderer, report.rows, report.costs);
+}
+
+// Why a row is on or off and, where it is known, what it brought to the picture.
+std::string whyAndWhat(const EffectRow& row, const std::optional<EffectCost>& cost) {
+  const std::string why = row.reason.english();
+  return cost && cost->brought ? why + "; " + broughtText(*cost->brought).english() : why;
 }
 
 std::string methodLine(const Report& report, const Scene& scene, int frames) {
@@ -82,7 +85,7 @@ void printTable(const Report& report, const Scene& scene, int frames) {
       std::printf("%18s %8.1f", costText(*cost).english().c_str(), cost->spreadMs);
     else
       std::printf("%18s %8s", "", "");
-    std::printf("  %s\n", row.reason.english().c_str());
+    std::printf("  %s\n", whyAndWhat(row, report.costs[i]).c_str());
   }
   std::printf("\n%s.\n", methodLine(report, scene, frames).c_str());
   if (!isPhysical(scene))

@@ -232,7 +232,9 @@ Figure withErrors(Figure figure, const MakingOptions& order) {
     const ErrorEstimate steps =
         errorBeforeHalvings(imageError(images[0], images[1]), imageError(images[1], images[2]));
     figure.panels[panels[index / 3]].errorLevels =
-        withFilter(withEarlyEnds(steps, errorOfEarlyEnds(images[0], picture.scene)), ofFilter).p99_9;
+        (hasTravellingLight(picture.scene) ? withLight : withFilter)(
+            withEarlyEnds(steps, errorOfEarlyEnds(images[0], picture.scene)), ofFilter)
+            .p99_9;
     images.clear();
   });
   return figure;

@@ -53,6 +53,10 @@ ErrorEstimate withFilter(const ErrorEstimate& estimate, const ImageError& ofFilt
   return {estimate.p99_9 + ofFilter.p99_9, estimate.mean + ofFilter.mean, estimate.order};
 }
 
+ErrorEstimate withLight(const ErrorEstimate& estimate, const ImageError& ofLight) {
+  return {std::hypot(estimate.p99_9, ofLight.p99_9), std::hypot(estimate.mean, ofLight.mean), estimate.order};
+}
+
 ErrorEstimate errorAfterHalvings(const std::vector<ImageError>& halvings) {
   const std::size_t count = halvings.size();
   const ImageError& last = halvings.back();

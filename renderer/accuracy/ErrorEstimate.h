@@ -53,6 +53,9 @@ ErrorEstimate withEarlyEnds(const ErrorEstimate& ofSteps, const ImageError& ofEn
 /// of the step lie at edges as well, and add.
 ErrorEstimate withFilter(const ErrorEstimate& estimate, const ImageError& ofFilter);
 
+/// And with what a grid of light adds: steps and nodes are off in places that know nothing of each other.
+ErrorEstimate withLight(const ErrorEstimate& estimate, const ImageError& ofLight);
+
 /// A band of the transfer function counts where it rises or falls by at least this much opacity, or colour
 /// weighted by it: the height below which `stepResolvesFunction` lets samples miss one.
 inline constexpr double leastBandHeight = 0.1;

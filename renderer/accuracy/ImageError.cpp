@@ -40,6 +40,45 @@ double levels(double difference) {
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::abs(difference) * 255.0;
 }
 
+// By how much the channels of covered pixels are off.
+struct Channels {
+  std::vector<double> levels;
+  std::size_t pixelsOverOne = 0;
+};
+
+Channels channelsOf(const PrecisePixels& picture, const PrecisePixels& exact) {
+  assert(picture.size() == exact.size());
+  Channels channels;
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    // Not a number covers: it must not slip through a comparison.
+    if (!(std::isnan(picture[i].a) || isCovered(glm::vec4(picture[i])) || isCovered(glm::vec4(exact[i]))))
+      continue;
+    double largest = 0.0;
+    for (int c = 0; c < 4; ++c) {
+      channels.levels.push_back(levels(picture[i][c] - exact[i][c]));
+      largest = std::max(largest, channels.levels.back());
+    }
+    channels.pixelsOverOne += largest > 1.0 ? 1 : 0;
+  }
+  return channels;
+}
+
+// All 0 where nothing is covered.
+ImageError withoutPercentile(const Channels& channels) {
+  ImageError error;
+  const auto count = static_cast<double>(channels.levels.size());
+  double squares = 0.0;
+  for (const double level : channels.levels) {
+    error.mean += level / count;
+    squares += level * level / count;
+    error.largest = std::max(error.largest, level);
+  }
+  error.rms = std::sqrt(squares);
+  if (!channels.levels.empty())
+    error.shareOverOne = 4.0 * static_cast<double>(channels.pixelsOverOne) / count;
+  return error;
+}
+
 } // namespace
 
 ErrorMap errorMap(const Image& picture, const PrecisePixels& exact) {
@@ -51,33 +90,27 @@ ErrorMap errorMap(const Image& picture, const PrecisePixels& exact) {
 }
 
 ImageError imageError(const PrecisePixels& picture, const PrecisePixels& exact) {
-  assert(picture.size() == exact.size());
-  std::vector<double> channels;
-  std::size_t pixelsOverOne = 0;
-  for (std::size_t i = 0; i < picture.size(); ++i) {
-    // Not a number covers: it must not slip through a comparison.
-    if (!(std::isnan(picture[i].a) || isCovered(glm::vec4(picture[i])) || isCovered(glm::vec4(exact[i]))))
-      continue;
-    double largest = 0.0;
-    for (int c = 0; c < 4; ++c) {
-      channels.push_back(levels(picture[i][c] - exact[i][c]));
-      largest = std::max(largest, channels.back());
+  Channels channels = channelsOf(picture, exact);
+  ImageError error = withoutPercentile(channels);
+  if (!channels.levels.empty())
+    error.p99_9 = percentile(channels.levels, 0.999);
+  return error;
+}
+
+ImageError errorByTail(const Image& picture, const PrecisePixels& exact, double tail) {
+  Channels channels = channelsOf(precise(picture), exact);
+  ImageError error = withoutPercentile(channels);
+  if (channels.levels.empty())
+    return error;
+  const double least = percentile(channels.levels, 1.0 - tail);
+  double excess = 0.0;
+  int count = 0;
+  for (const double level : channels.levels)
+    if (level > least) {
+      excess += level - least;
+      ++count;
     }
-    pixelsOverOne += largest > 1.0 ? 1 : 0;
-  }
-  if (channels.empty())
-    return {};
-  ImageError error;
-  const auto count = static_cast<double>(channels.size());
-  double squares = 0.0;
-  for (const double channel : channels) {
-    error.mean += channel / count;
-    squares += channel * channel / count;
-    error.largest = std::max(error.largest, channel);
-  }
-  error.rms = std::sqrt(squares);
-  error.shareOverOne = 4.0 * static_cast<double>(pixelsOverOne) / count;
-  error.p99_9 = percentile(channels, 0.999);
+  error.p99_9 = least + (count > 0 ? std::log(tail / 0.001) * excess / count : 0.0);
   return error;
 }
 

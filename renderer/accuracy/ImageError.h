@@ -26,6 +26,11 @@ ImageError imageError(const PrecisePixels& picture, const PrecisePixels& exact);
 ImageError imageError(const Image& picture, const PrecisePixels& exact);
 ImageError imageError(const Image& picture, const Image& other);
 
+/// The same from few pixels, for a picture of many: the 99.9th percentile is told by the share of the
+/// channels that is off most, 0.001 < `tail` < 1, whose excess is taken to fall off exponentially. It
+/// scatters half as much as one between the last two or three channels.
+ImageError errorByTail(const Image& picture, const PrecisePixels& exact, double tail);
+
 /// The pixels of a picture, premultiplied RGBA, rows from the top.
 PrecisePixels precise(const Image& image);
 

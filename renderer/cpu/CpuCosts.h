@@ -11,15 +11,17 @@ class CpuCosts : public CostedDrawing {
 public:
   explicit CpuCosts(CpuRenderer& renderer) : m_renderer(renderer) {}
 
-  void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override {
-    m_renderer.drawWithout(leftOut, scene, size, tile);
-  }
+  void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override;
+  Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override;
   void calibrate(const Work&) override {}
   double measureMs(const Work& work) override;
   std::string method() const override { return "timed by the clock"; }
 
 private:
+  Image tileOf(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile);
+
   CpuRenderer& m_renderer;
+  std::optional<LightVolumes> m_light; ///< of the first scene
 };
 
 } // namespace limn

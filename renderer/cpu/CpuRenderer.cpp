@@ -63,7 +63,8 @@ EffectPlan CpuRenderer::plan(const Scene& scene, const std::function<bool()>& is
 }
 
 Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,
-                            EffectSet others, const std::function<bool()>& isCancelled) {
+                            EffectSet others, const std::function<bool()>& isCancelled,
+                            const LightVolumes* light) {
   if (isPhysical(scene))
     return drawPaths(scene, size, tile, isCancelled);
   const EffectPlan needed = plan(scene, isCancelled);
@@ -71,7 +72,7 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   if (!needed.isVisible)
     return image;
   const EffectSet effects = choose(needed.effects, others);
-  const cpu::PictureTerms terms = m_data.terms(scene, size, effects, isCancelled);
+  const cpu::PictureTerms terms = m_data.terms(scene, size, effects, isCancelled, light);
   const PixelRect covered =
       intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
   const auto drawStrip = [&](const cpu::Strip& strip) {
@@ -129,8 +130,15 @@ Image CpuRenderer::render(const Scene& scene, const glm::ivec2& size) {
 }
 
 Image CpuRenderer::drawWithout(EffectSet leftOut, const Scene& scene, const glm::ivec2& size,
-                               const PixelRect& tile) {
-  return drawWith(scene, size, tile, leavingOut, leftOut, {});
+                               const PixelRect& tile, const LightVolumes* light) {
+  return drawWith(scene, size, tile, leavingOut, leftOut, {}, light);
+}
+
+LightVolumes CpuRenderer::lightOf(const Scene& scene) {
+  if (!hasTravellingLight(scene))
+    return {};
+  const EffectPlan needed = plan(scene);
+  return needed.isVisible ? m_data.terms(scene, {1, 1}, needed.effects).travel.found : LightVolumes();
 }
 
 Image CpuRenderer::renderUnlimited(const Scene& scene, const glm::ivec2& size) {

@@ -38,8 +38,14 @@ public:
   std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) const;
   std::optional<Image> radiance(const Scene& scene, const glm::ivec2& size) const;
 
-  /// The same without some effects, and without what cannot be had without them, to measure what they cost.
-  Image drawWithout(EffectSet leftOut, const Scene& scene, const glm::ivec2& size, const PixelRect& tile);
+  /// The same without some effects, and without what cannot be had without them, to measure what they cost;
+  /// where light travels and some is given, in that.
+  Image drawWithout(EffectSet leftOut, const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                    const LightVolumes* light = nullptr);
+
+  /// What is found on nodes of the light that travels in a scene, as for a picture of it; none where none
+  /// does, or it is found for each sample.
+  LightVolumes lightOf(const Scene& scene);
 
   /// The picture whose light terms are not limited (DEFINITION section 4).
   Image renderUnlimited(const Scene& scene, const glm::ivec2& size);
@@ -62,7 +68,8 @@ public:
 private:
   using Choose = EffectSet (*)(EffectSet needed, EffectSet others);
   Image drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,
-                 EffectSet others, const std::function<bool()>& isCancelled);
+                 EffectSet others, const std::function<bool()>& isCancelled,
+                 const LightVolumes* light = nullptr);
 
   Image drawPaths(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                   const std::function<bool()>& isCancelled);

@@ -20,6 +20,26 @@ Scene withDetail(Scene lit, LightDetail detail) {
 constexpr std::size_t mostWanted = 2;
 constexpr std::size_t mostKnown = 6;
 
+// How many of its points a function has otherwise.
+int differences(const TransferFunction& one, const TransferFunction& other) {
+  const std::size_t shared = std::min(one.points.size(), other.points.size());
+  int count = static_cast<int>(std::max(one.points.size(), other.points.size()) - shared);
+  for (std::size_t i = 0; i < shared; ++i)
+    count += one.points[i] != other.points[i];
+  return count;
+}
+
+// In how many respects scenes differ that a gesture changes one of: a gesture's scenes lie nearer to each
+// other than to those of a picture beside them.
+int differences(const Scene& one, const Scene& other) {
+  Shading shading = other.shading;
+  shading.lightDirection = one.shading.lightDirection;
+  return (one.shading != shading) + (one.shading.lightDirection != other.shading.lightDirection) +
+         (one.gradientOpacity != other.gradientOpacity) + (one.crop != other.crop) +
+         (one.keep != other.keep) + (one.projection != other.projection) + (one.isovalue != other.isovalue) +
+         differences(one.transferFunction, other.transferFunction);
+}
+
 // A grid has two details.
 LightDetail gridDetail(const Quality& quality) {
   return quality.light == LightDetail::coarse ? LightDetail::coarse : LightDetail::fine;
@@ -110,7 +130,8 @@ bool LightInBackground::isFinding(const Scene& scene) {
 }
 
 void LightInBackground::want(const Scene& lit) {
-  std::erase_if(m_wanted, [&](const Scene& wanted) { return wanted.shading.model == lit.shading.model; });
+  const Scene fine = withDetail(lit, LightDetail::fine);
+  std::erase_if(m_wanted, [&](const Scene& wanted) { return withDetail(wanted, LightDetail::fine) == fine; });
   m_wanted.push_front(lit);
   while (m_wanted.size() > mostWanted)
     m_wanted.pop_back();
@@ -130,21 +151,25 @@ const LightInBackground::Known* LightInBackground::exactly(const Scene& lit) con
 const LightInBackground::Known* LightInBackground::instead(const Scene& lit) const {
   if (const Known* coarse = exactly(withDetail(lit, LightDetail::coarse)))
     return coarse;
-  const auto alike = std::ranges::find_if(
-      m_known, [&](const Known& known) { return known.of.shading.model == lit.shading.model; });
-  if (alike != m_known.end())
-    return &*alike;
-  return m_known.empty() ? nullptr : &m_known.front();
+  const auto nearest =
+      std::ranges::min_element(m_known, {}, [&](const Known& known) { return differences(known.of, lit); });
+  return nearest == m_known.end() ? nullptr : &*nearest;
 }
 
 // What is to be found next: coarse light of all before fine light of any.
 std::optional<Scene> LightInBackground::missing() const {
-  for (const Scene& wanted : m_wanted)
-    if (const Scene coarse = withDetail(wanted, LightDetail::coarse); !exactly(coarse))
-      return coarse;
+  if (const std::optional<Scene> coarse = missingCoarse())
+    return coarse;
   for (const Scene& wanted : m_wanted)
     if (!exactly(wanted))
       return wanted;
+  return std::nullopt;
+}
+
+std::optional<Scene> LightInBackground::missingCoarse() const {
+  for (const Scene& wanted : m_wanted)
+    if (const Scene coarse = withDetail(wanted, LightDetail::coarse); !exactly(coarse))
+      return coarse;
   return std::nullopt;
 }
 
@@ -164,7 +189,7 @@ void LightInBackground::findNext(std::unique_lock<std::mutex>& lock) {
   const auto isInVain = [&] {
     const std::lock_guard inner(m_mutex);
     const bool isFine = sought.quality.light == LightDetail::fine;
-    return m_ends || std::ranges::none_of(m_wanted, [&](const Scene& wanted) {
+    return m_ends || (isFine && missingCoarse()) || std::ranges::none_of(m_wanted, [&](const Scene& wanted) {
              return isFine ? wanted == sought : wanted.volume == sought.volume;
            });
   };

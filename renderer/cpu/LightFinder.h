@@ -37,8 +37,9 @@ private:
 };
 
 /// Finds light on a thread of its own, so that whoever draws never waits: coarsely first, then, where fine
-/// detail is asked for, finely. Of each lighting model the scene asked for last counts, so that pictures side
-/// by side are both served; light that is found coarsely is found to its end, or a long drag would see none.
+/// detail is asked for, finely. The two scenes asked for last count, so that pictures side by side are both
+/// served, whatever they share; light that is found coarsely is found to its end, or a long drag would see
+/// none, and fine light of one gives way to coarse light of the other.
 class LightInBackground {
 public:
   explicit LightInBackground(int threads = 0);
@@ -65,6 +66,7 @@ private:
   const Known* exactly(const Scene& lit) const;
   const Known* instead(const Scene& lit) const;
   std::optional<Scene> missing() const;
+  std::optional<Scene> missingCoarse() const;
 
   std::mutex m_mutex; ///< of all below but the finder
   std::condition_variable m_changed;

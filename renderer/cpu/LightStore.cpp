@@ -143,6 +143,18 @@ Region withoutColors(Region keep) {
   return keep;
 }
 
+TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms) {
+  if (light.nodes.count.x == 0)
+    return travelOf(scene, terms, ofSamples);
+  TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
+  travel.found = light;
+  travel.look =
+      lightLook(light.nodes, scene.volume->grid(), scene.quality.light == LightDetail::fine && light.isFine);
+  travel.perIndex = glm::vec3(1.0 / light.nodes.stride);
+  travel.shift = glm::vec3(-(terms.centre + light.nodes.first) / light.nodes.stride);
+  return travel;
+}
+
 template <class Light, class Find>
 std::shared_ptr<const Light> LightStore::of(Kept<Light>& kept, const Key& key, const Find& find) {
   const auto there = std::ranges::find(kept, key, &Found<Light>::key);
@@ -193,7 +205,7 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
                                const Effort& effort) {
   const LightDetail detail = scene.quality.toleranceLevels ? LightDetail::sampled : scene.quality.light;
   if (detail == LightDetail::sampled)
-    return travelOf(scene, terms, ofSamples);
+    return travelIn({}, scene, terms);
   Keys keys = keysOf(scene, terms, shows, false);
   const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);
   if (isCoarse)
@@ -205,26 +217,20 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   if (isCoarse)               // what lies between nodes is not told anyway
     looking.travel.step = looking.travel.farStep =
         std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
-  TravelTerms travel = looking.travel;
-  travel.from = lightOffset(scene, terms);
-  travel.found.nodes = nodes;
-  travel.found.isFine = !isCoarse;
-  travel.look = lightLook(nodes, scene.volume->grid(), detail == LightDetail::fine);
-  travel.perIndex = glm::vec3(1.0 / nodes.stride);
-  travel.shift = glm::vec3(-(terms.centre + nodes.first) / nodes.stride);
+  LightVolumes light{nodes, nullptr, nullptr, !isCoarse};
   if (terms.effects.has(Effect::shadow))
-    travel.found.direct = of(m_direct, keys.direct, [&] {
+    light.direct = of(m_direct, keys.direct, [&] {
       return found<DirectLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
         findDirect(looking, nodes, some, out);
       });
     });
   if (terms.effects.has(Effect::occlusion))
-    travel.found.ambient = of(m_ambient, keys.ambient, [&] {
+    light.ambient = of(m_ambient, keys.ambient, [&] {
       return found<AmbientLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
         findAmbient(looking, nodes, some, out);
       });
     });
-  return travel;
+  return travelIn(light, scene, terms);
 }
 
 std::size_t LightStore::ownBytes() const {

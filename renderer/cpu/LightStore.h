@@ -14,6 +14,10 @@ namespace limn::cpu {
 TransferFunction withoutColors(TransferFunction function);
 Region withoutColors(Region keep);
 
+/// How the picture of these terms, whose `travel` is not set yet, asks what is known of its light; where
+/// nothing is, it is found for each sample.
+TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms);
+
 /// What comes of light that travels (DEFINITION section 11), found on grids of nodes and kept for pictures to
 /// come: two looks that take turns, each fine and coarse.
 class LightStore {

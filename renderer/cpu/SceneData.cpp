@@ -300,7 +300,7 @@ IndexBox SceneData::visibleBox(const Scene& scene) const {
 }
 
 PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, EffectSet effects,
-                              const std::function<bool()>& isCancelled) {
+                              const std::function<bool()>& isCancelled, const LightVolumes* light) {
   const Grid& grid = scene.volume->grid();
   PictureTerms terms;
   const auto unitsPer = [&grid](double unitDistanceMm) {
@@ -363,7 +363,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
     // Whether rays step over what is empty must not move the nodes.
     const IndexBox shows = visibleBox(scene);
     const IndexBox lit{glm::max(terms.box.lower, shows.lower), glm::min(terms.box.upper, shows.upper)};
-    terms.travel = m_light.update(scene, terms, lit, {m_threads, isCancelled, {}});
+    terms.travel = light ? travelIn(*light, scene, terms)
+                         : m_light.update(scene, terms, lit, {m_threads, isCancelled, {}});
   }
   return terms;
 }

@@ -80,9 +80,10 @@ public:
   /// The steepness of the volume of the last update; measured once.
   double steepestPerMm();
 
-  /// The terms of a picture of the scene of the last update. Points into this. Throws Cancelled.
+  /// The terms of a picture of the scene of the last update. Points into this. Where light travels that is
+  /// looked up on nodes, `light` stands for what would be found. Throws Cancelled.
   PictureTerms terms(const Scene& scene, const glm::ivec2& size, EffectSet effects,
-                     const std::function<bool()>& isCancelled = {});
+                     const std::function<bool()>& isCancelled = {}, const LightVolumes* light = nullptr);
 
   /// What random paths share in the picture of these terms (DEFINITION section 12); the scene is a medium
   /// (cpu/paths/PathScene). Points into this. Throws Cancelled.

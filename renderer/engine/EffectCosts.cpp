@@ -45,7 +45,7 @@ EffectCost costBetween(const std::vector<double>& with, const std::vector<double
   for (std::size_t i = 0; i < with.size(); ++i)
     differences.push_back(with[i] - without[i]);
   std::sort(differences.begin(), differences.end());
-  EffectCost cost{medianOf(with) - medianOf(without), 0.0};
+  EffectCost cost{medianOf(with) - medianOf(without), 0.0, {}};
   if (!differences.empty()) {
     const std::size_t quarter = differences.size() / 4;
     cost.spreadMs = 0.5 * (differences[differences.size() - 1 - quarter] - differences[quarter]);
@@ -55,12 +55,12 @@ EffectCost costBetween(const std::vector<double>& with, const std::vector<double
 
 EffectCosts::EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows,
                          int frames)
-    : m_variants{{scene, {}, {}, {}}}, m_size(size), m_frames(frames) {
+    : m_variants{{scene, {}, {}, {}, {}}}, m_size(size), m_frames(frames) {
   for (const EffectRow& row : rows) {
     m_variantOfRow.push_back(row.isOn ? m_variants.size() : 0);
     if (!row.isOn)
       continue;
-    Variant variant{scene, row.effects, {}, {}};
+    Variant variant{scene, row.effects, {}, {}, {}};
     if (row.name == "crop")
       variant.scene.crop = {};
     if (row.name == "isosurface")
@@ -100,8 +100,16 @@ bool EffectCosts::step(CostedDrawing& drawing) {
     drawing.calibrate(draw);
   else if (isMeasured)
     (turn.isWhole ? variant.wholeMs : variant.ms).push_back(drawing.measureMs(draw));
+  else if (variant.leftOut.hasAny(travellingLight))
+    compare(drawing, variant);
   ++m_next;
   return !isComplete();
+}
+
+void EffectCosts::compare(CostedDrawing& drawing, Variant& variant) {
+  if (!m_whole)
+    m_whole = drawing.picture(m_variants.front().scene, {}, m_size);
+  variant.brought = changeBetween(*m_whole, drawing.picture(variant.scene, variant.leftOut, m_size));
 }
 
 double EffectCosts::fraction() const {
@@ -111,9 +119,12 @@ double EffectCosts::fraction() const {
 std::vector<std::optional<EffectCost>> EffectCosts::costs() const {
   std::vector<std::optional<EffectCost>> costs;
   for (const std::size_t row : m_variantOfRow) {
+    std::optional<EffectCost>& cost = costs.emplace_back();
+    if (row == 0 || !isComplete())
+      continue;
     const Variant& variant = m_variants[row];
-    costs.push_back(row > 0 && isComplete() ? std::optional(costBetween(variant.wholeMs, variant.ms))
-                                            : std::nullopt);
+    cost = costBetween(variant.wholeMs, variant.ms);
+    cost->brought = variant.brought;
   }
   return costs;
 }

@@ -20,7 +20,11 @@ public:
   virtual ~CostedDrawing() = default;
 
   /// Draws a tile of a picture of `size` pixels without some effects, and what cannot be had without them.
+  /// All are drawn in the light that travels in the first scene: none waits for light to be found.
   virtual void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) = 0;
+
+  /// The whole picture so drawn.
+  virtual Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) = 0;
 
   /// Comes first: draws a typical picture to find out how time is measured honestly.
   virtual void calibrate(const Work& work) = 0;
@@ -35,7 +39,7 @@ public:
 /// Measures what each effect of a picture costs by leaving it out: a whole picture and one without a row's
 /// effects are drawn one after the other, in turn for all rows, after one pixel each that compiles and
 /// uploads. So what else the machine does weighs on both sides of a difference alike. A frame at a time, so
-/// that a window stays awake.
+/// that a window stays awake. Of shadows and occlusion it tells what they bring to the picture, too.
 class EffectCosts {
 public:
   /// `rows` are those of the scene's plan; what is off costs nothing and is not measured. A crop box is
@@ -64,6 +68,7 @@ private:
     EffectSet leftOut;
     std::vector<double> wholeMs; ///< of the whole pictures drawn beside it
     std::vector<double> ms;
+    std::optional<PictureChange> brought{}; ///< by what is left out
   };
   // One picture that is measured: of a variant, or a whole one beside it.
   struct Turn {
@@ -71,10 +76,12 @@ private:
     bool isWhole = true;
   };
   int frameCount() const;
+  void compare(CostedDrawing& drawing, Variant& variant);
   Turn turnAt(int measured) const;
 
   std::vector<Variant> m_variants;         ///< the whole picture first
   std::vector<std::size_t> m_variantOfRow; ///< 0: not measured
+  std::optional<Image> m_whole;            ///< once a variant is compared with it
   glm::ivec2 m_size{0};
   int m_frames = 0;
   int m_next = 0;

@@ -15,12 +15,14 @@ public:
   explicit CasterCosts(RayCaster& caster) : m_caster(caster) {}
 
   void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override;
+  Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override;
   void calibrate(const Work& work) override;
   double measureMs(const Work& work) override { return m_timer->measureMs(work); }
   std::string method() const override { return m_timer ? m_timer->description() : std::string(); }
 
 private:
   RayCaster& m_caster;
+  std::optional<LightVolumes> m_light; ///< of the first scene
   std::optional<GpuTimer> m_timer;
 };
 

@@ -42,6 +42,7 @@ struct RayCaster::Parts {
   LightTextures light;
   std::optional<LightFinder> finder;
   KnowLight knowLight;
+  std::optional<LightVolumes> heldLight;
   ProgramCache programs;
   FilterBits filter;
   GlBuffer corners;
@@ -60,6 +61,7 @@ struct RayCaster::Parts {
   void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
   Image render(const Scene& scene, Content content, const glm::ivec2& size, const Effort& effort = {});
   void noteStepLimit(const Scene& scene);
+  LightVolumes lightOf(const Scene& scene);
   void updateLight(const Scene& scene, EffectSet effects);
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
@@ -96,12 +98,15 @@ void RayCaster::Parts::measure(const Scene& scene, EffectSet effects) {
   decisionTextures.update(scene, textures.volume(), effects);
 }
 
-void RayCaster::Parts::updateLight(const Scene& scene, EffectSet effects) {
-  if (!effects.hasAny(travellingLight))
-    return;
+LightVolumes RayCaster::Parts::lightOf(const Scene& scene) {
   if (!knowLight && !finder)
     finder.emplace();
-  light.update(knowLight ? knowLight(scene) : finder->find(scene));
+  return knowLight ? knowLight(scene) : finder->find(scene);
+}
+
+void RayCaster::Parts::updateLight(const Scene& scene, EffectSet effects) {
+  if (effects.hasAny(travellingLight))
+    light.update(heldLight ? *heldLight : lightOf(scene));
 }
 
 EffectSet RayCaster::Parts::programFor(EffectSet needed, Content content) const {
@@ -249,6 +254,14 @@ double RayCaster::volumeMb() const {
 
 void RayCaster::leaveOut(std::optional<EffectSet> effects) {
   m_parts->leftOut = effects;
+}
+
+LightVolumes RayCaster::lightOf(const Scene& scene) {
+  return hasTravellingLight(scene) ? m_parts->lightOf(scene) : LightVolumes();
+}
+
+void RayCaster::holdLight(const std::optional<LightVolumes>& light) {
+  m_parts->heldLight = light;
 }
 
 std::string RayCaster::fragmentShader(const Scene& scene) {

@@ -89,6 +89,12 @@ public:
   /// Absent: draws whole pictures again, with whatever program can.
   void leaveOut(std::optional<EffectSet> effects);
 
+  /// What is known of the light that travels in a scene, asked as for a picture of it; none where none does.
+  LightVolumes lightOf(const Scene& scene);
+
+  /// Draws in this light, and asks nobody, whatever scene is drawn from here on. Absent: asks again.
+  void holdLight(const std::optional<LightVolumes>& light);
+
   /// The assembled fragment shader with which the scene is drawn; empty where nothing is visible.
   std::string fragmentShader(const Scene& scene);
 

@@ -52,6 +52,26 @@ Overflow overflowOf(const Image& unlimited) {
   return {static_cast<double>(over) / static_cast<double>(covered), sum / static_cast<double>(over)};
 }
 
+PictureChange changeBetween(const Image& picture, const Image& other) {
+  assert(picture.size == other.size);
+  PictureChange change;
+  std::size_t channels = 0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    if (!isCovered(picture.pixels[i]) && !isCovered(other.pixels[i]))
+      continue;
+    for (int channel = 0; channel < 4; ++channel) {
+      const double levels = 255.0 * std::abs(double{picture.pixels[i][channel]} - other.pixels[i][channel]);
+      change.mostLevels = std::max(change.mostLevels, levels);
+      sum += levels;
+    }
+    channels += 4;
+  }
+  if (channels > 0)
+    change.meanLevels = sum / static_cast<double>(channels);
+  return change;
+}
+
 double contrastOf(const Image& image) {
   std::size_t covered = 0;
   double sum = 0.0;

@@ -20,6 +20,16 @@ struct Overflow {
 /// Measures a picture drawn without limits (`RayCaster::renderUnlimited`).
 Overflow overflowOf(const Image& unlimited);
 
+/// What differs between two pictures, levels of 255: of all channels of the pixels that either covers.
+struct PictureChange {
+  double mostLevels = 0.0;
+  double meanLevels = 0.0;
+  bool operator==(const PictureChange&) const = default;
+};
+
+/// Of two pictures of as many pixels; none where nothing is covered.
+PictureChange changeBetween(const Image& picture, const Image& other);
+
 /// The RMS contrast of a picture: the standard deviation of the luminance (0.2126 R + 0.7152 G + 0.0722 B of
 /// the display values over black, 0..1) over its covered pixels; 0 without any.
 double contrastOf(const Image& image);

@@ -58,6 +58,41 @@ TEST(ImageError, takesWhatIsNotANumberForInfinitelyWrong) {
   EXPECT_DOUBLE_EQ(error.shareOverOne, 0.5);
 }
 
+// What falls off exponentially with 1.5 levels: all channels but alpha, at the places of as many even shares.
+Image offExponentially(int pixels, int every) {
+  Image image(glm::ivec2(pixels / every, 1));
+  for (int n = 0; n < pixels / every; ++n) {
+    const double share = (n * every + every / 2 + 0.5) / pixels;
+    const auto off = static_cast<float>(-1.5 * std::log(share) / 255.0);
+    image.pixels[static_cast<std::size_t>(n)] = glm::vec4(off, off, off, 1.0f);
+  }
+  return image;
+}
+
+TEST(ImageError, byItsTailIsThatOfManyPixelsFromFew) {
+  const Image exact = row(100, 0.0f);
+  // Three channels of four are off: one in a thousand of all is one in 750 of those.
+  const double expected = 1.5 * std::log(750.0);
+  const Image many = offExponentially(100000, 1);
+  EXPECT_NEAR(imageError(many, row(100000, 0.0f)).p99_9, expected, 0.01 * expected);
+  const Image few = offExponentially(100000, 50);
+  const ImageError byTail = errorByTail(few, precise(row(2000, 0.0f)), 0.01);
+  EXPECT_NEAR(byTail.p99_9, expected, 0.05 * expected); // 60 channels in the tail
+  const ImageError plain = imageError(few, row(2000, 0.0f));
+  EXPECT_EQ(byTail.mean, plain.mean);
+  EXPECT_EQ(byTail.largest, plain.largest);
+  EXPECT_EQ(errorByTail(exact, precise(exact), 0.01), ImageError{});
+  EXPECT_EQ(errorByTail(Image(glm::ivec2(4, 1)), precise(Image(glm::ivec2(4, 1))), 0.01), ImageError{});
+}
+
+TEST(ErrorEstimate, ofLightOnAGridIsThatOfWhatKnowsNothingOfEachOther) {
+  const ImageError ofLight = difference(4.0);
+  const ErrorEstimate both = withLight({3.0, 0.3, 1.0}, ofLight);
+  EXPECT_DOUBLE_EQ(both.p99_9, 5.0);
+  EXPECT_DOUBLE_EQ(both.mean, 0.5);
+  EXPECT_EQ(withLight({3.0, 0.3, 1.0}, {}).p99_9, 3.0);
+}
+
 TEST(ErrorEstimate, ofAnExactPowerLawIsTheErrorItself) {
   // I_h - I = C h^p: with errors e, e/2^p, e/4^p the differences are theirs.
   for (const double p : {1.0, 1.3, 2.0}) {

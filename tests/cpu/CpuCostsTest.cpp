@@ -2,8 +2,11 @@
 #include "cpu/CpuCosts.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
+#include "support/TravellingScenes.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace limn {
 namespace {
@@ -42,6 +45,56 @@ TEST(CpuCosts, areMeasuredOfWhatIsOnAndChangeNoPicture) {
     EXPECT_EQ(figures.costs[i].has_value(), rows[i].isOn) << rows[i].name;
   EXPECT_GT(figures.wholeMs, 0.0);
   EXPECT_FALSE(figures.method.empty());
+  EXPECT_EQ(renderer.render(scene, costSize), before);
+}
+
+const EffectCost& costOf(const std::string& name, const std::vector<EffectRow>& rows,
+                         const EffectFigures& figures) {
+  const auto row = std::ranges::find(rows, name, &EffectRow::name);
+  return figures.costs[static_cast<std::size_t>(row - rows.begin())].value();
+}
+
+EffectFigures measured(CpuRenderer& renderer, const Scene& scene) {
+  const auto measurement =
+      measurementOf(std::make_unique<CpuCosts>(renderer), scene, costSize, renderer.plan(scene));
+  while (!measurement->figures().isComplete)
+    measurement->step();
+  return measurement->figures();
+}
+
+TEST(CpuCosts, lightOnItsWayTellsWhatItBroughtToThePicture) {
+  Scene scene = test::shadowedHead(8.0);
+  CpuRenderer renderer(1);
+  const std::vector<EffectRow> rows = effectRows(scene, renderer.plan(scene));
+  const EffectFigures figures = measured(renderer, scene);
+  const PictureChange shadow = costOf("shadow", rows, figures).brought.value();
+  const PictureChange occlusion = costOf("occlusion", rows, figures).brought.value();
+  EXPECT_GE(shadow.mostLevels, 10.0);
+  EXPECT_GE(occlusion.mostLevels, 5.0);
+  EXPECT_GT(shadow.mostLevels, shadow.meanLevels);
+  EXPECT_FALSE(costOf("lighting", rows, figures).brought);
+
+  // The change is that of two pictures, whose shadows are the same.
+  const LightVolumes light = renderer.lightOf(scene);
+  const Image without =
+      renderer.drawWithout({Effect::occlusion}, scene, costSize, {{0, 0}, costSize}, &light);
+  EXPECT_EQ(occlusion, changeBetween(renderer.render(scene, costSize), without));
+
+  // So little of it that nobody sees it: half a level is 1/510.
+  scene.shading.occlusion.strength = 1e-3;
+  const EffectFigures faint = measured(renderer, scene);
+  EXPECT_EQ(broughtText(*costOf("occlusion", rows, faint).brought).english(),
+            "changes nothing in this picture that could be seen");
+}
+
+TEST(CpuCosts, noLightIsFoundWhileEffectsAreMeasured) {
+  Scene scene = test::shadowedHead(6.0, ShadingModel::enhanced);
+  scene.crop.lower.y = 0.3; // without which the light is another, as it is without O
+  CpuRenderer renderer(1);
+  const Image before = renderer.render(scene, costSize);
+  const double mb = renderer.memoryMb();
+  measured(renderer, scene);
+  EXPECT_EQ(renderer.memoryMb(), mb);
   EXPECT_EQ(renderer.render(scene, costSize), before);
 }
 

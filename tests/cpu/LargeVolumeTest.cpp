@@ -117,6 +117,32 @@ TEST(LargeVolume, isMovedAndDrawnWithinABudgetOfAFifth) {
   EXPECT_LT(grown(), 0.5 * static_cast<double>(budget.bytes()));
 }
 
+// Light finds as few nodes of 1024³ voxels as of any: a coarser grid, in memory that does not grow with them.
+TEST(LargeVolume, shadowsAndOcclusionOfVoxelsOnDiskTakeLittle) {
+  const glm::ivec3 dims(1024), middle(500, 520, 480);
+  const auto volume = test::sparseVolume(
+      dims, [&](std::int16_t* voxels) { writeCube(voxels, dims, middle, glm::ivec3(40)); });
+  Scene scene = sceneAround(volume, middle, 40.0);
+  scene.projection = Projection::composite;
+  scene.shading.model = ShadingModel::classic;
+  scene.shading.lightDirection = glm::dvec3(0.5, 0.6, 1.0);
+  scene.shading.occlusion = {0.8, 15.0};
+  CpuRenderer renderer;
+  const Image plain = renderer.render(scene, largePicture); // blocks and gradients are found once
+  const std::uint64_t before = test::ownMemory();
+  scene.shading.shadow = {0.85, 5.0};
+  Image lit;
+  const double took = secondsOf([&] { lit = renderer.render(scene, largePicture); });
+  std::cout << "light of 1024³ voxels on disk: " << took << " s, own memory grew by "
+            << (static_cast<double>(test::ownMemory()) - static_cast<double>(before)) / 1e6 << " MB\n";
+  EXPECT_NE(lit, plain);
+  for (const glm::vec4& pixel : lit.pixels)
+    ASSERT_TRUE(pixel.a >= 0.0f && pixel.a <= 1.0f && pixel.r <= 1.0f && pixel.r >= 0.0f);
+  if (test::isSanitised)
+    GTEST_SKIP() << "checked all but its memory, which a sanitizer's own would be counted in";
+  EXPECT_LT(test::ownMemory(), before + 100e6);
+}
+
 // A slice of 4.4 GB.
 TEST(LargeVolume, aSliceMayTakeMoreThanFourGigabytes) {
   expectItDrawn({66000, 33000, 1}, {65000, 32000, 0}, {400, 400, 0});

@@ -4,6 +4,8 @@
 # and every kind of file that commands write. One line each, so that two programs can be compared by `diff`.
 #
 #   tests/hashes/hashes.sh LIMN [DICOM_FOLDER] >before.txt
+#
+# With NEUTRAL_LIGHT=1 every scene tells of shadows and occlusion of strength 0, which must leave no trace.
 set -euo pipefail
 limn=$(realpath "$1")
 series=${2:+$(realpath "$2")}
@@ -17,6 +19,13 @@ points='"points":[{"value":-100,"color":[0.8,0.5,0.4],"opacity":0},{"value":200,
 scene() {
   printf '{"limn_scene":1,"volume":"phantom:2","transfer_function":{"unit_distance_mm":1,%s},"image":{"width":96,"height":80,"background":[0.05,0.05,0.08]}%s}' \
     "$points" "${2:+,$2}" >"$1.json"
+  [ -n "${NEUTRAL_LIGHT:-}" ] || return 0
+  python3 - "$1.json" <<'END'
+import json, sys
+scene = json.load(open(sys.argv[1]))
+scene.setdefault("shading", {}).update(shadow={"strength": 0}, occlusion={"strength": 0})
+json.dump(scene, open(sys.argv[1], "w"))
+END
 }
 scene plain ""
 for model in none classic enhanced robust; do scene "model-$model" "\"shading\":{\"model\":\"$model\"}"; done

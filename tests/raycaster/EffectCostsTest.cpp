@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/LightFinder.h"
 #include "gl/PictureTarget.h"
 #include "raycaster/CasterCosts.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/TravellingScenes.h"
 
 #include <algorithm>
+#include <iostream>
 
 namespace limn {
 namespace {
@@ -91,6 +94,41 @@ TEST_F(EffectCostsOnADriver, areBelowZeroWhereAnEffectSavesTime) {
   }
   const auto crop = std::find_if(rows.begin(), rows.end(), [](const EffectRow& row) { return row.isOn; });
   EXPECT_LT(costs.costs()[static_cast<std::size_t>(crop - rows.begin())]->ms, 0.0);
+}
+
+// Whoever knows the light is asked once: what is cropped or left out would have it found anew, beside
+// drawing.
+TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
+  Scene scene = test::shadowedHead(6.0, ShadingModel::enhanced);
+  scene.crop.lower.y = 0.3;
+  RayCaster caster;
+  LightFinder finder;
+  int asked = 0;
+  caster.askForLight([&](const Scene& of) {
+    ++asked;
+    return finder.find(of);
+  });
+  const Image before = caster.render(scene, size);
+  const FloatTarget target(size);
+  const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
+  asked = 0;
+  CasterCosts drawing(caster);
+  EffectCosts costs(scene, size, rows, 5);
+  while (costs.step(drawing)) {
+  }
+  EXPECT_EQ(asked, 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].isOn)
+      continue;
+    const std::optional<PictureChange>& brought = costs.costs()[i]->brought;
+    const bool isLight = rows[i].effects.hasAny(travellingLight);
+    EXPECT_EQ(brought.has_value(), isLight) << rows[i].name;
+    if (isLight) {
+      std::cout << rows[i].name << " " << broughtText(*brought).english() << "\n";
+      EXPECT_GE(brought->mostLevels, 5.0) << rows[i].name;
+    }
+  }
+  EXPECT_EQ(caster.render(scene, size), before);
 }
 
 } // namespace

@@ -154,5 +154,31 @@ TEST(SmoothNormals, ofOneRayAreThoseOfThePicture) {
   EXPECT_NEAR(profile->alpha, alpha, 1e-4);
 }
 
+TEST(SmoothNormals, picturesSideBySideKeepTheirOwnField) {
+  const std::shared_ptr<const Volume> volume = smoothHead(ShadingModel::classic, 6.0).volume;
+  GradientField field;
+  field.update(volume, 6.0);
+  const std::shared_ptr<const Volume> one = field.smoothed();
+  const std::size_t bytes = field.ownBytes();
+  field.update(volume, 3.0);
+  const std::shared_ptr<const Volume> other = field.smoothed();
+  EXPECT_NE(one, other);
+  EXPECT_EQ(field.ownBytes(), 2 * bytes);
+  for (int turn = 0; turn < 2; ++turn) { // they take turns, and nothing is smoothed anew
+    field.update(volume, 6.0);
+    EXPECT_EQ(field.smoothed(), one);
+    field.update(volume, 3.0);
+    EXPECT_EQ(field.smoothed(), other);
+  }
+  field.update(volume, 1.0); // the one that was asked for longest ago makes room
+  EXPECT_EQ(field.ownBytes(), 2 * bytes);
+  field.update(volume, 3.0);
+  EXPECT_EQ(field.smoothed(), other);
+  field.update(volume, 6.0);
+  EXPECT_NE(field.smoothed(), one);
+  field.update(volume, 0.0);
+  EXPECT_EQ(field.smoothed(), nullptr);
+}
+
 } // namespace
 } // namespace limn

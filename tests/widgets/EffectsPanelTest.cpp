@@ -64,5 +64,24 @@ TEST_F(EffectsPanelTest, asksForCostsAndShowsThemWithTheirMethodAndPictureSize) 
   EXPECT_FALSE(says(QStringLiteral("saves 12 ms"))) << "a changed scene has other costs";
 }
 
+TEST_F(EffectsPanelTest, saysWhatLightBroughtToThePicture) {
+  panel.setRows({{"shadow", "Shadows", true, "what stands in its way dims light", {Effect::shadow}},
+                 {"occlusion", "Hollows", true, "hollows are darker", {Effect::occlusion}}},
+                QStringLiteral("Classic"));
+  panel.setTimes(
+      {false,
+       1.0,
+       {EffectCost{3.0, 0.5, PictureChange{84.6, 4.23}}, EffectCost{2.0, 0.5, PictureChange{0.2, 0.01}}},
+       31.0,
+       QStringLiteral("a clock"),
+       {256, 128}});
+  EXPECT_TRUE(says(QStringLiteral("What stands in its way dims light; it changes this picture by up to 85 of "
+                                  "255 levels, by 4.2 on average.")));
+  EXPECT_TRUE(says(QStringLiteral("Hollows are darker; it changes nothing in this picture that could be "
+                                  "seen.")));
+  panel.setTimes({});
+  EXPECT_FALSE(says(QStringLiteral("it changes"))) << "another scene has another picture";
+}
+
 } // namespace
 } // namespace limn

@@ -103,6 +103,10 @@ void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
                  .arg(cost->ms < 0.0 ? tr("less") : tr("more"))
                  .arg(fixedNumber(cost->spreadMs, 1))
            : QString());
+  QString reason = sentence(translated(m_row.reason));
+  if (cost && cost->brought)
+    reason = tr("%1; it %2.").arg(reason, translated(broughtText(*cost->brought)));
+  m_reason->setText(reason);
   describe();
 }
 

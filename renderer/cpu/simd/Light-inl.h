@@ -77,16 +77,24 @@ public:
     return m_terms.effects.has(Effect::cutFaces) ? normalNearCut(step, normal) : normal;
   }
 
-  /// The colour of materials there, lit and fogged; all light comes where `reaching` is null.
-  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step,
-                       const Reaching* reaching = nullptr) const {
-    V3 color = material;
-    if (m_terms.effects.has(Effect::lighting))
-      color = lit(material, normalOf(gradients, step), gradients.ratio, reaching);
-    return m_terms.effects.hasAny(fogs) ? fogged(color, step) : color;
+  /// The colour of materials there, lit and fogged.
+  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
+    return m_terms.effects.has(Effect::lighting)
+               ? shaded(material, normalOf(gradients, step), gradients.ratio, step, nullptr)
+               : withFog(material, step);
+  }
+
+  /// The same with their normals; all light comes where `reaching` is null.
+  HWY_INLINE V3 shaded(const V3& material, const V3& normal, VF ratio, VF step,
+                       const Reaching* reaching) const {
+    return withFog(lit(material, normal, ratio, reaching), step);
   }
 
 private:
+  HWY_INLINE V3 withFog(const V3& color, VF step) const {
+    return m_terms.effects.hasAny(fogs) ? fogged(color, step) : color;
+  }
+
   HWY_INLINE VF highlight(V3 normal, VF ratio) const {
     const LightingTerms& light = m_terms.light;
     const auto low = static_cast<float>(light.exponent.atFlat);

@@ -15,59 +15,85 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
-/// M of DEFINITION section 11 at several places, trilinear between the eight nodes around each.
+/// M of DEFINITION section 11 at several places, trilinear between the eight nodes around each. Codes are
+/// mixed two to a register's lane, in 16 bits: weights along x are whole 256ths, as a graphics card's are,
+/// and 65535ths across.
 class GridLight {
 public:
   HWY_INLINE GridLight(const TravelTerms& travel, const V3& index) : m_travel(travel) {
-    const VI x = lowOf(index.x, 0, m_weight.x), y = lowOf(index.y, 1, m_weight.y),
-             z = lowOf(index.z, 2, m_weight.z);
-    const VI row = hn::Add(hn::Mul(z, hn::Set(ints, travel.found.nodes.count.y)), y);
-    hn::Store(hn::Add(hn::Mul(row, hn::Set(ints, travel.found.nodes.count.x)), x), ints, m_low);
+    VF x, y, z;
+    const VI lowX = lowOf(index.x, 0, x), lowY = lowOf(index.y, 1, y), lowZ = lowOf(index.z, 2, z);
+    const VI row = hn::Add(hn::Mul(lowZ, hn::Set(ints, travel.found.nodes.count.y)), lowY);
+    hn::Store(hn::Add(hn::Mul(row, hn::Set(ints, travel.found.nodes.count.x)), lowX), ints, m_low);
+    m_upper.x = twice(x, 256.0f);
+    m_lower.x = hn::Sub(hn::Set(halves, 256), m_upper.x);
+    m_upper.y = twice(y, 65535.0f);
+    m_lower.y = hn::Sub(hn::Set(halves, 65535), m_upper.y);
+    m_upper.z = twice(z, 65535.0f);
+    m_lower.z = hn::Sub(hn::Set(halves, 65535), m_upper.z);
   }
 
   /// Of a light that has a direction.
   HWY_INLINE VF direct() const {
-    VF sum = hn::Zero(floats);
-    for (int row = 0; row < 4; ++row) {
-      // Neighbours along x are read together.
+    VH planes[2];
+    for (int z = 0; z < 2; ++z) {
+      // Neighbours along x are read together; those of the next row stand in the upper half.
       HWY_ALIGN std::uint32_t pairs[most];
-      const std::uint8_t* nodes = m_travel.found.direct->data() + stepTo(2 * row);
+      const std::uint8_t* nodes = m_travel.found.direct->data() + stepTo(0, z);
+      const std::uint8_t* next = m_travel.found.direct->data() + stepTo(1, z);
       for (int lane = 0; lane < lanes(); ++lane) {
-        std::uint16_t pair = 0;
-        std::memcpy(&pair, nodes + m_low[lane], 2);
-        pairs[lane] = pair;
+        std::uint16_t one = 0, other = 0;
+        std::memcpy(&one, nodes + m_low[lane], 2);
+        std::memcpy(&other, next + m_low[lane], 2);
+        pairs[lane] = one | static_cast<std::uint32_t>(other) << 16;
       }
-      const VW word = hn::Load(words, pairs);
-      const VF lower = numberOf(hn::And(word, hn::Set(words, 255))),
-               upper = numberOf(hn::ShiftRight<8>(word));
-      sum = hn::MulAdd(shareOf(row), hn::MulAdd(m_weight.x, hn::Sub(upper, lower), lower), sum);
+      const VW codes = hn::Load(words, pairs);
+      planes[z] = alongX(evenBytes(codes), oddBytes(codes));
     }
-    return hn::Mul(hn::Sub(sum, all(1.0f)), all(1.0f / 254.0f));
+    const VH rows = across(planes[0], planes[1], m_lower.z, m_upper.z);
+    const VW mixed = hn::BitCast(words, across(rows, nextOf(rows), m_lower.y, m_upper.y));
+    // What is lost in rounding must not make less than nothing of it.
+    return hn::Max(hn::MulSub(lowHalf(mixed), all(1.0f / (254.0f * 256.0f)), all(1.0f / 254.0f)),
+                   hn::Zero(floats));
   }
 
   /// Of ambient light, around normals of unit length, or zero.
   HWY_INLINE VF ambient(const V3& normal) const {
-    // The shares of the axes are nothing without a normal: they are added as they are mixed.
-    const VF perCode = all(1.0f / 254.0f);
-    const V3 along{hn::Mul(normal.x, perCode), hn::Mul(normal.y, perCode), hn::Mul(normal.z, perCode)};
-    const VF middle = hn::MulAdd(hn::Add(hn::Add(along.x, along.y), along.z), all(127.0f), perCode);
-    VF sum = hn::Zero(floats);
-    for (int row = 0; row < 4; ++row) {
-      HWY_ALIGN std::uint32_t lower[most], upper[most];
-      const std::array<std::uint8_t, 4>* nodes = m_travel.found.ambient->data() + stepTo(2 * row);
-      for (int lane = 0; lane < lanes(); ++lane) {
-        std::memcpy(&lower[lane], nodes + m_low[lane], 4);
-        std::memcpy(&upper[lane], nodes + m_low[lane] + 1, 4);
+    VH evens[2], odds[2];
+    for (int z = 0; z < 2; ++z) {
+      VH even[2], odd[2];
+      for (int y = 0; y < 2; ++y) {
+        HWY_ALIGN std::uint32_t pairs[2 * most];
+        const std::array<std::uint8_t, 4>* nodes = m_travel.found.ambient->data() + stepTo(y, z);
+        for (int lane = 0; lane < lanes(); ++lane)
+          std::memcpy(&pairs[2 * lane], nodes + m_low[lane], 8);
+        VW lower, upper;
+        hn::LoadInterleaved2(words, pairs, lower, upper);
+        even[y] = alongX(evenBytes(lower), evenBytes(upper));
+        odd[y] = alongX(oddBytes(lower), oddBytes(upper));
       }
-      const VF first = around(hn::Load(words, lower), perCode, along);
-      const VF second = around(hn::Load(words, upper), perCode, along);
-      sum = hn::MulAdd(shareOf(row), hn::MulAdd(m_weight.x, hn::Sub(second, first), first), sum);
+      evens[z] = across(even[0], even[1], m_lower.y, m_upper.y);
+      odds[z] = across(odd[0], odd[1], m_lower.y, m_upper.y);
     }
-    return clamped(hn::Sub(sum, middle), 0.0f, 1.0f);
+    const VW even = hn::BitCast(words, across(evens[0], evens[1], m_lower.z, m_upper.z));
+    const VW odd = hn::BitCast(words, across(odds[0], odds[1], m_lower.z, m_upper.z));
+    // The shares of the axes are nothing without a normal.
+    VF sum = hn::MulAdd(normal.x, lowHalf(odd), lowHalf(even));
+    sum = hn::MulAdd(normal.y, highHalf(even), sum);
+    sum = hn::MulAdd(normal.z, highHalf(odd), sum);
+    const VF middle =
+        hn::MulAdd(hn::Add(hn::Add(normal.x, normal.y), normal.z), all(127.0f / 254.0f), all(1.0f / 254.0f));
+    return clamped(hn::MulSub(sum, all(1.0f / (254.0f * 256.0f)), middle), 0.0f, 1.0f);
   }
 
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
+  static constexpr hn::Repartition<std::uint16_t, decltype(words)> halves{};
+  using VH = hn::Vec<decltype(halves)>;
+
+  struct Weights {
+    VH x, y, z; // twice in each lane
+  };
 
   HWY_INLINE VI lowOf(VF index, int axis, VF& weight) const {
     const auto last = static_cast<float>(m_travel.found.nodes.count[axis] - 1);
@@ -79,31 +105,39 @@ private:
   }
 
   // From the node of the smallest indices.
-  HWY_INLINE std::ptrdiff_t stepTo(int corner) const {
+  HWY_INLINE std::ptrdiff_t stepTo(int y, int z) const {
     const std::ptrdiff_t row = m_travel.found.nodes.count.x;
-    return (corner & 1) + (corner >> 1 & 1) * row + (corner >> 2) * row * m_travel.found.nodes.count.y;
+    return y * row + z * row * m_travel.found.nodes.count.y;
   }
 
-  // Of two neighbours along x.
-  HWY_INLINE VF shareOf(int row) const {
-    const VF y = (row & 1) != 0 ? m_weight.y : hn::Sub(all(1.0f), m_weight.y);
-    const VF z = (row & 2) != 0 ? m_weight.z : hn::Sub(all(1.0f), m_weight.z);
-    return hn::Mul(y, z);
+  HWY_INLINE static VH twice(VF weight, float of) {
+    const VW whole = hn::BitCast(words, intOf(hn::MulAdd(weight, all(of), all(0.5f))));
+    return hn::BitCast(halves, hn::Or(whole, hn::ShiftLeft<16>(whole)));
   }
 
-  // What nodes say of normals, but for the codes' middles.
-  HWY_INLINE static VF around(VW codes, VF perCode, const V3& along) {
-    const VW byte = hn::Set(words, 255);
-    const VF x = hn::Mul(along.x, numberOf(hn::And(hn::ShiftRight<8>(codes), byte)));
-    const VF xy = hn::MulAdd(along.y, numberOf(hn::And(hn::ShiftRight<16>(codes), byte)), x);
-    const VF xyz = hn::MulAdd(along.z, numberOf(hn::ShiftRight<24>(codes)), xy);
-    return hn::MulAdd(perCode, numberOf(hn::And(codes, byte)), xyz);
+  HWY_INLINE static VH evenBytes(VW codes) {
+    return hn::BitCast(halves, hn::And(codes, hn::Set(words, 0x00ff00ffu)));
+  }
+  HWY_INLINE static VH oddBytes(VW codes) { return hn::ShiftRight<8>(hn::BitCast(halves, codes)); }
+  HWY_INLINE static VH nextOf(VH rows) {
+    return hn::BitCast(halves, hn::ShiftRight<16>(hn::BitCast(words, rows)));
   }
 
-  HWY_INLINE static VF numberOf(VW byte) { return hn::ConvertTo(floats, hn::BitCast(ints, byte)); }
+  // Codes times 256.
+  HWY_INLINE VH alongX(VH lower, VH upper) const {
+    return hn::Add(hn::Mul(lower, m_lower.x), hn::Mul(upper, m_upper.x));
+  }
+
+  HWY_INLINE static VH across(VH lower, VH upper, VH shareOfLower, VH shareOfUpper) {
+    return hn::Add(hn::MulHigh(lower, shareOfLower), hn::MulHigh(upper, shareOfUpper));
+  }
+
+  HWY_INLINE static VF lowHalf(VW pair) { return numberOf(hn::And(pair, hn::Set(words, 0xffffu))); }
+  HWY_INLINE static VF highHalf(VW pair) { return numberOf(hn::ShiftRight<16>(pair)); }
+  HWY_INLINE static VF numberOf(VW word) { return hn::ConvertTo(floats, hn::BitCast(ints, word)); }
 
   const TravelTerms& m_travel;
-  V3 m_weight;
+  Weights m_lower, m_upper;
   HWY_ALIGN std::int32_t m_low[most]; // the node of smallest indices around each place
 };
 

@@ -24,7 +24,7 @@ public:
       : m_terms(terms), m_march(march), m_index(index) {}
 
   /// Of the light that has a direction: along its middle.
-  HWY_NOINLINE VF direct() const {
+  HWY_INLINE VF direct() const {
     const TravelTerms& travel = m_terms.travel;
     const glm::vec3 towards(m_terms.towardsLight);
     const auto reach = static_cast<float>(travel.look.directAway);
@@ -48,7 +48,7 @@ public:
   }
 
   /// Of ambient light, around normals of unit length, or zero.
-  HWY_NOINLINE VF ambient(const V3& normal) const {
+  HWY_INLINE VF ambient(const V3& normal) const {
     const glm::vec3 way = static_cast<float>(m_terms.travel.look.ambientAway) / glm::vec3(m_terms.spacing);
     const V3 away{hn::MulAdd(normal.x, all(way.x), m_index.x), hn::MulAdd(normal.y, all(way.y), m_index.y),
                   hn::MulAdd(normal.z, all(way.z), m_index.z)};

@@ -140,12 +140,12 @@ struct Samples {
   /// The same with what stands in the way of the light.
   HWY_NOINLINE V3 shadedPast(const V3& material, const Gradients& gradients, VF step) const {
     const V3 index = indexAt(step);
-    const LightMarch<kind> march(terms, field, function, light, looks);
     const V3 normal = light.normalOf(gradients, step);
     const bool hasShadow = terms.effects.has(Effect::shadow);
     const bool hasOcclusion = terms.effects.has(Effect::occlusion);
     VF direct = all(1.0f), ambient = all(1.0f);
-    if (terms.travel.found.nodes.count.x == 0) {
+    const LightMarch<kind> march(terms, field, function, light, looks);
+    if (HWY_UNLIKELY(terms.travel.found.nodes.count.x == 0)) {
       const SampledLight<kind> sampled(terms.travel, march);
       if (hasShadow)
         direct = sampled.direct(index);
@@ -160,7 +160,7 @@ struct Samples {
     }
     const Reaching reaching{dimmed(terms.light.shadow.strength, direct),
                             dimmed(terms.light.occlusion.strength, ambient)};
-    return light.shaded(material, gradients, step, &reaching);
+    return light.shaded(material, normal, gradients.ratio, step, &reaching);
   }
 
   HWY_INLINE static VF dimmed(double strength, VF comes) {

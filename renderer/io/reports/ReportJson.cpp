@@ -228,13 +228,17 @@ std::string volumeJson(const VolumeFacts& facts) {
 }
 
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
-                        const std::vector<double>& costsMs) {
+                        const std::vector<std::optional<EffectCost>>& costs) {
   Json effects = Json::array();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    effects.push_back({{"name", rows[i].name},
-                       {"on", rows[i].isOn},
-                       {"reason", rows[i].reason.english()},
-                       {"cost_ms", costsMs[i]}});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Json& effect = effects.emplace_back(Json{{"name", rows[i].name},
+                                             {"on", rows[i].isOn},
+                                             {"reason", rows[i].reason.english()},
+                                             {"cost_ms", costs[i] ? costs[i]->ms : 0.0}});
+    if (costs[i] && costs[i]->brought)
+      effect["brought_levels"] = {{"most", costs[i]->brought->mostLevels},
+                                  {"mean", costs[i]->brought->meanLevels}};
+  }
   return textOf({{"renderer", renderer}, {"effects", effects}});
 }
 

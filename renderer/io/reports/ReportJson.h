@@ -18,6 +18,7 @@ struct BenchRow;
 struct BrickRow;
 struct EqualErrorRow;
 struct NamedReport;
+struct EffectCost;
 struct EffectRow;
 struct ScaleRow;
 struct StabilityReport;
@@ -57,9 +58,9 @@ std::string pictureJson(const PictureReport& picture);
 /// Nothing of the patient.
 std::string volumeJson(const VolumeFacts& facts);
 
-/// The effects of a scene. `costsMs` has one entry per row, 0 where an effect costs nothing.
+/// The effects of a scene. `costs` has one entry per row, absent where an effect costs nothing.
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
-                        const std::vector<double>& costsMs);
+                        const std::vector<std::optional<EffectCost>>& costs);
 
 /// `machine` names processor and renderer. `equalErrors` may be empty.
 std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,

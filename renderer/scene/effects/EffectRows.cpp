@@ -132,4 +132,11 @@ Message costText(const EffectCost& cost) {
   return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
 }
 
+Message broughtText(const PictureChange& change) {
+  if (change.mostLevels < 0.5)
+    return Message::tr("changes nothing in this picture that could be seen");
+  return Message::tr("changes this picture by up to %1 of 255 levels, by %2 on average")
+      .arg(Message::rounded(change.mostLevels, 2), Message::rounded(change.meanLevels, 2));
+}
+
 } // namespace limn

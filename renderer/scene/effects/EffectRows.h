@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/PictureFigures.h"
 #include "scene/effects/EffectPlan.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +27,17 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan);
 /// What a row's effect costs: the time of a picture with it less the time without it. Below 0 where it saves
 /// time.
 struct EffectCost {
-  double ms = 0.0;       ///< of medians
-  double spreadMs = 0.0; ///< half the range in which the middle half of the differences lies
+  double ms = 0.0;                        ///< of medians
+  double spreadMs = 0.0;                  ///< half the range in which the middle half of the differences lies
+  std::optional<PictureChange> brought{}; ///< to the picture; told of light on its way alone
   bool operator==(const EffectCost&) const = default;
 };
 
 /// A cost in words: "12 ms", "saves 210 ms", or "no measurable cost" where it is lost in its spread.
 Message costText(const EffectCost& cost);
+
+/// What an effect brought to a picture in words: "changes this picture by up to 85 of 255 levels, by 4.2 on
+/// average", or that it changes nothing that could be seen (less than half a level).
+Message broughtText(const PictureChange& change);
 
 } // namespace limn

@@ -1,37 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/GradientField.h"
 
+#include <algorithm>
+
 namespace limn {
+namespace {
+
+// Of pictures side by side.
+constexpr std::size_t mostSmoothed = 2;
+
+} // namespace
 
 double GradientField::more(const std::shared_ptr<const Volume>& volume, double sigmaMm,
                            const Effort& effort) {
+  if (m_volume != volume)
+    m_smoothed.clear();
   m_volume = volume;
   m_plain.setVolume(m_volume);
   m_isAskedFor = false;
-  const bool isOther = m_smoothing && sigmaMm > 0.0 && m_smoothing->sigmaMm() != sigmaMm;
-  if (m_smoothing && (isOther || m_smoothing->volume() != m_volume)) {
-    m_smoothing.reset();
-    m_ofSmoothed.setVolume(nullptr);
-  }
   if (!m_volume || !(sigmaMm > 0.0))
     return 1.0;
-  if (!m_smoothing)
-    m_smoothing.emplace(m_volume, sigmaMm);
-  const double done = m_smoothing->more(effort);
+  const auto there = std::ranges::find_if(
+      m_smoothed, [&](const Smoothed& smoothed) { return smoothed.smoothing.sigmaMm() == sigmaMm; });
+  if (there != m_smoothed.end()) {
+    std::rotate(m_smoothed.begin(), there, there + 1);
+  } else {
+    // The one that makes room goes first: three need not fit into memory.
+    if (m_smoothed.size() == mostSmoothed)
+      m_smoothed.pop_back();
+    m_smoothed.push_front({Smoothing(m_volume, sigmaMm), {}});
+  }
+  Smoothed& wanted = m_smoothed.front();
+  const double done = wanted.smoothing.more(effort);
   m_isAskedFor = done == 1.0;
   if (m_isAskedFor)
-    m_ofSmoothed.setVolume(m_smoothing->smoothed());
+    wanted.scales.setVolume(wanted.smoothing.smoothed());
   return done;
 }
 
 GradientScale GradientField::scale(const Shading& shading, bool usesRatio, const Effort& effort) {
-  GradientScale scale = (m_isAskedFor ? m_ofSmoothed : m_plain).of(shading, usesRatio, effort);
+  GradientScale scale = (m_isAskedFor ? m_smoothed.front().scales : m_plain).of(shading, usesRatio, effort);
   scale.smoothed = smoothed();
   return scale;
 }
 
 std::size_t GradientField::ownBytes() const {
-  return m_smoothing ? m_volume->voxelCount() * sizeof(float) : 0;
+  return m_smoothed.empty() ? 0 : m_smoothed.size() * m_volume->voxelCount() * sizeof(float);
 }
 
 glm::dvec3 followedGradientAt(const Volume& volume, const GradientScale& scale, const glm::dvec3& index) {

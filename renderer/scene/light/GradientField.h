@@ -4,13 +4,14 @@
 #include "scene/light/GradientScales.h"
 #include "scene/light/GradientSmoothing.h"
 
+#include <deque>
 #include <optional>
 
 namespace limn {
 
 /// The field whose gradient light and boundaries follow: that of the volume, or a smoothed one
-/// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume, or
-/// another σ, takes its place: pictures with and without it may take turns.
+/// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume
+/// takes its place, smoothed fields of the two σ asked for last: pictures side by side may take turns.
 class GradientField {
 public:
   /// Goes on smoothing for some ten ms; the share that is done, 1 once nothing is missing. With a σ of 0, mm,
@@ -25,7 +26,7 @@ public:
 
   /// Null where none is asked for.
   std::shared_ptr<const Volume> smoothed() const {
-    return m_isAskedFor ? m_smoothing->smoothed() : std::shared_ptr<const Volume>();
+    return m_isAskedFor ? m_smoothed.front().smoothing.smoothed() : std::shared_ptr<const Volume>();
   }
 
   /// Of the gradients of what was asked for last, whose smoothing is done: as limn::gradientScale of them,
@@ -35,14 +36,19 @@ public:
   /// Of the volume's own gradients, as GradientScales::know.
   void know(const FoundModuli& found, std::optional<double> percent) { m_plain.know(found, percent); }
 
-  /// What the smoothed field takes in memory, bytes.
+  /// What smoothed fields take in memory, bytes.
   std::size_t ownBytes() const;
 
 private:
+  struct Smoothed {
+    Smoothing smoothing;
+    GradientScales scales; ///< of what it made
+  };
+
   std::shared_ptr<const Volume> m_volume;
-  GradientScales m_plain, m_ofSmoothed;
-  std::optional<Smoothing> m_smoothing;
-  bool m_isAskedFor = false;
+  GradientScales m_plain;
+  std::deque<Smoothed> m_smoothed; ///< the one asked for last first
+  bool m_isAskedFor = false;       ///< and done
 };
 
 /// The gradient that light and boundaries of a picture follow at a continuous index, along the grid's axes,

@@ -316,7 +316,8 @@ RestTurn Refinement::adoptAll(DrawingEngine& engine, std::span<SidePicture> side
       m_sides[i].steps = m_needed[i].estimate;
     }
     if (m_road != Road::paths)
-      m_sides[i].whole = withFilter(withEarlyEnds(m_sides[i].steps, job->earlyEnds), m_sides[i].ofFilter);
+      m_sides[i].whole = (hasTravellingLight(job->scene) ? withLight : withFilter)(
+          withEarlyEnds(m_sides[i].steps, job->earlyEnds), m_sides[i].ofFilter);
     else if (hasPaths(sides[i]))
       m_sides[i].paths = engine.pathFigures(sides[i].finerScene(), sides[i].size());
     m_lastMs += sides[i].finerSchedule().spentMs();

@@ -135,6 +135,31 @@ TEST_F(RanksTest, drawWhatOneProcessDrawsInEveryProjection) {
   EXPECT_LE(worst, 0.01); // the same samples, summed in another order
 }
 
+// Light crosses from brick to brick: refused in a sentence, and drawn where nothing of it shows.
+TEST_F(RanksTest, refuseShadowsAndOcclusionAndDrawNeutralOnes) {
+  const auto write = [&](double shadow, double occlusion, bool isHeadlight) {
+    Scene scene = headScene(phantomVolume({.spacingMm = 6.0}), ShadingModel::classic);
+    if (!isHeadlight)
+      scene.shading.lightDirection = glm::dvec3(0.5, 0.7, -1.0);
+    scene.shading.shadow = {shadow, 5.0};
+    scene.shading.occlusion = {occlusion, 15.0};
+    scene.image.width = scene.image.height = 48;
+    std::ofstream(in("scene.json")) << sceneToJson(scene, "phantom:6");
+  };
+  for (const bool hasShadow : {true, false}) {
+    write(hasShadow ? 0.8 : 0.0, hasShadow ? 0.0 : 0.8, false);
+    const test::Outcome refused = onRanks(3, quoted("scene.json") + " --quiet -o " + quoted("none.png"));
+    EXPECT_NE(refused.status, 0);
+    EXPECT_NE(refused.err.find("Shadows and occlusion cannot be drawn in bricks"), std::string::npos)
+        << refused.err;
+    EXPECT_FALSE(fs::exists(in("none.png")));
+  }
+  write(0.0, 0.0, false);
+  EXPECT_LE(error(3, quoted("scene.json")).p99_9, 0.5);
+  write(0.8, 0.0, true); // of a headlight
+  EXPECT_LE(error(3, quoted("scene.json")).p99_9, 0.5);
+}
+
 TEST_F(RanksTest, drawEveryModelAPresetTheBodyAndATolerance) {
   for (const ShadingModel model : localModels) {
     writeScene(in("scene.json"), Projection::composite, model);
