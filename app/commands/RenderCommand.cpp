@@ -3,6 +3,7 @@
 #include "app/commands/RenderWork.h"
 
 #include "accuracy/SamplePicture.h"
+#include "app/core/drawing/PathDrawing.h"
 #include "app/document/PrivateNames.h"
 #include "app/document/Settings.h"
 #include "io/AtomicFile.h"
@@ -70,6 +71,8 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
 // Whoever asks for a tolerance is told what it came to.
 std::optional<PictureAccuracy> accuracyOf(const Scene& asked, const MadePicture& picture, int threads,
                                           const Progress& progress) {
+  if (picture.paths && picture.paths->p99_9Levels)
+    return PictureAccuracy{*picture.paths->p99_9Levels, sentenceOf(*picture.paths).english()};
   if (!asked.quality.toleranceLevels || isPhysical(asked))
     return std::nullopt;
   reportOrStop(progress, -1.0, "Integrating some pixels exactly");

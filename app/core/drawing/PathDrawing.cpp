@@ -57,9 +57,11 @@ int nextPaths(const Until& until, const PathFigures& figures, double seconds) {
 
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
                           const Effort& effort) {
-  const Until& until = scene.shading.physical.until;
+  const Until until =
+      scene.quality.paths ? Until(UntilPaths{*scene.quality.paths}) : scene.shading.physical.until;
   const auto begin = std::chrono::steady_clock::now();
   Scene pass = scene;
+  pass.quality.paths.reset();
   DrawnByPaths drawn;
   for (int next = nextPaths(until, {}, 0.0); next > drawn.figures.paths;) {
     pass.shading.physical.until = UntilPaths{next};
@@ -77,17 +79,17 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
   return drawn;
 }
 
+Message sentenceOf(const PathFigures& figures) {
+  if (!figures.rmsLevels || !figures.p99_9Levels)
+    return Message::tr("The picture has %1 paths a pixel, too few to tell its error.").arg(figures.paths);
+  return Message::tr("The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours "
+                     "within %2 (standard error), after %3 paths a pixel.")
+      .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
+      .arg(figures.paths);
+}
+
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene) {
-  std::vector<Message> notes;
-  if (figures.rmsLevels && figures.p99_9Levels)
-    notes.push_back(
-        Message::tr("The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours "
-                    "within %2 (standard error), after %3 paths a pixel.")
-            .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
-            .arg(figures.paths));
-  else
-    notes.push_back(
-        Message::tr("The picture has %1 paths a pixel, too few to tell its error.").arg(figures.paths));
+  std::vector<Message> notes{sentenceOf(figures)};
   if (fogShows(scene))
     notes.push_back(Message::tr("Physical light knows no fog: it was left out."));
   if (showsSurface(scene.projection))

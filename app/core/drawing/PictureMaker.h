@@ -38,6 +38,9 @@ struct MadePicture {
 /// Everything that a picture tells, a sentence each.
 std::vector<Message> remarksOf(const MadePicture& picture);
 
+/// How exact a picture says to be of itself, one sentence; empty where it does not know.
+std::string exactnessOf(const MadePicture& picture);
+
 /// How pictures are drawn.
 struct MakingOptions {
   std::optional<Engine> engine; ///< absent: the ray caster or the CPU engine, whichever is faster and there

@@ -79,6 +79,77 @@ TEST(PathPictures, areCancelledWithinAPassAndGoOn) {
   EXPECT_EQ(renderer.render(scene, pathPicture), CpuRenderer(1).render(scene, pathPicture));
 }
 
+// Exposure and knee say how light is shown: what was found of it stays.
+TEST(PathPictures, areExposedAnewWithoutAPathMore) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(16);
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 0);
+  renderer.render(scene, pathPicture);
+  Scene exposed = scene;
+  exposed.shading.physical.exposureEv = 1.5;
+  exposed.shading.knee = 0.5;
+  exposed.shading.ambient = 0.3; // of other models
+  EXPECT_EQ(renderer.followedPaths(exposed, pathPicture), 16);
+  const Image expected = CpuRenderer(2).render(exposed, pathPicture);
+  exposed.quality.paths = 0; // none more
+  EXPECT_EQ(renderer.render(exposed, pathPicture), expected);
+  // The error is that of the colours shown.
+  EXPECT_NE(renderer.pathFigures(exposed, pathPicture)->rmsLevels,
+            renderer.pathFigures(scene, pathPicture)->rmsLevels);
+  Scene other = exposed;
+  other.shading.physical.keyRadiusDeg = 10.0;
+  EXPECT_EQ(renderer.followedPaths(other, pathPicture), 0);
+}
+
+TEST(PathPictures, goOnFromThePathsThatHalfOfTheirPixelsHave) {
+  CpuRenderer renderer(2);
+  renderer.render(physicalHead(8), pathPicture);
+  const Scene scene = physicalHead(16);
+  renderer.draw(scene, pathPicture, {{0, 0}, {pathPicture.x, 4}});
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 8);
+  renderer.draw(scene, pathPicture, {{0, 0}, {pathPicture.x, 16}});
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 16);
+  EXPECT_EQ(renderer.render(scene, pathPicture), CpuRenderer(1).render(scene, pathPicture));
+}
+
+// Two, the sides of a comparison, whatever their size; more while all take 134 MB at most.
+TEST(PathPictures, takeLittleMemoryBesideTheLastTwo) {
+  CpuRenderer renderer(2);
+  Scene scene = physicalHead(1);
+  const double before = (renderer.plan(scene), renderer.memoryMb());
+  constexpr glm::ivec2 large{1600, 1200}; // 64 bytes a pixel
+  for (int n = 1; n <= 4; ++n) {
+    scene.shading.physical.seed = static_cast<std::uint32_t>(n);
+    renderer.draw(scene, large, {{0, 0}, {1, 1}});
+    EXPECT_NEAR(renderer.memoryMb() - before, std::min(n, 2) * 64e-6 * large.x * large.y, 2.0) << n;
+  }
+  for (int n = 10; n <= 30; ++n) {
+    scene.shading.physical.seed = static_cast<std::uint32_t>(n);
+    renderer.draw(scene, {512, 512}, {{0, 0}, {1, 1}});
+  }
+  EXPECT_NEAR(renderer.memoryMb() - before, 6 * 64e-6 * 512 * 512, 2.0);
+}
+
+TEST(PathPictures, tellTheErrorOfEachPixel) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(64);
+  EXPECT_TRUE(renderer.pathErrors(scene, pathPicture).empty());
+  const Image image = renderer.render(scene, pathPicture);
+  const PathFigures figures = *renderer.pathFigures(scene, pathPicture);
+  const std::vector<float> errors = renderer.pathErrors(scene, pathPicture);
+  ASSERT_EQ(errors.size(), image.pixels.size());
+  double largest = 0.0, over = 0.0, covered = 0.0;
+  for (std::size_t n = 0; n < errors.size(); ++n) {
+    EXPECT_EQ(errors[n] < 0.0f, image.pixels[n].a < 1.0f / 510.0f) << n;
+    largest = std::max(largest, double(errors[n]));
+    over += errors[n] > 1.0f ? 1.0 : 0.0;
+    covered += errors[n] >= 0.0f ? 1.0 : 0.0;
+  }
+  EXPECT_EQ(figures.largestLevels, largest);
+  EXPECT_DOUBLE_EQ(figures.shareOverOne, over / covered);
+  EXPECT_LT(figures.meanLevels, *figures.rmsLevels);
+}
+
 TEST(PathPictures, tellTheErrorThatTheyHave) {
   CpuRenderer renderer;
   const Image exact = renderer.render(physicalHead(4096), pathPicture);
