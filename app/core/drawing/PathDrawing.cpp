@@ -33,7 +33,7 @@ double wayTo(const Until& until, const PathFigures& figures, double seconds) {
 }
 
 Message levelsOfError(double levels) {
-  return Message::rounded(levels, 2);
+  return levels < 10.0 ? Message::rounded(levels, 2) : Message::fixed(levels, 0);
 }
 
 } // namespace

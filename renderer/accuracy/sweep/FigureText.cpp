@@ -22,6 +22,11 @@ PathsNeeded scaledPaths(const MeasuredPoint& from, double factor) {
   return {factor * *from.point.paths, factor * from.ms.median, from.error.p99_9 / std::sqrt(factor)};
 }
 
+// Two digits that count, and none behind the point from 10 on.
+Message briefly(double number) {
+  return number < 10.0 ? Message::rounded(number, 2) : Message::fixed(number, 0);
+}
+
 std::string pathsSentence(const PathsNeeded& needed) {
   return "By the law of 1/√n " + std::to_string(std::llround(std::ceil(needed.paths))) +
          " paths a pixel take " + threeDigits(1e-3 * needed.ms) + " s and lie within " +
@@ -94,14 +99,13 @@ Message lawOfPaths(const std::vector<MeasuredPoint>& points) {
   const double power = std::log(fewest->error.rms / most->error.rms) /
                        std::log(double(*most->point.paths) / *fewest->point.paths);
   return Message::tr("From %1 to %2 paths a pixel the error (RMS) falls as their number to the power of −%3; "
-                     "the law of chance is −0.5. A quarter of it, %4 levels instead of %5, takes 16 times as "
+                     "the law of chance is −0.5. A quarter of it, %4 instead of %5 levels, takes 16 times as "
                      "many paths and as long: %6 paths, %7 s.")
       .arg(*fewest->point.paths)
       .arg(*most->point.paths)
-      .arg(Message::rounded(power, 2), Message::rounded(most->error.rms / 4.0, 2),
-           Message::rounded(most->error.rms, 2))
+      .arg(Message::rounded(power, 2), briefly(most->error.rms / 4.0), briefly(most->error.rms))
       .arg(16 * *most->point.paths)
-      .arg(Message::rounded(16e-3 * most->ms.median, 1));
+      .arg(briefly(16e-3 * most->ms.median));
 }
 
 std::optional<PathsNeeded> pathsWithinLevels(const std::vector<MeasuredPoint>& points, double levels) {

@@ -36,6 +36,12 @@ Scene physicalHead(int paths, double spacingMm = 6.0) {
   return scene;
 }
 
+// The same volume: a renderer goes on.
+Scene until(Scene scene, int paths) {
+  scene.shading.physical.until = UntilPaths{paths};
+  return scene;
+}
+
 bool isFinite(const Image& image) {
   return std::ranges::all_of(image.pixels, [](const glm::vec4& pixel) {
     return std::isfinite(pixel.r) && std::isfinite(pixel.g) && std::isfinite(pixel.b) && pixel.a >= 0.0f &&
@@ -50,10 +56,10 @@ TEST(PathPictures, areTheSameWithAnyThreadsTilesAndPasses) {
     EXPECT_EQ(CpuRenderer(threads).render(scene, pathPicture), whole) << threads;
   CpuRenderer inPasses(2);
   for (const int paths : {1, 5, 24})
-    EXPECT_EQ(inPasses.render(physicalHead(paths), pathPicture) == whole, paths == 24) << paths;
+    EXPECT_EQ(inPasses.render(until(scene, paths), pathPicture) == whole, paths == 24) << paths;
   // Fewer are drawn anew, and are those that would have been drawn first.
-  EXPECT_EQ(inPasses.render(physicalHead(5), pathPicture),
-            CpuRenderer(1).render(physicalHead(5), pathPicture));
+  EXPECT_EQ(inPasses.render(until(scene, 5), pathPicture),
+            CpuRenderer(1).render(until(scene, 5), pathPicture));
   CpuRenderer inTiles(2);
   Image tiled(pathPicture);
   for (int y = 0; y < pathPicture.y; y += 7)
@@ -103,8 +109,8 @@ TEST(PathPictures, areExposedAnewWithoutAPathMore) {
 
 TEST(PathPictures, goOnFromThePathsThatHalfOfTheirPixelsHave) {
   CpuRenderer renderer(2);
-  renderer.render(physicalHead(8), pathPicture);
   const Scene scene = physicalHead(16);
+  renderer.render(until(scene, 8), pathPicture);
   renderer.draw(scene, pathPicture, {{0, 0}, {pathPicture.x, 4}});
   EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 8);
   renderer.draw(scene, pathPicture, {{0, 0}, {pathPicture.x, 16}});
