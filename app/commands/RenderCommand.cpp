@@ -159,7 +159,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     note(warning.english());
   for (const Message& remark : remarksOf(picture))
     note(remark.english());
-  if (accuracy)
+  if (accuracy && !picture.paths) // of paths it was said
     note(accuracy->sentence);
   char line[160];
   std::snprintf(line, sizeof line, ": %d x %d pixels in %.0f ms (set-up included) on %s",
