@@ -27,7 +27,7 @@ std::vector<MeasuredPoint> pointsOfTheWindow(const AccuracyReport& report) {
 }
 
 // Paths go on while nothing moves: there is nothing to choose, but it is told what to expect.
-QString pathsSentence(const PathsNeeded& needed) {
+QString expectationOf(const PathsNeeded& needed) {
   return WishSection::tr(
              "By the law of chance: %1 paths a pixel, %2 s, within %3 levels. The picture goes on "
              "by itself while nothing moves.")
@@ -50,7 +50,7 @@ WishAnswer answerOf(const AccuracyReport& report, const MeasuredPoint* best, con
 
 WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
   if (const auto needed = pathsWithinLevels(report.points, levels))
-    return {std::nullopt, pathsSentence(*needed)};
+    return {std::nullopt, expectationOf(*needed)};
   if (!report.reference.converged)
     return {std::nullopt,
             WishSection::tr("The exact picture has not converged, so no error is known. A limit "
@@ -67,7 +67,7 @@ WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
 
 WishAnswer wishForMs(const AccuracyReport& report, double ms) {
   if (const auto needed = pathsWithinMs(report.points, ms))
-    return {std::nullopt, pathsSentence(*needed)};
+    return {std::nullopt, expectationOf(*needed)};
   const std::vector<MeasuredPoint> points = pointsOfTheWindow(report);
   const auto fastest = std::ranges::min_element(
       points, [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.ms.median < b.ms.median; });
