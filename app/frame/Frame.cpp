@@ -8,6 +8,7 @@
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/theme/LookStyle.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -146,7 +147,7 @@ FocusMode::FocusMode(WindowContext& context)
                                                                       .shortcut = Qt::Key_F11,
                                                                       .isCheckable = true})) {
   connect(m_action, &QAction::toggled, this, &FocusMode::set);
-  connect(&context.view, &CompareView::maximiseRequested, m_action, &QAction::trigger);
+  connect(&context.view.input(), &ViewInput::maximiseRequested, m_action, &QAction::trigger);
 }
 
 void FocusMode::leave() {

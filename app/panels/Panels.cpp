@@ -198,9 +198,11 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
            .tool = {6, 1},
            .isCheckable = true,
            .needsVolume = true})) {
-  // A letter belongs to whatever has the focus: this one to the picture.
+  // A letter belongs to whatever has the focus: this one to picture and slices.
   m_action->setShortcutContext(Qt::WidgetShortcut);
   context.view.addAction(m_action);
+  for (const PatientPlane plane : patientPlanes)
+    context.planes.view(plane)->addAction(m_action);
   connect(m_action, &QAction::toggled, this, &CropBoxController::show);
   connect(m_action, &QAction::triggered, this, &CropBoxController::begin);
   connect(&section, &FoldingSection::foldedByUser, this, [this](bool folded) {

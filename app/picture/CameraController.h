@@ -28,6 +28,9 @@ struct TurnCentre {
 /// Where half of what a ray of the picture of `side` gives is gathered (halfLightDepth): what is seen there.
 TurnCentre turnCentreAlong(const CompareView& view, const Ray& ray, int side);
 
+/// The same of what gives most to the pixel (strongestDepth): what a click means.
+TurnCentre strongestAlong(const CompareView& view, const Ray& ray, int side);
+
 /// That nothing is seen where something was pointed at.
 QString noPlaceText();
 
@@ -55,10 +58,12 @@ private:
   SeenFrom now() const;
   void showScene(const Scene& scene);
   void showSteps();
+  void noteMiddle(bool isAtRest);
 
   WindowContext& m_context;
   CameraHistory m_history;
   std::shared_ptr<const Volume> m_volume; ///< of which the history tells
+  bool m_isAtRest = false;                ///< the picture
   QAction* m_orthographic = nullptr;
   QAction* m_back = nullptr;
   QAction* m_forward = nullptr;

@@ -94,11 +94,7 @@ CutController::CutController(WindowContext& context)
   connect(planes, &PlaneDeck::pieceRequested, this, &CutController::pickAt);
   connect(planes, &PlaneDeck::pieceNarrowed, this, &CutController::narrow);
   connect(planes, &PlaneDeck::lineClosed, this, &CutController::cutInSlice);
-  connect(m_bar, &CutBar::insideChosen, this, [this](bool isInside) {
-    m_removesInside = isInside;
-    m_context.view.setLinesRemoveInside(isInside);
-    m_context.planes.setLinesRemoveInside(isInside);
-  });
+  connect(m_bar, &CutBar::insideChosen, this, &CutController::takeInside);
   connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
   connect(m_bar, &CutBar::hideRequested, this, [this] { finish(ConnectedPiece::Fate::hidden); });
   connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(ConnectedPiece::Fate::alone); });
@@ -192,7 +188,7 @@ void CutController::cutToSeen(Scissors scissors) {
 }
 
 void CutController::pick(const Ray& ray, int side) {
-  const TurnCentre seen = turnCentreAlong(m_context.view, ray, side);
+  const TurnCentre seen = strongestAlong(m_context.view, ray, side);
   if (!seen.placeMm)
     return say(seen.reason);
   pickAt(*seen.placeMm);
@@ -216,7 +212,8 @@ void CutController::findPiece() {
     const BitGrid found = pieceAmong(keptVoxels(keep, *whole, partOf(effort, 0.0, 0.1)), *whole, piece,
                                      partOf(effort, 0.1, 0.7));
     const Shown shown{lit(keep, found, litBeside, partOf(effort, 0.7, 0.9)),
-                      figuresOf(found, *whole, partOf(effort, 0.9, 1.0))};
+                      // The rim that goes with it is no part of what the range names.
+                      figuresOf(found, *whole, piece.range, partOf(effort, 0.9, 1.0))};
     return [this, shown] { show(shown); };
   });
   showBar();
@@ -278,10 +275,13 @@ void CutController::putDown() {
 // What is lit stays so while the camera moves, and goes out with what it is a part of.
 void CutController::showScene(const Scene& scene) {
   const bool isOther = scene.volume != m_volume || scene.keep != m_keep;
+  const bool isOtherVolume = scene.volume != m_volume;
   m_volume = scene.volume;
   m_keep = scene.keep;
   if (isOther && (m_piece || m_work.isRunning()))
     putDown();
+  if (isOtherVolume)
+    layDown();
   if (isOther)
     showBar();
   if (!m_shown)
@@ -290,6 +290,21 @@ void CutController::showScene(const Scene& scene) {
   lit.keep = m_shown->lit;
   m_context.view.setScene(lit);
   m_context.view.setPreview(tr("the piece that hangs together").toStdString());
+}
+
+// Nobody expects the first drag on another volume to cut, nor the scissors to keep what they took before.
+void CutController::layDown() {
+  const ViewTool tool = m_context.view.tool();
+  if (tool == ViewTool::scissors || tool == ViewTool::piece)
+    m_context.view.setTool(ViewTool::rotate);
+  m_onlySeen = false;
+  takeInside(true);
+}
+
+void CutController::takeInside(bool isInside) {
+  m_removesInside = isInside;
+  m_context.view.setLinesRemoveInside(isInside);
+  m_context.planes.setLinesRemoveInside(isInside);
 }
 
 void CutController::say(const QString& sentence) const {

@@ -64,6 +64,8 @@ private:
   void showBar();
   void finish(ConnectedPiece::Fate fate);
   void putDown();
+  void layDown();
+  void takeInside(bool isInside);
   void showScene(const Scene& scene);
   void say(const QString& sentence) const;
 

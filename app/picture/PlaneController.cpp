@@ -6,6 +6,7 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QMenu>
 
@@ -29,9 +30,9 @@ PlaneController::PlaneController(WindowContext& context)
   connect(&context.planes, &PlaneDeck::settingsEdited, &context.session, &Session::setPlanes);
   connect(&context.session, &Session::planesChanged, this, &PlaneController::show);
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { showScene(scene); });
-  connect(&context.view, &CompareView::probed, this, &PlaneController::showProbe);
-  connect(&context.view, &CompareView::pinRequested, this, &PlaneController::valuePinned);
-  connect(&context.view, &CompareView::placePinned, this, &PlaneController::showInSlices);
+  connect(&context.view.input(), &ViewInput::probed, this, &PlaneController::showProbe);
+  connect(&context.view.input(), &ViewInput::pinRequested, this, &PlaneController::valuePinned);
+  connect(&context.view.input(), &ViewInput::placePinned, this, &PlaneController::showInSlices);
 }
 
 void PlaneController::addLayouts() {

@@ -12,6 +12,7 @@
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -88,7 +89,7 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
   connect(open, &QAction::triggered, this, &RegionController::askForLabels);
   connect(openFolder, &QAction::triggered, this, &RegionController::askForMasks);
   connect(m_bodyOnly, &QAction::triggered, this, &RegionController::setBodyOnly);
-  connect(&context.view, &CompareView::everythingRequested, this, &RegionController::showEverything);
+  connect(&context.view.input(), &ViewInput::everythingRequested, this, &RegionController::showEverything);
   connect(&context.view, &CompareView::loadingCancelled, this, &RegionController::cancel);
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
   connect(&m_work, &BackgroundWork::progressed, this, [this](double done) {

@@ -8701,6 +8701,109 @@
     </message>
 </context>
 <context>
+    <name>limn::OwnPresetController</name>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>Als Preset s&amp;peichern…</translation>
+    </message>
+    <message>
+        <source>My preset</source>
+        <translation>Mein Preset</translation>
+    </message>
+    <message>
+        <source>My %1</source>
+        <translation>%1 (eigenes)</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Preset speichern</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a built-in preset; choose another name.</source>
+        <translation>„%1“ ist ein mitgeliefertes Preset; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation>Ein Preset braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was replaced by what is shown.</source>
+        <translation>„%1“ wurde durch das Gezeigte ersetzt.</translation>
+    </message>
+    <message>
+        <source>Take the old one back</source>
+        <translation>Das alte zurückholen</translation>
+    </message>
+    <message>
+        <source>Replace preset</source>
+        <translation>Preset ersetzen</translation>
+    </message>
+    <message>
+        <source>There is a preset &quot;%1&quot; already. Replace it by what is shown?</source>
+        <translation>Es gibt schon ein Preset „%1“. Durch das ersetzen, was zu sehen ist?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was deleted.</source>
+        <translation>„%1“ wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>There is a preset &quot;%1&quot; already; choose another name.</source>
+        <translation>Ein Preset „%1“ gibt es schon; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Preset umbenennen</translation>
+    </message>
+    <message>
+        <source>New name:</source>
+        <translation>Neuer Name:</translation>
+    </message>
+    <message>
+        <source>Note of &quot;%1&quot;</source>
+        <translation>Notiz zu „%1“</translation>
+    </message>
+    <message>
+        <source>What it shows, in one sentence:</source>
+        <translation>Was es zeigt, in einem Satz:</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Folder for &quot;%1&quot;:</source>
+        <translation>Ordner für „%1“:</translation>
+    </message>
+    <message>
+        <source>Duplicate preset</source>
+        <translation>Preset duplizieren</translation>
+    </message>
+    <message>
+        <source>Name of the copy (a preset of the same name is replaced):</source>
+        <translation>Name der Kopie (ein gleichnamiges Preset wird ersetzt):</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 Kopie</translation>
+    </message>
+</context>
+<context>
     <name>limn::PanelCycle</name>
     <message>
         <source>&amp;Next panel</source>
@@ -9800,46 +9903,6 @@
         <translation>vollen Wertebereich verwenden</translation>
     </message>
     <message>
-        <source>Save as preset</source>
-        <translation>Als Preset speichern</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is a built-in preset; choose another name.</source>
-        <translation>„%1“ ist ein mitgeliefertes Preset; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>A preset needs a name.</source>
-        <translation>Ein Preset braucht einen Namen.</translation>
-    </message>
-    <message>
-        <source>There is a preset &quot;%1&quot; already; choose another name.</source>
-        <translation>Ein Preset „%1“ gibt es schon; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Rename preset</source>
-        <translation>Preset umbenennen</translation>
-    </message>
-    <message>
-        <source>New name:</source>
-        <translation>Neuer Name:</translation>
-    </message>
-    <message>
-        <source>Duplicate preset</source>
-        <translation>Preset duplizieren</translation>
-    </message>
-    <message>
-        <source>Name of the copy (a preset of the same name is replaced):</source>
-        <translation>Name der Kopie (ein gleichnamiges Preset wird ersetzt):</translation>
-    </message>
-    <message>
-        <source>%1 copy</source>
-        <translation>%1 Kopie</translation>
-    </message>
-    <message>
         <source>My preset</source>
         <translation>Mein Preset</translation>
     </message>
@@ -9848,40 +9911,8 @@
         <translation>%1 (eigenes)</translation>
     </message>
     <message>
-        <source>Note of &quot;%1&quot;</source>
-        <translation>Notiz zu „%1“</translation>
-    </message>
-    <message>
-        <source>What it shows, in one sentence:</source>
-        <translation>Was es zeigt, in einem Satz:</translation>
-    </message>
-    <message>
-        <source>New folder</source>
-        <translation>Neuer Ordner</translation>
-    </message>
-    <message>
-        <source>Folder for &quot;%1&quot;:</source>
-        <translation>Ordner für „%1“:</translation>
-    </message>
-    <message>
         <source>Use it as it is</source>
         <translation>Unverändert verwenden</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was replaced by what is shown.</source>
-        <translation>„%1“ wurde durch das Gezeigte ersetzt.</translation>
-    </message>
-    <message>
-        <source>Take the old one back</source>
-        <translation>Das alte zurückholen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was deleted.</source>
-        <translation>„%1“ wurde gelöscht.</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>Zurückholen</translation>
     </message>
     <message>
         <source>P&amp;resets</source>
@@ -9890,10 +9921,6 @@
     <message>
         <source>&amp;Find preset</source>
         <translation>Preset &amp;suchen</translation>
-    </message>
-    <message>
-        <source>&amp;Save as preset…</source>
-        <translation>Als Preset s&amp;peichern…</translation>
     </message>
     <message>
         <source>&amp;Keep my light</source>
@@ -9910,22 +9937,6 @@
     <message>
         <source>&quot;%1&quot; shows nothing of this volume: its curve is for other values.</source>
         <translation>„%1“ zeigt nichts von diesem Volumen: Die Kurve gilt für andere Werte.</translation>
-    </message>
-    <message>
-        <source>Name:</source>
-        <translation>Name:</translation>
-    </message>
-    <message>
-        <source>Replace preset</source>
-        <translation>Preset ersetzen</translation>
-    </message>
-    <message>
-        <source>There is a preset &quot;%1&quot; already. Replace it by what is shown?</source>
-        <translation>Es gibt schon ein Preset „%1“. Durch das ersetzen, was zu sehen ist?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>

@@ -127,7 +127,8 @@ ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, doubl
   return other;
 }
 
-SetFigures figuresOf(const BitGrid& set, const Volume& volume, const Effort& effort) {
+SetFigures figuresOf(const BitGrid& set, const Volume& volume, const glm::dvec2& range,
+                     const Effort& effort) {
   const glm::ivec3& dims = set.dims();
   const VoxelMask& invalid = volume.invalidMask();
   const Rescale& rescale = volume.rescale();
@@ -144,6 +145,8 @@ SetFigures figuresOf(const BitGrid& set, const Volume& volume, const Effort& eff
           for (; word != 0; word &= word - 1) {
             const std::size_t voxel = first + static_cast<std::size_t>(std::countr_zero(word));
             const double value = rescale.slope * static_cast<double>(stored[voxel]) + rescale.intercept;
+            if (value < range.x || value > range.y)
+              continue;
             ++sums.count;
             sums.sum += value;
             sums.lowest = std::min(sums.lowest, value);

@@ -31,7 +31,9 @@ struct SetFigures {
   ValueRange values;
 };
 
-/// Of the valid voxels of a set; all 0 where there are none. Throws Cancelled.
-SetFigures figuresOf(const BitGrid& set, const Volume& volume, const Effort& effort = {});
+/// Of the valid voxels of a set whose values lie in a range, both ends included; all 0 where there are none.
+/// Throws Cancelled.
+SetFigures figuresOf(const BitGrid& set, const Volume& volume, const glm::dvec2& range,
+                     const Effort& effort = {});
 
 } // namespace limn

@@ -187,6 +187,9 @@ void CutSection::moveBy(int rows) {
   std::vector<Cut> cuts = m_cuts;
   std::swap(cuts[static_cast<std::size_t>(row)], cuts[static_cast<std::size_t>(row + rows)]);
   m_list->setCurrentRow(row + rows);
+  // A button that ends here would leave the keyboard to the next one, which deletes.
+  if (QPushButton* pressed = rows < 0 ? m_up : m_down; pressed->hasFocus() && !pressed->isEnabled())
+    m_list->setFocus();
   emit cutsEdited(cuts, tr("move cut %1").arg(row + 1));
 }
 

@@ -87,14 +87,7 @@ void CompareView::connectInput() {
     setWipePosition(fraction);
     emit wipeMoved(wipePosition());
   });
-  connect(m_input, &ViewInput::probed, this, &CompareView::probed);
-  connect(m_input, &ViewInput::pinRequested, this, &CompareView::pinRequested);
-  connect(m_input, &ViewInput::placePinned, this, &CompareView::placePinned);
   connect(m_input, &ViewInput::modelsRequested, this, &CompareView::offerModels);
-  connect(m_input, &ViewInput::everythingRequested, this, &CompareView::everythingRequested);
-  connect(m_input, &ViewInput::maximiseRequested, this, &CompareView::maximiseRequested);
-  connect(m_input, &ViewInput::windowPresetRequested, this, &CompareView::windowPresetRequested);
-  connect(m_input, &ViewInput::shortcutListRequested, this, &CompareView::shortcutListRequested);
   connect(m_input, &ViewInput::swapRequested, this, [this] { setSwapped(true); });
   connect(m_input, &ViewInput::toolChanged, this, &CompareView::toolChanged);
 }

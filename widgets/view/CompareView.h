@@ -104,6 +104,10 @@ public:
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
+  /// What is seen in the middle of the picture, where known: the scale holds there, else at the camera's
+  /// target.
+  void setMiddle(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.middleMm, worldMm); }
+
   /// Draws what was measured over the pictures; nothing at first.
   void setMeasures(const std::vector<SeenMeasure>& measures) { set(m_order.comparison.measures, measures); }
 
@@ -119,7 +123,7 @@ public:
   /// Whether the wheel changes the range of a piece that was picked; at first it zooms.
   void setWheelIsForPiece(bool isForPiece);
 
-  /// What reads pointer and keys.
+  /// What reads pointer and keys, and asks for what is not of the view itself.
   const ViewInput& input() const { return *m_input; }
 
   /// The preset that the scene is shown as a preview of, which the pictures then say; empty: it is none.
@@ -176,21 +180,11 @@ signals:
   void cameraFitted(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
-  /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
-  void probed(const std::optional<limn::Probe>& probe);
-  void pinRequested(double value);
-  /// Where that value is, world millimetres.
-  void placePinned(const glm::dvec3& worldMm);
   void modelChosen(int side, limn::ShadingModel model);
   /// A menu opens that offers presets for the picture of a side; it is to be filled.
   void presetMenuAsked(QMenu* menu, int side);
   void wipeMoved(double fraction);
   void toolChanged(limn::ViewTool tool);
-  void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
-  void shortcutListRequested();
-  /// The note was clicked that tells what a region hides.
-  void everythingRequested();
-  void maximiseRequested();
   /// Whenever anything in it changes.
   void told(const limn::ViewNews& news);
   /// Drawing failed; the view already shows the sentence.

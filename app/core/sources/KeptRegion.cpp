@@ -88,8 +88,10 @@ FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<
   CutRegion made = needsAll ? cutRegion(*reread(volume, allVoxels(volume.grid())), region, cuts, effort)
                             : cutRegion(volume, region, cuts, effort);
   FoundRegion found{std::move(made.region), {}};
-  for (std::size_t n = 0; n < cuts.size() && found.remark.empty(); ++n)
-    if (cuts[n].isOn && n >= region.cuts.size() && made.taken[n] == 0)
+  // Of what stood there before it was said then.
+  const auto known = static_cast<std::size_t>(std::ranges::mismatch(cuts, region.cuts).in1 - cuts.begin());
+  for (std::size_t n = known; n < cuts.size() && found.remark.empty(); ++n)
+    if (cuts[n].isOn && made.taken[n] == 0)
       found.remark =
           std::holds_alternative<ConnectedPiece>(cuts[n].how)
               ? Message::tr("Cut %1 finds no piece: nothing in its range of values is left at its "

@@ -5,6 +5,7 @@
 #include "app/window/WindowContext.h"
 #include "widgets/theme/Icons.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -386,7 +387,7 @@ void DialogController::addHelp() {
   connect(guide, &QAction::triggered, this, &DialogController::showGuide);
   connect(shortcuts, &QAction::triggered, this,
           [this] { showShortcuts(m_context.actions, &m_context.window); });
-  connect(&m_context.view, &CompareView::shortcutListRequested, shortcuts, &QAction::trigger);
+  connect(&m_context.view.input(), &ViewInput::shortcutListRequested, shortcuts, &QAction::trigger);
   connect(stability, &QAction::triggered, this, &DialogController::showStability);
   connect(about, &QAction::triggered, this, [this] { showAbout(&m_context.window); });
 }

@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/presets/PresetController.h"
 
-#include "app/presets/PresetStore.h"
 #include "app/window/WindowContext.h"
-#include "scene/basics/Error.h"
-#include "scene/light/GradientSmoothing.h"
 #include "scene/presets/PresetFit.h"
-#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 
-#include <QDialogButtonBox>
 #include <QDockWidget>
-#include <QInputDialog>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
+#include <QStatusBar>
 
 #include <algorithm>
 
 namespace limn {
 namespace {
 
-auto named(const std::vector<Preset>& presets, const QString& name) {
-  return std::find_if(presets.begin(), presets.end(),
-                      [&](const Preset& preset) { return preset.name == name.toStdString(); });
-}
+constexpr int toldForMs = 6000;
 
 // Whether a curve lets no voxel of a volume be seen.
 bool showsNothing(const TransferFunction& function, const Histogram& histogram) {
@@ -61,7 +52,7 @@ Preset withLandmarksOfPoints(Preset preset) {
 
 PresetController::PresetController(WindowContext& context)
     : QObject(&context.window), m_context(context), m_browser(*new PresetBrowser(&context.window)),
-      m_store(context.folders.presets) {
+      m_own(context) {
   QDockWidget* dock = context.docks.add({tr("P&resets"), "presetDock", &m_browser, Qt::LeftDockWidgetArea});
   const QAction* find = context.actions.add(
       QStringLiteral("findPreset"),
@@ -71,11 +62,12 @@ PresetController::PresetController(WindowContext& context)
     dock->raise();
     m_browser.focusSearch();
   });
-  const QAction* save = context.actions.add(
-      QStringLiteral("savePreset"),
-      {.text = tr("&Save as preset…"), .place = {Menu::preset, 1, 2}, .needsVolume = true});
-  connect(save, &QAction::triggered, this, &PresetController::askForName);
-  connect(&context.view, &CompareView::windowPresetRequested, this, &PresetController::useNumber);
+  connect(&m_own, &OwnPresetController::listed, this, [this] {
+    list();
+    markShown();
+  });
+  connect(&m_own, &OwnPresetController::kept, &m_browser, &PresetBrowser::reveal);
+  connect(&context.view.input(), &ViewInput::windowPresetRequested, this, &PresetController::useNumber);
   addKeepingLight();
   connectBrowser();
 }
@@ -104,17 +96,21 @@ Preset PresetController::asUsed(Preset preset) const {
 
 void PresetController::connectBrowser() {
   const PresetBrowser* browser = &m_browser;
+  OwnPresetController* own = &m_own;
   connect(browser, &PresetBrowser::presetChosen, this, &PresetController::use);
   connect(browser, &PresetBrowser::previewRequested, this, &PresetController::preview);
   connect(browser, &PresetBrowser::compareRequested, this, &PresetController::compare);
-  connect(browser, &PresetBrowser::saveRequested, this, &PresetController::askForName);
-  connect(browser, &PresetBrowser::deleteRequested, this, &PresetController::remove);
-  connect(browser, &PresetBrowser::renameRequested, this, &PresetController::rename);
+  connect(browser, &PresetBrowser::saveRequested, own, &OwnPresetController::askForName);
+  connect(browser, &PresetBrowser::deleteRequested, own, &OwnPresetController::remove);
+  connect(browser, &PresetBrowser::renameRequested, own, &OwnPresetController::rename);
   connect(browser, &PresetBrowser::favouriteRequested, this, &PresetController::setFavourite);
-  connect(browser, &PresetBrowser::noteRequested, this, &PresetController::editNote);
-  connect(browser, &PresetBrowser::folderRequested, this, &PresetController::moveTo);
-  connect(browser, &PresetBrowser::newFolderRequested, this, &PresetController::moveToNewFolder);
-  connect(browser, &PresetBrowser::duplicateRequested, this, &PresetController::duplicate);
+  connect(browser, &PresetBrowser::noteRequested, own, &OwnPresetController::editNote);
+  connect(browser, &PresetBrowser::folderRequested, own, &OwnPresetController::moveTo);
+  connect(browser, &PresetBrowser::newFolderRequested, own, &OwnPresetController::moveToNewFolder);
+  connect(browser, &PresetBrowser::duplicateRequested, this, [this](const QString& name) {
+    if (const std::optional<Preset> preset = fitted(name))
+      m_own.duplicate(*preset);
+  });
   connect(browser, &PresetBrowser::exportRequested, this, &PresetController::exportRequested);
   connect(browser, &PresetBrowser::searchEnded, &m_context.view, qOverload<>(&QWidget::setFocus));
   connect(browser, &PresetBrowser::galleryChosen, this,
@@ -122,13 +118,9 @@ void PresetController::connectBrowser() {
   m_browser.setGallery(m_context.settings.presetsAreGallery());
 }
 
-void PresetController::refresh() {
-  const PresetStore::Contents own = m_store.read();
-  m_own = own.presets;
+void PresetController::list() {
   showStanding();
-  m_browser.setPresets(m_builtIn, m_own);
-  if (!own.problems.empty())
-    m_context.messages.show(MessageBar::Kind::error, translated(own.problems.front()));
+  m_browser.setPresets(m_builtIn, m_own.presets());
   emit listed();
 }
 
@@ -172,14 +164,12 @@ void PresetController::markShown() {
 }
 
 const Preset* PresetController::find(const QString& name) const {
-  for (const std::vector<Preset>* presets : {&m_builtIn, &m_own})
-    if (const auto found = named(*presets, name); found != presets->end())
-      return &*found;
-  return nullptr;
+  const auto builtIn = std::ranges::find(m_builtIn, name.toStdString(), &Preset::name);
+  return builtIn == m_builtIn.end() ? m_own.find(name) : &*builtIn;
 }
 
 bool PresetController::isBuiltIn(const QString& name) const {
-  return named(m_builtIn, name) != m_builtIn.end();
+  return std::ranges::find(m_builtIn, name.toStdString(), &Preset::name) != m_builtIn.end();
 }
 
 // It means Hounsfield units, and what is open has others.
@@ -201,19 +191,6 @@ std::optional<Preset> PresetController::fitted(const QString& name) const {
                                     : *found;
 }
 
-// Somebody may have edited its file.
-void PresetController::readAgain(const QString& name) {
-  const auto known = named(m_own, name);
-  if (known == m_own.end())
-    return;
-  try {
-    if (m_store.find(known->name) != *known)
-      refresh();
-  } catch (const Error&) {
-    refresh(); // and say why
-  }
-}
-
 QString PresetController::nameShown() const {
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
   const QString name = QString::fromStdString(preset.name);
@@ -221,7 +198,7 @@ QString PresetController::nameShown() const {
 }
 
 void PresetController::use(const QString& name) {
-  readAgain(name);
+  m_own.readEdited(name);
   const std::optional<Preset> preset = fitted(name);
   if (!preset || !m_context.session.scene().volume)
     return;
@@ -282,10 +259,15 @@ void PresetController::fillMenu(QMenu& menu, int side) {
 }
 
 void PresetController::show(const Preset& preset, const QString& edit) {
-  if (const std::optional<Scene> ofPart = m_shownAs(preset))
+  if (const std::optional<Scene> ofPart = m_shownAs(preset)) {
     m_context.session.edit(*ofPart, {nextGestureId(), edit});
-  else
+    m_context.window.statusBar()->showMessage(
+        tr("\"%1\" shapes the curve in hand, of one label or piece; the picture's other curves stay.")
+            .arg(presetWords(QString::fromStdString(preset.name))),
+        toldForMs);
+  } else {
     m_context.session.usePreset(asUsed(preset), {nextGestureId(), edit});
+  }
   markShown(); // one that changes nothing is in use as well
 }
 
@@ -353,199 +335,9 @@ void PresetController::useNumber(int number) {
     use(listed[number - 1]);
 }
 
-void PresetController::askForName() {
-  if (!m_context.session.scene().volume)
-    return;
-  const QString inUse = QString::fromStdString(m_context.document.presetInUse().name);
-  const std::vector<Preset> own = m_store.read().presets;
-  const QString proposed = inUse.isEmpty()                  ? tr("My preset")
-                           : named(own, inUse) != own.end() ? inUse
-                                                            : tr("My %1").arg(inUse);
-  ask(tr("Save as preset"), tr("Name:"), proposed, [this](const QString& name) { save(name); });
-}
-
-void PresetController::ask(const QString& title, const QString& label, const QString& name,
-                           const std::function<void(const QString&)>& answer) {
-  auto* dialog = new QInputDialog(&m_context.window);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(title);
-  dialog->setLabelText(label);
-  dialog->setTextValue(name);
-  dialog->setOkButtonText(tr("Save"));
-  const auto* buttons = dialog->findChild<QDialogButtonBox*>();
-  connect(dialog, &QInputDialog::textValueChanged, buttons, [buttons](const QString& entered) {
-    buttons->button(QDialogButtonBox::Ok)->setEnabled(!entered.trimmed().isEmpty());
-  });
-  connect(dialog, &QInputDialog::textValueSelected, this,
-          [answer](const QString& entered) { answer(entered.trimmed()); });
-  dialog->open();
-}
-
-// A name of a preset of the user's own; says why not.
-bool PresetController::mayBeCalled(const QString& name) const {
-  const bool isTaken = isBuiltIn(name);
-  if (name.isEmpty() || isTaken)
-    m_context.messages.show(MessageBar::Kind::error,
-                            isTaken ? tr("\"%1\" is a built-in preset; choose another name.").arg(name)
-                                    : tr("A preset needs a name."));
-  return !name.isEmpty() && !isTaken;
-}
-
-void PresetController::save(const QString& name) {
-  if (!mayBeCalled(name))
-    return;
-  if (named(m_own, name) != m_own.end() && !mayReplace(name))
-    return;
-  Preset preset = presetOf(m_context.session.scene(), name.toStdString());
-  // Values without a unit mean something beside those of their own volume alone.
-  if (const auto& volume = m_context.session.scene().volume; !looksLikeHounsfield(*volume))
-    preset.landmarks = landmarksOf(m_context.document.histogram());
-  // What opening sets belongs to the slices of the volume.
-  if (const Grid& grid = m_context.session.scene().volume->grid();
-      preset.shading && preset.shading->gradientSmoothing == smoothingOfSlices(grid))
-    preset.shading->gradientSmoothing = 0.0;
-  std::optional<Preset> replaced;
-  if (const auto before = named(m_own, name); before != m_own.end()) {
-    replaced = *before;
-    preset.note = before->note;
-    preset.folder = before->folder;
-  }
-  const auto write = [&] {
-    m_store.save(preset);
-    refresh();
-    m_context.session.adoptPreset(preset);
-    markShown();
-    m_browser.reveal(name);
-    if (replaced)
-      offerBack(*replaced, tr("\"%1\" was replaced by what is shown.").arg(name), tr("Take the old one back"),
-                false);
-  };
-  m_context.notes.attempt(write);
-}
-
-// Names are typed with ease, so it is asked; all the same what was is brought back by one click.
-bool PresetController::mayReplace(const QString& name) {
-  QMessageBox box(QMessageBox::Question, tr("Replace preset"),
-                  tr("There is a preset \"%1\" already. Replace it by what is shown?").arg(name),
-                  QMessageBox::Cancel, &m_context.window);
-  box.setObjectName(QStringLiteral("replacePreset"));
-  const QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
-  box.exec();
-  return box.clickedButton() == replace;
-}
-
-void PresetController::offerBack(const Preset& preset, const QString& sentence, const QString& label,
-                                 bool isFavourite) {
-  const auto bringBack = [this, preset, isFavourite] {
-    m_context.notes.attempt([&] {
-      m_store.save(preset);
-      if (isFavourite)
-        m_context.settings.setFavourite(preset.name, true);
-      refresh();
-      markShown();
-    });
-  };
-  say(sentence, {label, bringBack});
-  m_saidOf.clear(); // it holds whatever is shown
-}
-
-void PresetController::remove(const QString& name) {
-  const auto known = named(m_own, name);
-  if (known == m_own.end())
-    return;
-  Preset removed = *known;
-  try {
-    m_store.remove(removed.name);
-    const bool isFavourite = m_context.settings.favourites().contains(removed.name);
-    if (isFavourite)
-      m_context.settings.setFavourite(removed.name, false);
-    refresh();
-    offerBack(removed, tr("\"%1\" was deleted.").arg(name), tr("Bring it back"), isFavourite);
-  } catch (const Error& error) {
-    m_context.messages.show(MessageBar::Kind::error, translated(error.sentence()));
-  }
-}
-
-void PresetController::rename(const QString& name) {
-  const auto give = [this, name](const QString& entered) {
-    const auto found = named(m_own, name);
-    if (entered == name || found == m_own.end() || !mayBeCalled(entered))
-      return;
-    if (named(m_own, entered) != m_own.end())
-      return m_context.messages.show(
-          MessageBar::Kind::error, tr("There is a preset \"%1\" already; choose another name.").arg(entered));
-    m_context.notes.attempt([&] {
-      Preset renamed = *found;
-      renamed.name = entered.toStdString();
-      m_store.save(renamed);
-      m_store.remove(name.toStdString());
-      if (m_context.settings.favourites().contains(name.toStdString())) {
-        m_context.settings.setFavourite(name.toStdString(), false);
-        m_context.settings.setFavourite(renamed.name, true);
-      }
-      if (Preset inUse = m_context.session.preset(); inUse.name == name.toStdString()) {
-        inUse.name = renamed.name;
-        m_context.session.adoptPreset(inUse);
-      }
-      refresh();
-      markShown();
-    });
-  };
-  ask(tr("Rename preset"), tr("New name:"), name, give);
-}
-
 void PresetController::setFavourite(const QString& name, bool isFavourite) {
   m_context.settings.setFavourite(name.toStdString(), isFavourite);
   showStanding();
-}
-
-void PresetController::change(const QString& name, const std::function<void(Preset&)>& edit) {
-  const auto found = named(m_own, name);
-  if (found == m_own.end())
-    return;
-  Preset changed = *found;
-  edit(changed);
-  m_context.notes.attempt([&] {
-    m_store.save(changed);
-    refresh();
-  });
-}
-
-void PresetController::editNote(const QString& name) {
-  const Preset* preset = find(name);
-  if (!preset)
-    return;
-  ask(tr("Note of \"%1\"").arg(name), tr("What it shows, in one sentence:"),
-      QString::fromStdString(preset->note), [this, name](const QString& note) {
-        change(name, [&](Preset& changed) { changed.note = note.toStdString(); });
-      });
-}
-
-void PresetController::moveTo(const QString& name, const QString& folder) {
-  change(name, [&](Preset& changed) { changed.folder = folder.toStdString(); });
-}
-
-void PresetController::moveToNewFolder(const QString& name) {
-  ask(tr("New folder"), tr("Folder for \"%1\":").arg(name), {},
-      [this, name](const QString& folder) { moveTo(name, folder); });
-}
-
-void PresetController::duplicate(const QString& name) {
-  const std::optional<Preset> preset = fitted(name);
-  if (!preset)
-    return;
-  const auto keep = [this, copy = *preset](const QString& entered) mutable {
-    if (!mayBeCalled(entered))
-      return;
-    copy.name = entered.toStdString();
-    m_context.notes.attempt([&] {
-      m_store.save(copy);
-      refresh();
-      m_browser.reveal(entered);
-    });
-  };
-  ask(tr("Duplicate preset"), tr("Name of the copy (a preset of the same name is replaced):"),
-      tr("%1 copy").arg(name), keep);
 }
 
 } // namespace limn

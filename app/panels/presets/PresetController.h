@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/presets/PresetStore.h"
+#include "app/panels/presets/OwnPresetController.h"
 #include "widgets/controls/MessageBar.h"
 
 #include <QObject>
@@ -20,7 +20,7 @@ class PresetBrowser;
 class Volume;
 struct WindowContext;
 
-/// Uses presets in a session, built-in ones and the user's own, and keeps the latter.
+/// Lists presets and uses them in a session, built-in ones and the user's own.
 class PresetController : public QObject {
   Q_OBJECT
 
@@ -30,8 +30,8 @@ public:
   /// Lists the presets and marks the one in use.
   PresetBrowser& browser() const { return m_browser; }
 
-  /// Lists the presets anew.
-  void refresh();
+  /// Reads the user's own anew, and lists them.
+  void refresh() { m_own.read(); }
   /// Marks the preset that the scene was made from, and whether it was changed since. A preview goes on where
   /// only the camera moved.
   void markShown();
@@ -59,20 +59,7 @@ public:
   /// The preset of this number (from 1 on) in the list; 0 is the full range of values.
   void useNumber(int number);
 
-  /// Asks for a name and saves the scene as a preset.
-  void askForName();
-  void remove(const QString& name);
-  /// Asks for another name of one of the user's own presets.
-  void rename(const QString& name);
   void setFavourite(const QString& name, bool isFavourite);
-  /// Asks for the note of one of the user's own presets.
-  void editNote(const QString& name);
-  /// Puts one of them into a folder of the list; an empty one is none.
-  void moveTo(const QString& name, const QString& folder);
-  /// Asks for the folder.
-  void moveToNewFolder(const QString& name);
-  /// Asks for the name under which a preset, as fitted to what is open, is kept as one of the user's own.
-  void duplicate(const QString& name);
 
   /// A preset as it is put into use: without its light where the user keeps their own.
   Preset asUsed(Preset preset) const;
@@ -87,6 +74,7 @@ signals:
 
 private:
   void connectBrowser();
+  void list();
   void addKeepingLight();
   void useOnSide(const QString& name, int side);
   void show(const Preset& preset, const QString& edit);
@@ -94,28 +82,19 @@ private:
   bool isBuiltIn(const QString& name) const;
   void offerToFit(const Preset& preset);
   void offerWhereNothingShows(const Preset& preset);
-  bool mayReplace(const QString& name);
   void sayHowItWasFitted(const Preset& preset);
-  void offerBack(const Preset& preset, const QString& sentence, const QString& label, bool isFavourite);
   void say(const QString& sentence, const MessageBar::Action& action = {});
-  void ask(const QString& title, const QString& label, const QString& name,
-           const std::function<void(const QString&)>& answer);
-  bool mayBeCalled(const QString& name) const;
   const Preset* find(const QString& name) const;
   std::optional<Preset> fitted(const QString& name) const;
-  void save(const QString& name);
-  void change(const QString& name, const std::function<void(Preset&)>& edit);
   void showStanding();
   void goOnWithPreview();
-  void readAgain(const QString& name);
 
   WindowContext& m_context;
   PresetBrowser& m_browser;
   QAction* m_keepsLight = nullptr;
   std::function<std::optional<Scene>(const Preset&)> m_shownAs = [](const Preset&) { return std::nullopt; };
-  PresetStore m_store;
+  OwnPresetController m_own;
   std::vector<Preset> m_builtIn = builtInPresets();
-  std::vector<Preset> m_own;              ///< as read last
   std::shared_ptr<const Volume> m_volume; ///< that the list is ordered for
   QString m_previewed;                    ///< what is seen for a while; empty: nothing
   Scene m_previewedFrom;                  ///< the session's, then

@@ -11,6 +11,11 @@ namespace {
 // Half an 8-bit level of the pixel.
 constexpr double leastAlpha = 1.0 / 510.0;
 
+// Whether one place of the ray is seen rather than another.
+bool hasPlace(const RayProfile& profile) {
+  return profile.projection != Projection::average && profile.alpha >= leastAlpha;
+}
+
 } // namespace
 
 glm::dvec3 placeAt(const RayProfile& profile, double depthMm) {
@@ -30,7 +35,7 @@ const RayProfile::Sample& sampleAt(const RayProfile& profile, double depthMm) {
 }
 
 std::optional<double> halfLightDepth(const RayProfile& profile) {
-  if (profile.projection == Projection::average || profile.alpha < leastAlpha)
+  if (!hasPlace(profile))
     return std::nullopt;
   double before = 0.0;
   for (const RayProfile::Sample& sample : profile.samples) {
@@ -40,6 +45,13 @@ std::optional<double> halfLightDepth(const RayProfile& profile) {
     before += sample.contribution;
   }
   return std::nullopt;
+}
+
+std::optional<double> strongestDepth(const RayProfile& profile) {
+  const auto strongest = std::ranges::max_element(profile.samples, {}, &RayProfile::Sample::contribution);
+  if (!hasPlace(profile) || strongest == profile.samples.end())
+    return std::nullopt;
+  return strongest->depthMm;
 }
 
 bool gathersLight(Projection projection) {

@@ -40,6 +40,11 @@ const RayProfile::Sample& sampleAt(const RayProfile& profile, double depthMm);
 /// ray gives less than half an 8-bit level, and of an average, to which every depth gives alike.
 std::optional<double> halfLightDepth(const RayProfile& profile);
 
+/// The depth of the piece that gives most to the pixel, mm, the nearest of equal ones: of a dense thing
+/// behind a veil the dense thing, however much the veil gathers on its way. Nothing where halfLightDepth
+/// gives nothing.
+std::optional<double> strongestDepth(const RayProfile& profile);
+
 /// Whether what opacity a sample has depends on its length: of light that is gathered along the way.
 bool gathersLight(Projection projection);
 

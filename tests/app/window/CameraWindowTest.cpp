@@ -290,7 +290,7 @@ TEST_F(CameraWindow, itsValueIsCopiedAndTheCrosshairGoesThere) {
   action("planes-picture_and_three").trigger();
   ASSERT_TRUE(rest());
   std::optional<Probe> probed;
-  QObject::connect(&view(), &CompareView::probed, window.get(), [&](const std::optional<Probe>& now) {
+  QObject::connect(&view().input(), &ViewInput::probed, window.get(), [&](const std::optional<Probe>& now) {
     if (now)
       probed = now;
   });

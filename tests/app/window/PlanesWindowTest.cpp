@@ -5,6 +5,7 @@
 #include "support/TestData.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneView.h"
+#include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/ViewGeometry.h"
 
 #include <QWheelEvent>
@@ -126,7 +127,7 @@ TEST_F(PlanesWindow, shiftClickInThePictureLeadsTheCrosshairThere) {
   ASSERT_TRUE(rest());
   const QPoint at = view().mapTo(window.get(), view().rect().center());
   std::optional<Probe> probed;
-  QObject::connect(&view(), &CompareView::probed, window.get(), [&](const std::optional<Probe>& probe) {
+  QObject::connect(&view().input(), &ViewInput::probed, window.get(), [&](const std::optional<Probe>& probe) {
     if (probe)
       probed = probe;
   });

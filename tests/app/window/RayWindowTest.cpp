@@ -60,7 +60,7 @@ TEST_F(RayWindow, shiftOverThePictureReadsTheRayBelowThePointerAndItStays) {
   showPanel();
   const QPoint middle = inWindow(view(), QRectF(view().rect()).center());
   std::optional<Probe> probed;
-  QObject::connect(&view(), &CompareView::probed, window.get(), [&](const std::optional<Probe>& now) {
+  QObject::connect(&view().input(), &ViewInput::probed, window.get(), [&](const std::optional<Probe>& now) {
     if (now)
       probed = now;
   });

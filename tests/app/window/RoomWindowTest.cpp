@@ -307,7 +307,7 @@ TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
     dialog.setTextValue(QStringLiteral("Mine"));
     dialog.accept();
   });
-  window->findChild<PresetController*>()->askForName();
+  window->findChild<OwnPresetController*>()->askForName();
   const auto own = [this] { return PresetStore(UserFolders::below(folder.path()).presets).find("Mine"); };
   ASSERT_TRUE(test::waitUntil([&] { return own().has_value(); }));
   EXPECT_TRUE(own()->landmarks.has_value());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewHost.h"
 #include "support/CropHandle.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QSignalSpy>
 
@@ -94,7 +95,7 @@ TEST_P(CropBoxInSingleView, theHandleAnswersThePointerAndADoubleClickUncutsItsFa
   EXPECT_EQ(host.view.cursor().shape(), Qt::ArrowCursor);
   host.drag(from, from + QPoint(0, 40));
   ASSERT_LT(host.scene.crop.upper.z, 1.0);
-  QSignalSpy maximise(&host.view, &CompareView::maximiseRequested);
+  QSignalSpy maximise(&host.view.input(), &ViewInput::maximiseRequested);
   QTest::mouseDClick(host.view.windowHandle(), Qt::LeftButton, {}, handle({2, true}));
   EXPECT_EQ(host.scene.crop, CropBox{});
   EXPECT_EQ(maximise.count(), 0);

@@ -6,6 +6,7 @@
 #include "scene/volume/Phantom.h"
 #include "support/Waiting.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/pictures/PictureLoop.h"
 
 #include <QOpenGLWidget>
@@ -41,7 +42,7 @@ public:
                        scene.transferFunction = function;
                        view.setScene(scene);
                      });
-    QObject::connect(&view, &CompareView::probed,
+    QObject::connect(&view.input(), &ViewInput::probed,
                      [this](const std::optional<Probe>& p) { probes.push_back(p); });
     QObject::connect(&view, &CompareView::errorOccurred,
                      [this](const QString& text) { errors.push_back(text); });

@@ -87,7 +87,7 @@ struct WipeTo {
 using ViewEdit = std::variant<std::monostate, Camera, TransferFunction, CropBox, WipeTo>;
 
 /// What a press asks for that is released where it began.
-enum class ViewClick { none, pin, turnAbout, menu, pick, measure };
+enum class ViewClick { none, pin, turnAbout, menu, pick, measure, cube };
 
 /// A pressed button until its release; places in logical pixels.
 struct ViewDrag {

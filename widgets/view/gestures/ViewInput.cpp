@@ -139,10 +139,13 @@ void ViewInput::press(const QMouseEvent& event) {
     return;
   const Press press{event.button(), event.modifiers(), event.position()};
   std::optional<CropHandle> handle;
-  if (press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier) {
-    if (const std::optional<std::size_t> face = m_line ? std::nullopt : cubeFaceAt(source, press.point)) {
-      lookFromFace(source, *face);
-      return hover(event); // another face may lie under the pointer
+  // Scissors draw over whatever stands above the picture: a corner that is not taken is a line lost.
+  if (press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier && m_tool != ViewTool::scissors) {
+    if (cubeFaceAt(source, press.point)) {
+      m_drag = dragFrom(press, source.comparison, source.geometry, ViewTool::rotate, {});
+      if (m_drag)
+        m_drag->click = ViewClick::cube;
+      return;
     }
     if (const int position = labelAt(source, press.point); position >= 0) {
       emit modelsRequested(position);
@@ -235,9 +238,9 @@ void ViewInput::release(const QMouseEvent& event) {
   const ViewClick click = m_drag->click;
   const bool crops = m_drag->kind == DragKind::cropFace;
   m_drag.reset();
-  if (crops)
-    hover(event); // its handle may have left the pointer
   obeyClick(click, event.position());
+  if (crops || click == ViewClick::cube)
+    hover(event); // handle or face may have left the pointer
 }
 
 void ViewInput::obeyClick(ViewClick click, const QPointF& point) {
@@ -266,6 +269,10 @@ void ViewInput::obeyClick(ViewClick click, const QPointF& point) {
   case ViewClick::menu:
     askForMenu(point);
     break;
+  case ViewClick::cube:
+    if (const std::optional<std::size_t> face = cubeFaceAt(source, point))
+      lookFromFace(source, *face);
+    break;
   }
 }
 
@@ -285,12 +292,13 @@ void ViewInput::cancelDrag(const Scene& shown) {
 
 void ViewInput::doubleClick(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
-  if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
-      labelAt(source, event.position()) >= 0 || hiddenNoteAt(source, event.position()) ||
-      cubeFaceAt(source, event.position()))
+  if (event.button() != Qt::LeftButton || !source.comparison.scene.volume)
     return;
   if (m_line)
     return closeLine();
+  if (labelAt(source, event.position()) >= 0 || hiddenNoteAt(source, event.position()) ||
+      cubeFaceAt(source, event.position()))
+    return;
   if (m_tool == ViewTool::scissors || kindOf(m_tool))
     return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
@@ -333,17 +341,20 @@ void ViewInput::hover(const QMouseEvent& event) {
     return;
   const QPointF point = event.position();
   Hovered now;
-  now.cubeFace = cubeFaceAt(source, point);
-  now.label = labelAt(source, point);
-  if (now.label < 0)
-    now.hidden = hiddenNoteAt(source, point);
+  const bool draws = m_tool == ViewTool::scissors;
+  if (!draws) {
+    now.cubeFace = cubeFaceAt(source, point);
+    now.label = labelAt(source, point);
+    if (now.label < 0)
+      now.hidden = hiddenNoteAt(source, point);
+  }
   const bool isOnText = now.label >= 0 || now.hidden || now.cubeFace;
-  const std::optional<CropHandle> handle = isOnText ? std::nullopt : cropHandleAt(source, point);
+  const std::optional<CropHandle> handle = isOnText || draws ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;
-  now.measure = !isOnText && !handle &&
+  now.measure = !isOnText && !handle && !draws &&
                 measureHandleAt(measureShapesOf(source, standingAt(source.geometry, point)), point);
-  now.wipe = !isOnText && !handle && !now.measure && isOnWipeBorder(source.geometry, point);
+  now.wipe = !isOnText && !handle && !draws && !now.measure && isOnWipeBorder(source.geometry, point);
   if (now != m_hovered) {
     m_hovered = now;
     showCursor(handle);

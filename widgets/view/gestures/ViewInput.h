@@ -88,6 +88,7 @@ signals:
   /// The same of the turned box, while one stands over the pictures.
   void turnedBoxEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void wipeEdited(double fraction);
+  /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
   void probed(const std::optional<limn::Probe>& probe);
   /// The ray that is probed, whatever it meets, of the picture of a side.
   void rayRead(const limn::Ray& ray, int side);
@@ -113,11 +114,12 @@ signals:
   /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
   void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
   void pinRequested(double value);
+  /// Where that value is, world millimetres.
   void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
-  void everythingRequested();         ///< of what a region hides
+  void everythingRequested();         ///< the note was clicked that tells what a region hides
   void maximiseRequested();
-  void windowPresetRequested(int number);
+  void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
   void shortcutListRequested();
   void swapRequested();
   void toolChanged(limn::ViewTool tool);

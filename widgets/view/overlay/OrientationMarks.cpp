@@ -62,11 +62,12 @@ QRectF laneOf(const QRectF& wished, const LetterWish& wish, Qt::Orientation alon
 
 } // namespace
 
-double mmPerPixel(const Camera& camera, double heightPixels) {
-  const double height = camera.projection == Camera::Projection::orthographic
-                            ? camera.heightMm
-                            : 2.0 * halfHeight(camera) * glm::length(camera.target - camera.position);
-  return height / heightPixels;
+double mmPerPixel(const Camera& camera, double heightPixels, const std::optional<glm::dvec3>& placeMm) {
+  if (camera.projection == Camera::Projection::orthographic)
+    return camera.heightMm / heightPixels;
+  const double depth = placeMm ? glm::dot(*placeMm - camera.position, basisOf(camera).forward) : 0.0;
+  return 2.0 * halfHeight(camera) * (depth > 0.0 ? depth : glm::length(camera.target - camera.position)) /
+         heightPixels;
 }
 
 ScaleBar scaleBar(double mmPerPixel, double mostPixels) {

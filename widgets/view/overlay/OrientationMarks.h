@@ -21,8 +21,9 @@ struct ScaleBar {
   double pixels = 0.0;
 };
 
-/// Millimetres per pixel of a picture `heightPixels` high, in the plane of the camera's target.
-double mmPerPixel(const Camera& camera, double heightPixels);
+/// Millimetres per pixel of a picture `heightPixels` high, in the plane of the camera's target, or of a place
+/// of the world where that lies before the eye.
+double mmPerPixel(const Camera& camera, double heightPixels, const std::optional<glm::dvec3>& placeMm = {});
 
 /// The longest bar of a round length that is at most `mostPixels` long.
 ScaleBar scaleBar(double mmPerPixel, double mostPixels);

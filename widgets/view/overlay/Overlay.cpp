@@ -36,7 +36,8 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
     return std::nullopt;
   const Camera& camera = source.comparison.scene.camera;
   const QRectF side = pictureRect(source.geometry, 0);
-  const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height()), std::min(160.0, side.width() / 4));
+  const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height(), source.comparison.middleMm),
+                                std::min(160.0, side.width() / 4));
   if (bar.pixels < 8.0)
     return std::nullopt;
   const QString length = QObject::tr("%1 mm").arg(bar.lengthMm);

@@ -14,6 +14,15 @@ namespace {
 
 constexpr int ringWidth = 2; // pixels
 
+// A field for text, whatever it holds; of a number only one that somebody has begun to type.
+bool isTypedInto(const QWidget* widget) {
+  if (qobject_cast<const QLineEdit*>(widget))
+    return true;
+  const auto* number = qobject_cast<const QAbstractSpinBox*>(widget);
+  const auto* line = number ? number->findChild<const QLineEdit*>() : nullptr;
+  return line && line->isModified();
+}
+
 } // namespace
 
 FocusRing::FocusRing(QWidget* owner) : QWidget(owner) {
@@ -53,10 +62,7 @@ void FocusRing::paintEvent(QPaintEvent*) {
 }
 
 void takeFocusUnderPointer(QWidget& view) {
-  const QWidget* focused = QApplication::focusWidget();
-  const bool isTyping =
-      qobject_cast<const QLineEdit*>(focused) || qobject_cast<const QAbstractSpinBox*>(focused);
-  if (view.isActiveWindow() && !isTyping)
+  if (view.isActiveWindow() && !isTypedInto(QApplication::focusWidget()))
     view.setFocus(Qt::MouseFocusReason);
 }
 
