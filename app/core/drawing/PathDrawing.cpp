@@ -2,6 +2,8 @@
 #include "app/core/drawing/PathDrawing.h"
 
 #include "scene/ProjectionFacts.h"
+#include "scene/basics/Error.h"
+#include "scene/basics/MemoryBudget.h"
 #include "scene/effects/EffectPlan.h"
 
 #include <algorithm>
@@ -32,6 +34,21 @@ double wayTo(const Until& until, const PathFigures& figures, double seconds) {
   return figures.rmsLevels ? std::min(1.0, std::pow(wanted / std::max(*figures.rmsLevels, 1e-9), 2.0)) : 0.0;
 }
 
+// Beside the picture itself.
+void requireMemoryForPaths(const glm::ivec2& size) {
+  const double needed = double(size.x) * size.y * sizeof(cpu::PixelPaths);
+  const std::optional<std::uint64_t> free = freeMemory();
+  if (!free || needed <= static_cast<double>(*free))
+    return;
+  throw Error(
+      Error::Kind::other,
+      Message::tr("A picture of physical light of %1 × %2 pixels keeps %3 GB of what its paths find, and "
+                  "%4 GB of memory are free; choose a smaller one or close other programs.")
+          .arg(size.x)
+          .arg(size.y)
+          .arg(Message::fixed(1e-9 * needed, 1), Message::fixed(1e-9 * static_cast<double>(*free), 1)));
+}
+
 Message levelsOfError(double levels) {
   return levels < 10.0 ? Message::rounded(levels, 2) : Message::fixed(levels, 0);
 }
@@ -60,6 +77,7 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
   const Until until =
       scene.quality.paths ? Until(UntilPaths{*scene.quality.paths}) : scene.shading.physical.until;
   const auto begin = std::chrono::steady_clock::now();
+  requireMemoryForPaths(size);
   Scene pass = scene;
   pass.quality.paths.reset();
   DrawnByPaths drawn;

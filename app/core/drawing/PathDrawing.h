@@ -23,7 +23,8 @@ struct DrawnByPaths {
 /// Draws a scene of physical light until its paths, levels or seconds are reached (DEFINITION section 12), or
 /// as many paths as its quality says: in
 /// passes that grow, each of which goes on from the last. A picture that takes longer for its first pass than
-/// it has seconds has that pass. Throws Error; Cancelled.
+/// it has seconds has that pass. Throws Error, also where
+/// the memory that is free does not hold what paths find (64 bytes a pixel); Cancelled.
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
                           const Effort& effort);
 

@@ -179,6 +179,15 @@ PathFigures PathPicture::figures(const Shading& shading, int threads) const {
   return figures;
 }
 
+// The oldest of the smallest, of which drags leave many.
+PathPictures::Kept::iterator PathPictures::leastWorth() {
+  auto least = m_pictures.end() - 1;
+  for (auto one = least; one != m_pictures.begin() + alwaysKept; --one)
+    if ((*(one - 1))->bytes() < (*least)->bytes())
+      least = one - 1;
+  return least;
+}
+
 std::size_t PathPictures::bytes() const {
   std::size_t bytes = 0;
   for (const std::unique_ptr<PathPicture>& one : m_pictures)
@@ -199,7 +208,7 @@ PathPicture& PathPictures::of(const Scene& scene, const glm::ivec2& size) {
   }
   m_pictures.push_front(std::move(picture));
   while (m_pictures.size() > mostKept || (m_pictures.size() > alwaysKept && bytes() > mostBytes))
-    m_pictures.pop_back();
+    m_pictures.erase(bytes() > mostBytes ? m_pictures.end() - 1 : leastWorth());
   return *m_pictures.front();
 }
 

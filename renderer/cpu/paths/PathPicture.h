@@ -57,7 +57,7 @@ private:
 };
 
 /// The pictures drawn last, the newest first: two sides, and beside them those before, as long as all are
-/// small.
+/// small, coarse ones of a drag no longer than others.
 class PathPictures {
 public:
   PathPicture& of(const Scene& scene, const glm::ivec2& size);
@@ -65,10 +65,13 @@ public:
   std::size_t bytes() const;
 
 private:
+  using Kept = std::deque<std::unique_ptr<PathPicture>>;
+  Kept::iterator leastWorth();
+
   static constexpr std::size_t alwaysKept = 2;
   static constexpr std::size_t mostKept = 6;
   static constexpr std::size_t mostBytes = std::size_t{128} << 20; // of seven pictures of 512²
-  std::deque<std::unique_ptr<PathPicture>> m_pictures;
+  Kept m_pictures;
 };
 
 } // namespace limn::cpu

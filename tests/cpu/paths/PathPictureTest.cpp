@@ -118,6 +118,19 @@ TEST(PathPictures, goOnFromThePathsThatHalfOfTheirPixelsHave) {
   EXPECT_EQ(renderer.render(scene, pathPicture), CpuRenderer(1).render(scene, pathPicture));
 }
 
+// Back where a drag began, everything is there that was followed before it.
+TEST(PathPictures, goOnAfterADragThatDrewManyCoarseOnes) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(16);
+  renderer.render(scene, pathPicture);
+  Scene dragged = until(scene, 1);
+  for (int frame = 0; frame < 20; ++frame) {
+    dragged.camera = orbited(dragged.camera, 0.02, 0.0);
+    renderer.render(dragged, {6, 5});
+  }
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 16);
+}
+
 // Two, the sides of a comparison, whatever their size; more while all take 134 MB at most.
 TEST(PathPictures, takeLittleMemoryBesideTheLastTwo) {
   CpuRenderer renderer(2);
