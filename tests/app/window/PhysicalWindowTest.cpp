@@ -103,7 +103,7 @@ TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
   QTest::keyClick(rowNamed<ValueSlider>(properties(), "Exposure")->findChild<TrackSlider*>(), Qt::Key_End);
   EXPECT_EQ(scene().shading.physical.exposureEv, 4.0);
   EXPECT_EQ(undo().count(), steps + 1);
-  EXPECT_EQ(undo().undoText(), QStringLiteral("change exposure"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change exposure 0 → 4"));
   ASSERT_TRUE(rest());
   EXPECT_EQ(lastSide().paths->paths, paths);
   undo().undo();
