@@ -134,7 +134,7 @@ TEST_F(PathCommand, accuracyIsTheErrorOverPathsWithItsOwnLaw) {
 
 TEST_F(PathCommand, aFigureSaysPathsAndError) {
   const Outcome outcome =
-      run("figure " + sceneUntil(R"({"paths": 8})") + " --model physical -o " + path("f.png"));
+      run("figure " + sceneUntil(R"({"paths": 8})") + " --model physical --size 300px -o " + path("f.png"));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("after 8 paths a pixel"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("--tolerance"), std::string::npos) << "no step mends it";
