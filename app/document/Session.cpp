@@ -148,6 +148,7 @@ Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_undo.clear();
+  m_undo.setClean(); // an empty stack that was told to be unclean stays so
   m_preset = preset;
   m_volumePath = loaded.volumePath;
   // Before the scene is told, or those of another volume would be looked up in it.

@@ -29,6 +29,7 @@ uchar byteOfShare(float value) {
 
 // What chance says of a picture that was drawn, or its paths.
 void state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
+  panel.isAim = false;
   if (picture.paths) {
     panel.paths = PanelPaths{picture.paths->paths, picture.paths->rmsLevels};
     panel.isStated = false;

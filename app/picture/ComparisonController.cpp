@@ -218,6 +218,10 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
 
 void ComparisonController::setSideModel(int side, ShadingModel model) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  if (!isSingle && m_look && side == 1 && m_ownModel) {
+    m_ownModel = model;
+    return show();
+  }
   if (isSingle || (m_look && side == 1)) {
     Shading shading = m_context.session.scene().shading;
     shading.model = model;
@@ -231,11 +235,15 @@ void ComparisonController::setSideModel(int side, ShadingModel model) {
   show();
 }
 
-void ComparisonController::compareWith(const Preset& look) {
+void ComparisonController::compareWith(const Preset& look, int keptSide) {
+  const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  if (!m_look || isSingle)
+    m_ownModel = isSingle ? std::nullopt : std::optional(keptSide == 0 ? m_left : m_right);
   m_look = look;
   if (!m_look->shading)
     m_look->shading = m_context.session.scene().shading;
-  if (m_context.view.compareLayout() == CompareLayout::single)
+  m_look->shading->model = m_ownModel.value_or(m_look->shading->model);
+  if (isSingle)
     setLayout(CompareLayout::sideBySide);
   else
     show();
@@ -243,6 +251,7 @@ void ComparisonController::compareWith(const Preset& look) {
 
 void ComparisonController::compareModels() {
   m_look.reset();
+  m_ownModel.reset();
   show();
 }
 
@@ -250,8 +259,10 @@ void ComparisonController::takeSnapshot() {
   const bool isCompared = m_look && m_look->name == snapshotName;
   m_snapshot = presetOf(m_context.session.scene(), snapshotName);
   m_snapshot->note = ownName().toStdString();
-  if (isCompared)
+  if (isCompared) {
     m_look = m_snapshot;
+    m_look->shading->model = m_ownModel.value_or(m_look->shading->model);
+  }
   const QString name = ownName();
   m_context.window.statusBar()->showMessage(
       name.isEmpty()
@@ -279,6 +290,7 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
     left = left.isEmpty() ? tr("Before") : left == right ? tr("%1, before", "a preset").arg(left) : left;
   ComparedLook compared{*m_look, {left.toStdString(), (right.isEmpty() ? tr("Now") : right).toStdString()}};
   compared.shown.isWhole = m_look->isWhole || isBefore;
+  compared.ownModel = m_ownModel;
   return compared;
 }
 
@@ -301,6 +313,7 @@ void ComparisonController::show() {
   if (!haveSameVoxels(m_volume.get(), scene.volume.get())) {
     m_snapshot.reset();
     m_look.reset();
+    m_ownModel.reset();
   }
   m_volume = scene.volume;
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
@@ -308,7 +321,7 @@ void ComparisonController::show() {
   m_compareSnapshot->setEnabled(m_snapshot.has_value());
   m_compareSnapshot->setChecked(m_look && m_look->name == snapshotName && !isSingle);
   m_compareModels->setEnabled(m_look && !isSingle);
-  const ShadingModel own = scene.shading.model;
+  const ShadingModel own = isSingle ? scene.shading.model : m_ownModel.value_or(scene.shading.model);
   emit modelsShown(isSingle ? std::vector{own}
                    : m_look ? std::vector{m_look->shading->model, own}
                             : std::vector{m_left, m_right});
@@ -318,7 +331,7 @@ void ComparisonController::show() {
 void ComparisonController::describe(SessionDocument& session) const {
   session.layout = m_context.view.compareLayout();
   session.leftModel = m_left;
-  session.rightModel = m_right;
+  session.rightModel = m_look ? m_ownModel.value_or(m_context.session.scene().shading.model) : m_right;
   session.wipe = m_context.view.wipePosition();
   session.snapshot = m_snapshot;
   session.comparedLook = m_look;
@@ -326,9 +339,13 @@ void ComparisonController::describe(SessionDocument& session) const {
 
 void ComparisonController::restore(const SessionDocument& session) {
   m_left = session.leftModel;
-  m_right = session.rightModel;
   m_snapshot = session.snapshot;
   m_look = session.comparedLook;
+  // Of looks it tells how the right one is shown.
+  m_right = m_look ? ShadingModel::enhanced : session.rightModel;
+  m_ownModel.reset();
+  if (m_look && session.rightModel != m_context.session.scene().shading.model)
+    m_ownModel = session.rightModel;
   if (m_look && !m_look->shading)
     m_look->shading = m_context.session.scene().shading;
   m_context.view.setWipePosition(session.wipe);

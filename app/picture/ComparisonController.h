@@ -33,12 +33,14 @@ public:
   /// A layout that somebody asks for; it holds however little room there is.
   void setLayout(CompareLayout layout);
 
-  /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look,
-  /// the scene's.
+  /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look
+  /// where no other shows it, the scene's.
   void setSideModel(int side, ShadingModel model);
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
-  void compareWith(const Preset& look);
+  /// Where two models were compared, both are shown by that of the picture on `keptSide`, which nobody has
+  /// touched.
+  void compareWith(const Preset& look, int keptSide = 1);
 
   /// The look that is compared with the scene's own, unless models are.
   std::optional<ComparedLook> comparedLook() const;
@@ -90,6 +92,7 @@ private:
   ShadingModel m_right = ShadingModel::enhanced;
   std::optional<Preset> m_snapshot;
   std::optional<Preset> m_look;           ///< at the left
+  std::optional<ShadingModel> m_ownModel; ///< of the right then, where it is not the scene's
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
   /// What was wanted, and whether somebody asked for it, while an image is shown alone.
   std::optional<std::pair<CompareLayout, bool>> m_beforeImage;

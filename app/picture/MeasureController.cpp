@@ -2,6 +2,7 @@
 #include "app/picture/MeasureController.h"
 
 #include "app/picture/CameraController.h"
+#include "app/picture/CrosshairController.h"
 #include "app/window/WindowContext.h"
 #include "planes/EllipseVoxels.h"
 #include "widgets/planes/PlaneDeck.h"
@@ -9,6 +10,9 @@
 #include "widgets/view/gestures/ViewInput.h"
 
 #include <QStatusBar>
+
+#include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -35,6 +39,10 @@ MeasureController::MeasureController(WindowContext& context) : QObject(&context.
       edit({m_led->before, m_inHand, {m_led->gesture, {}}});
   });
   connect(input, &ViewInput::measureRemoved, this, &MeasureController::remove);
+  connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
+    if (std::exchange(m_isAtRest, news.state.resting) != m_isAtRest)
+      findHidden();
+  });
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) {
     if (scene.volume == m_volume)
       return;
@@ -65,7 +73,37 @@ void MeasureController::refresh() {
   m_measured = measuredIn(m_volume.get(), m_context.session.measurements(), m_measured);
   if (m_inHand && *m_inHand >= m_measured.size())
     m_inHand.reset();
+  if (m_hidden.size() > m_measured.size()) { // the others have moved up
+    m_hidden.clear();
+    findHidden();
+  }
   show();
+}
+
+// While the picture rests, because each place takes a ray that is followed as exactly as a pixel.
+void MeasureController::findHidden() {
+  m_looking.cancel();
+  const int side = m_context.view.ownSide();
+  if (!m_isAtRest || m_measured.empty() || !m_context.view.scene().volume)
+    return;
+  std::vector<Measurement> measurements;
+  for (const Measured& one : m_measured)
+    measurements.push_back(one.measurement);
+  m_looking.start(
+      [this, measurements = std::move(measurements), scene = m_context.view.sceneOfSide(side),
+       scale = m_context.view.input().scaleOfSide(side)](const Effort& effort) -> BackgroundWork::Deliver {
+        const auto lies = [&](const glm::dvec3& placeMm) { return isHidden(scene, scale, placeMm); };
+        std::vector<bool> hidden;
+        for (const Measurement& one : measurements) {
+          if (effort.isCancelled && effort.isCancelled())
+            break;
+          hidden.push_back(isSeenInPicture(one) && std::ranges::all_of(one.placesMm, lies));
+        }
+        return [this, hidden] {
+          m_hidden = hidden;
+          show();
+        };
+      });
 }
 
 void MeasureController::show() {
@@ -73,7 +111,8 @@ void MeasureController::show() {
   for (std::size_t number = 0; m_volume && number < m_measured.size(); ++number)
     if (const Measured& one = m_measured[number]; isSeenInPicture(one.measurement))
       seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
-                      m_inHand == number, isLedInSlices(one.measurement)});
+                      m_inHand == number, isLedInSlices(one.measurement),
+                      number < m_hidden.size() && m_hidden[number]});
   if (m_open && !m_open->placesMm.empty())
     seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true});
   m_context.view.setMeasures(seen);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/MeasureText.h"
+#include "widgets/controls/BackgroundWork.h"
 #include "widgets/view/overlay/MeasureMarks.h"
 
 #include <QObject>
@@ -42,6 +43,7 @@ signals:
 private:
   void refresh();
   void show();
+  void findHidden();
   void showTool();
   void remove();
   void pick(const Ray& ray, int side);
@@ -63,6 +65,9 @@ private:
   std::optional<std::size_t> m_inHand;
   std::optional<Measurement> m_open; ///< that lacks places, which are being picked in the picture
   std::optional<Led> m_led;
+  bool m_isAtRest = false;    ///< the picture
+  std::vector<bool> m_hidden; ///< which of them lay behind what was seen when it came to rest; may be shorter
+  BackgroundWork m_looking;   ///< for them
 };
 
 } // namespace limn

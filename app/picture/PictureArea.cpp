@@ -117,15 +117,16 @@ void PictureArea::addTools() {
   const auto add = [&](ViewTool tool, const char* name, const QString& text, const QString& key,
                        const QString& tip) {
     const QString own = QStringLiteral("tool-") + QLatin1String(name);
-    // Those that measure have their buttons where what they measured is listed.
+    // Those that measure have their buttons where what they measured is listed; the first leads there.
     const bool measures = kindOf(tool).has_value();
-    menu->addAction(m_context.actions.addChoice(*m_tools, own, static_cast<int>(tool),
-                                                {.text = QStringLiteral("%1\t%2").arg(text, key),
-                                                 .toolTip = tr("Left drag: %1 (%2)").arg(tip, key),
-                                                 .icon = measures ? QString::fromLatin1(name) : own,
-                                                 .iconText = text,
-                                                 .tool = measures ? ToolPlace{} : ToolPlace{3, ++row},
-                                                 .needsVolume = true}));
+    menu->addAction(m_context.actions.addChoice(
+        *m_tools, own, static_cast<int>(tool),
+        {.text = QStringLiteral("%1\t%2").arg(text, key),
+         .toolTip = tr("Left drag: %1 (%2)").arg(tip, key),
+         .icon = measures ? QString::fromLatin1(name) : own,
+         .iconText = text,
+         .tool = measures && tool != ViewTool::distance ? ToolPlace{} : ToolPlace{3, ++row},
+         .needsVolume = true}));
   };
   add(ViewTool::rotate, "rotate", tr("Rotate"), tr("[ or Esc"), tr("rotate the picture"));
   add(ViewTool::pan, "pan", tr("Pan"), tr("M"), tr("move the picture"));

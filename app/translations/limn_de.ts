@@ -8339,7 +8339,7 @@
     </message>
     <message>
         <source>Dismiss</source>
-        <translation>Ausblenden</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Shows every remark about this volume.</source>

@@ -77,6 +77,12 @@ TEST(RayProfile, ofTwoSlabsGivesTheSecondWhatTheFirstLeaves) {
   EXPECT_NEAR(halfLightDepth(profile).value(),
               5.0 + std::log((1.0 - profile.alpha / 2.0) / behindFirst) / -kappa,
               kappa * pieceMm * pieceMm / 8.0);
+  // A veil that takes most of the light: what is dense behind it gives most at one place all the same.
+  scene.transferFunction.points.front().opacity = 0.2;
+  scene.transferFunction.points.back().opacity = 0.95;
+  const RayProfile veiled = profileOf(scene);
+  ASSERT_LT(halfLightDepth(veiled).value(), 5.0);
+  EXPECT_NEAR(strongestDepth(veiled).value(), 5.0 + pieceMm / 2.0, 1e-9);
   EXPECT_EQ(sampleAt(profile, 1.0).color, glm::dvec3(1, 0, 0));
   EXPECT_EQ(sampleAt(profile, 9.0).color, glm::dvec3(1, 1, 1));
 }
@@ -130,6 +136,7 @@ TEST(RayProfile, ofAnAverageCountsAllAlikeAndHasNoHalf) {
   for (const RayProfile::Sample& sample : profile.samples)
     EXPECT_NEAR(sample.contribution, 0.45 / 40.0, 1e-12);
   EXPECT_FALSE(halfLightDepth(profile));
+  EXPECT_FALSE(strongestDepth(profile));
 }
 
 TEST(RayProfile, ofASurfaceEndsThere) {

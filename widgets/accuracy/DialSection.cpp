@@ -30,13 +30,15 @@ QString stopName(const OperatingPoint& point) {
 }
 
 // The stops halve the step, so logarithms lie evenly between them; beyond the smallest step lies the exact
-// end.
+// end, and between the two what is exact to more levels than that end.
 double placeOf(const Quality& quality, const std::vector<OperatingPoint>& stops) {
   if (stops.empty())
     return 0.0;
   const double last = static_cast<double>(stops.size()) - 1.0;
-  if (quality.toleranceLevels)
-    return last;
+  if (quality.toleranceLevels) {
+    const double least = stops.back().toleranceLevels.value_or(*quality.toleranceLevels);
+    return last - std::clamp(0.125 * std::log2(*quality.toleranceLevels / least), 0.0, 0.5);
+  }
   const double place = std::log2(stops.front().stepVoxels / quality.stepVoxels);
   const bool hasExact = stops.back().toleranceLevels.has_value();
   return std::clamp(place, 0.0, hasExact ? last - 0.5 : last);
@@ -122,9 +124,14 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
   m_note->setText(
       (averages ? tr("The dial's steps average the curve between samples; the chart has them without, too. ")
                 : QString()) +
+<<<<<<< HEAD
       (m_points.empty() ? QString() : tr("From there it refines while nothing moves. ")) +
       tr("A level is the smallest step of brightness on a "
          "screen, of 255."));
+=======
+      (scene.quality.toleranceLevels ? QString() : tr("From there it refines while nothing moves. ")) +
+      tr("A level is the smallest step of brightness on a screen, of 255."));
+>>>>>>> main
 }
 
 void DialSection::showStops(const MeasuredAccuracy* measured) {

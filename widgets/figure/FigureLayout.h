@@ -16,8 +16,8 @@
 
 namespace limn {
 
-/// Of a picture of physical light, how many paths each pixel has, and their standard error, levels RMS; absent
-/// where there are too few to tell.
+/// Of a picture of physical light, how many paths each pixel has, and their standard error, levels RMS;
+/// absent where there are too few to tell.
 struct PanelPaths {
   int paths = 0;
   std::optional<double> rmsLevels;
@@ -36,6 +36,7 @@ struct FigurePanel {
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
   std::optional<PanelPaths> paths{}; ///< of physical light, which tells its error itself
+  bool isAim = false;                ///< it is what the drawing goes for; what it reached is known afterwards
   bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated
   bool operator==(const FigurePanel&) const = default;
 };

@@ -39,7 +39,10 @@ QString accuracyNote(const Figure& figure) {
     return {};
   const bool isOne = errors.count(errors.front()) == static_cast<qsizetype>(figure.panels.size());
   const auto isStated = [](const FigurePanel& panel) { return panel.isStated || !panel.errorLevels; };
-  return (std::ranges::all_of(figure.panels, isStated)
+  return (std::ranges::any_of(figure.panels, &FigurePanel::isAim)
+              ? QObject::tr(
+                    "Drawn for %1 of 255 levels of the exact picture; the file tells what was reached.")
+          : std::ranges::all_of(figure.panels, isStated)
               ? QObject::tr("99.9 % of pixels within %1 of 255 levels of the exact picture (95 % sure).")
               : QObject::tr("Estimated within %1 of 255 levels of the exact picture."))
       .arg(isOne ? errors.front() : told.join(QStringLiteral(", ")));

@@ -47,7 +47,7 @@ FigurePanel asDrawn(FigurePanel panel) {
   panel.name.clear();
   panel.errorLevels.reset();
   panel.paths.reset();
-  panel.isStated = false;
+  panel.isStated = panel.isAim = false;
   return panel;
 }
 
@@ -387,7 +387,8 @@ Figure FigureDialog::withKnownErrors(Figure figure) const {
       continue;
     const auto known = std::ranges::find_if(
         m_estimated, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
-    if (isExact())
+    panel.isAim = isExact();
+    if (panel.isAim)
       panel.errorLevels = exactLevels;
     else if (known != m_estimated.end())
       panel.errorLevels = known->errorLevels;

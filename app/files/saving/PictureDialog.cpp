@@ -75,6 +75,7 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   setObjectName(QStringLiteral("pictureDialog"));
   setWindowTitle(tr("Save the picture"));
   m_size->setObjectName(QStringLiteral("pictureSize"));
+  m_pixels->setObjectName(QStringLiteral("picturePixels"));
   m_size->addItems(
       {tr("As on screen"), tr("Twice as large"), tr("Four times as large"), tr("For print, 300 dpi")});
   m_size->setCurrentIndex(static_cast<int>(options.size));
@@ -95,7 +96,7 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   auto* marks = new QVBoxLayout;
   form->addRow(tr("With it"), marks);
   const SavedMarks& on = options.marks;
-  addMark("pictureNames", tr("&Names of models or presets"), on.names);
+  addMark("pictureNames", tr("&Names, and what is hidden"), on.names);
   addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
   addMark("pictureScale", tr("&Scale bar"), on.scale);
   addMark("pictureWarning", tr("\"Not for &diagnosis\""), on.warning);

@@ -43,6 +43,15 @@ std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
   return PictureAccuracy{worst->levels, describe(*worst).english()};
 }
 
+// Of what is saved of a view as large as it stands there: pictures beside each other touch.
+glm::ivec2 savedSize(const ViewGeometry& geometry) {
+  const std::vector<PixelRect> pictures = pictureRects(geometry);
+  if (pictures.empty())
+    return deviceSize(geometry);
+  const glm::ivec2& one = pictures.front().size;
+  return {geometry.layout == CompareLayout::sideBySide ? 2 * one.x : one.x, one.y};
+}
+
 glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {
   return ground == PictureOptions::Ground::white   ? glm::dvec3(1.0)
          : ground == PictureOptions::Ground::black ? glm::dvec3(0.0)
@@ -160,7 +169,7 @@ void PictureSaving::ask() {
     return m_context.notes.sayFailure(tr("Another picture is being drawn into its file; wait until it is "
                                          "there, or cancel it in the status bar."));
   const PictureContent asked = content();
-  const glm::ivec2 screen = deviceSize(m_context.view.order().geometry);
+  const glm::ivec2 screen = savedSize(m_context.view.order().geometry);
   const std::optional<PictureOptions> options =
       askHowToSave({screen.x, screen.y}, m_context.settings, &m_context.window);
   if (!options)
@@ -245,6 +254,9 @@ SavingController::SavingController(WindowContext& context, std::function<Session
   connect(save, &QAction::triggered, this, &SavingController::saveSession);
   connect(saveAs, &QAction::triggered, this, &SavingController::saveSessionAs);
   connect(scene, &QAction::triggered, this, &SavingController::saveScene);
+  connect(&m_drawing, &BackgroundWork::progressed, this, [this](double fraction) {
+    emit drawing(tr("%1: %2 %").arg(m_drawn).arg(static_cast<int>(100.0 * fraction)));
+  });
   connect(&m_drawing, &BackgroundWork::failed, this, [this](const QString& sentence) {
     emit drawing({});
     m_context.notes.sayFailure(sentence);
@@ -344,8 +356,7 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   Scene scene = view.sceneOfRestingImage(view.ownSide());
   scene.keep.source = labelsInPicture();
   scene.image.background = groundOf(options.ground, m_context.document.scene().image.background);
-  const glm::ivec2 screen = deviceSize(view.order().geometry);
-  const double scale = scaleOf(options, screen.x);
+  const double scale = scaleOf(options, savedSize(view.order().geometry).x);
   PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
                    scene.image.background, 0.0,     {},     {view.order(), view.pictureState()}};
   if (options.size == PictureOptions::Size::print)
@@ -369,14 +380,21 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
                                    const glm::ivec2& size) {
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
   const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
-  emit drawing(tr("Drawing %1, %2 × %3 pixels").arg(name).arg(columns).arg(size.y));
+  m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name).arg(columns).arg(size.y);
+  emit drawing(m_drawn);
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
     MakingOptions told = order;
+    std::size_t done = 0;
     told.effort = effort;
+    told.effort.report = [&](double fraction) {
+      effort.report((static_cast<double>(done) + fraction) / static_cast<double>(scenes.size()));
+    };
     std::vector<Image> sides(scenes.size());
-    makeEach(scenes, size, told,
-             [&](std::size_t index, MadePicture picture) { sides[index] = std::move(picture.image); });
+    makeEach(scenes, size, told, [&](std::size_t index, MadePicture picture) {
+      sides[index] = std::move(picture.image);
+      ++done;
+    });
     file.write(sides); // seconds of a large one
     return [this, path = QString::fromStdString(file.path)] {
       emit drawing({});
@@ -387,6 +405,7 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
 
 void SavingController::cancelPicture() {
   m_drawing.cancel();
+  emit drawing({}); // of work that was ended nothing more is told
 }
 
 std::string SavingController::volumeInPicture() const {

@@ -140,6 +140,7 @@ private:
   WindowContext& m_context;
   std::function<SessionDocument()> m_session;
   BackgroundWork m_drawing; ///< of a picture that is larger than the one on screen
+  QString m_drawn;          ///< what is said of it
 };
 
 } // namespace limn

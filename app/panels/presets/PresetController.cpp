@@ -226,7 +226,7 @@ void PresetController::preview(const QString& name) {
 
 void PresetController::compare(const QString& name) {
   if (const std::optional<Preset> preset = fitted(name); preset && m_context.session.scene().volume)
-    emit compareRequested(*preset);
+    emit compareRequested(*preset, 1);
 }
 
 // Of two models both sides show the scene's own look: what stands at the other side of a preset is that.
@@ -239,7 +239,7 @@ void PresetController::useOnSide(const QString& name, int side) {
     const std::string own = m_context.document.presetInUse().name;
     Preset shown = presetOf(m_context.session.scene(), own.empty() ? tr("Before").toStdString() : own);
     shown.isWhole = true;
-    emit compareRequested(shown);
+    emit compareRequested(shown, 0);
   }
   side == 1 ? use(name) : compare(name);
 }

@@ -351,6 +351,48 @@ TEST_F(CutWindow, whereNothingIsSeenThereIsNoPiece) {
   EXPECT_EQ(window->statusBar()->currentMessage(), QStringLiteral("Nothing is seen there."));
 }
 
+// A cut that takes nothing in its new place says so; its mark in the list alone would promise more.
+TEST_F(CutWindow, aPieceWhosePlaceIsCutAwayBeforeItSaysSo) {
+  press(Qt::Key_K);
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  button(QStringLiteral("Only this")).click();
+  ASSERT_TRUE(ready());
+  press(Qt::Key_X);
+  draw(loop());
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 2u);
+  window->findChild<MessageBar*>()->hide();
+  list().setCurrentRow(0);
+  for (QPushButton* button : window->findChild<CutSection*>()->findChildren<QPushButton*>())
+    if (button->text() == QStringLiteral("Down"))
+      button->click();
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(std::holds_alternative<ConnectedPiece>(cuts()[1].how));
+  EXPECT_TRUE(messages().sentence().startsWith(QStringLiteral("Cut 2 finds no piece")))
+      << messages().sentence().toStdString();
+}
+
+TEST_F(CutWindow, theScissorsDrawOverWhatStandsAboveThePicture) {
+  press(Qt::Key_X);
+  const QPointF plate = labelsOf({view().order(), view().pictureState()}).front().plate.center();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), plate.toPoint()));
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+  ASSERT_TRUE(view().input().cutLine());
+  EXPECT_EQ(view().input().cutLine()->corners.size(), 1u);
+}
+
+// Nobody means to cut what they have just opened.
+TEST_F(CutWindow, theToolIsLaidDownWhenAnotherVolumeIsOpened) {
+  press(Qt::Key_X);
+  button(QStringLiteral("Outside")).click();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(view().tool(), ViewTool::rotate);
+  EXPECT_FALSE(bar().isVisible());
+  press(Qt::Key_X);
+  EXPECT_TRUE(button(QStringLiteral("Inside")).isChecked());
+}
+
 TEST_F(CutWindow, theListSwitchesMovesAndDeletes) {
   press(Qt::Key_X);
   draw(loop());
@@ -415,11 +457,11 @@ TEST_F(CutWindow, cutsHoldWhenOtherThingsAreKeptAndComeBackWithTheSession) {
   EXPECT_EQ(weightInTheMiddle(), 0.0);
   // The note brings back what was cut first, then what Body only hides.
   const Region both = scene().keep;
-  emit view().everythingRequested();
+  emit view().findChild<ViewInput*>()->everythingRequested();
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);
   EXPECT_FALSE(cuts().front().isOn);
-  emit view().everythingRequested();
+  emit view().findChild<ViewInput*>()->everythingRequested();
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.kind, Region::Kind::all);
   undo().undo();

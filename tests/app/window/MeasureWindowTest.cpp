@@ -286,6 +286,22 @@ TEST_F(MeasureWindow, inThePictureTwoClicksMeasureBetweenWhatIsSeen) {
   EXPECT_EQ(view().tool(), ViewTool::rotate);
 }
 
+// What was measured in front is drawn faintly from behind.
+TEST_F(MeasureWindow, whatLiesBehindWhatIsSeenIsDrawnFaintly) {
+  press(view(), Qt::Key_D);
+  const QPoint middle = view().mapTo(window.get(), view().logicalRect(0).center().toPoint());
+  click(middle - QPoint(20, 0));
+  click(middle + QPoint(20, 0));
+  ASSERT_EQ(measurements().size(), 1u);
+  const auto isFaint = [this] { return view().order().comparison.measures.front().isHidden; };
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(isFaint());
+  view().lookFrom(StandardView::posterior);
+  EXPECT_TRUE(test::waitUntil([&] { return isFaint(); }));
+  view().lookFrom(StandardView::anterior);
+  EXPECT_TRUE(test::waitUntil([&] { return !isFaint(); }));
+}
+
 TEST_F(MeasureWindow, inThePictureBothEndsMayLieClose) {
   press(view(), Qt::Key_D);
   click(inPicture({0, 0}));

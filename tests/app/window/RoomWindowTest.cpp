@@ -224,6 +224,31 @@ TEST_F(Looks, twoPresetsAreComparedFromTheirLabelsUnderTheirNames) {
   EXPECT_EQ(names().value(0), QStringLiteral("CT muscle"));
 }
 
+// Two models were compared: the picture that nobody touched keeps its own, and both looks are shown by it.
+TEST_F(Looks, areComparedByTheModelOfThePictureThatNobodyTouched) {
+  const auto models = [this] {
+    std::vector<ShadingModel> shown;
+    for (const Scene& side : view().scenesOfSides())
+      shown.push_back(side.shading.model);
+    return shown;
+  };
+  using Models = std::vector<ShadingModel>;
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  choose(0, QStringLiteral("CT bone"));
+  EXPECT_EQ(models(), (Models{ShadingModel::enhanced, ShadingModel::enhanced}));
+  const SessionDocument kept = window->sessionDocument();
+  EXPECT_EQ(kept.rightModel, ShadingModel::enhanced);
+  named("compareModels").trigger();
+  ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  choose(1, QStringLiteral("CT skin"));
+  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::classic}));
+  // One side may be shown by another all the same.
+  emit view().modelChosen(1, ShadingModel::robust);
+  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::robust}));
+}
+
 TEST_F(Looks, whatIsRememberedIsNamedAfterItsPreset) {
   ASSERT_TRUE(open(QStringLiteral("sample")));
   choose(0, QStringLiteral("CT bone")); // compared at the left; the scene's own is what it opened with

@@ -101,6 +101,19 @@ TEST_F(AccuracyPanelTest, theDialTellsErrorAndTimeOfItsPositionOnceMeasured) {
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/4 voxel: within 0.65 levels, 48 ms."));
 }
 
+// What is exact to more levels than the dial's end stands before that end, whose figures are not its own.
+TEST_F(AccuracyPanelTest, theDialStandsBeforeItsEndWhereMoreLevelsAreAllowed) {
+  scene.quality.toleranceLevels = 0.5;
+  panel.setScene(scene);
+  const double end = dial().place();
+  scene.quality.toleranceLevels = 2.0;
+  panel.setScene(scene);
+  EXPECT_NEAR(dial().place(), end - 0.25, 1e-12);
+  scene.quality.toleranceLevels = 200.0;
+  panel.setScene(scene);
+  EXPECT_NEAR(dial().place(), end - 0.5, 1e-12);
+}
+
 TEST_F(AccuracyPanelTest, theDialTellsWhatAPictureThatWasRefinedIsOnScreen) {
   measure();
   panel.setOnScreen(scene.quality);

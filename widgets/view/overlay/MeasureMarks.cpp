@@ -20,6 +20,7 @@ const QColor measureHalo(0, 0, 0, 180);
 const QColor measureColor(255, 255, 255);
 const QColor measureInHand(255, 196, 64);
 
+constexpr double hiddenOpacity = 0.4; // of what lies behind what is seen: there, and plainly behind
 constexpr double handleRadius = 4.0;  // logical pixels
 constexpr double widestAcross = 60.0; // of what a distance spans, to each side
 constexpr double aroundMark = 8.0;
@@ -240,6 +241,7 @@ void paintMeasures(QPainter& painter, const std::vector<MeasureMark>& marks) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const MeasureMark& mark : marks) {
+    painter.setOpacity(mark.shape.isHidden ? hiddenOpacity : 1.0);
     if (mark.note) {
       QPainterPath leader(mark.anchor);
       leader.lineTo(nearestOf(mark.note->plate, mark.anchor));
@@ -250,8 +252,11 @@ void paintMeasures(QPainter& painter, const std::vector<MeasureMark>& marks) {
   painter.restore();
   // Texts over every line.
   for (const MeasureMark& mark : marks)
-    if (mark.note)
+    if (mark.note) {
+      painter.setOpacity(mark.shape.isHidden ? hiddenOpacity : 1.0);
       paintNote(painter, *mark.note);
+    }
+  painter.setOpacity(1.0);
 }
 
 } // namespace limn

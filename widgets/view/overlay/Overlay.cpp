@@ -269,7 +269,8 @@ std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int posit
       viewProjection(source.comparison.scene.camera, pictureRect(source.geometry, position));
   std::vector<MeasureShape> shapes;
   for (const SeenMeasure& measure : source.comparison.measures) {
-    MeasureShape shape{measure.number, measure.kind, {}, measure.text, measure.isInHand, measure.isOpen};
+    MeasureShape shape{measure.number, measure.kind,    {}, measure.text, measure.isInHand,
+                       measure.isOpen, measure.isHidden};
     for (const glm::dvec3& place : measure.placesMm)
       if (const std::optional<QPointF> at = pixelOf(projection, place))
         shape.places.push_back(*at);

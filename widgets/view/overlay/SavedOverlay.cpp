@@ -39,8 +39,12 @@ Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks) {
   if (!marks.measurements)
     still.comparison.measures.clear();
   Overlay overlay = overlayOf(still);
+  QStringList hidden;
+  for (int position = 0; position < standingCount(still.geometry); ++position)
+    for (const HiddenNote& note : hiddenNotesOf(still, position))
+      hidden << note.note.text;
   const auto isWanted = [&](const Note& note) {
-    return (marks.warning && note.text == warningText()) ||
+    return (marks.names && hidden.contains(note.text)) || (marks.warning && note.text == warningText()) ||
            (marks.letters && note.text == unknownOrientationText());
   };
   std::vector<Note> notes;

@@ -9,7 +9,7 @@ namespace limn {
 
 /// Which marks go with a picture into a file.
 struct SavedMarks {
-  bool names = true;        ///< of models, or of the looks that are compared
+  bool names = true;        ///< of models, or of the looks that are compared, and what the pictures hide
   bool letters = true;      ///< of the patient's sides, or that they are unknown
   bool scale = true;        ///< the bar
   bool warning = true;      ///< that it is not for diagnosis

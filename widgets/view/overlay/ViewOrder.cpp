@@ -7,8 +7,12 @@ Scene sceneOfSide(const Comparison& comparison, int side) {
   Scene scene = comparison.scene;
   if (comparison.layout == CompareLayout::single)
     return scene;
-  if (comparison.look)
-    return side == 0 ? withPreset(scene, comparison.look->shown) : scene;
+  if (comparison.look) {
+    if (side == 0)
+      return withPreset(scene, comparison.look->shown);
+    scene.shading.model = comparison.look->ownModel.value_or(scene.shading.model);
+    return scene;
+  }
   scene.shading.model = comparison.models[static_cast<std::size_t>(side)];
   return scene;
 }

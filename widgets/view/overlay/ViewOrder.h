@@ -22,8 +22,9 @@ namespace limn {
 
 /// A look that is compared with the scene's own: what it was before, or another preset.
 struct ComparedLook {
-  Preset shown;                     ///< at the left; its light has a model
-  std::array<std::string, 2> names; ///< of what is at the left and, the scene's own look, at the right
+  Preset shown;                           ///< at the left; its light has a model
+  std::array<std::string, 2> names;       ///< of what is at the left and, the scene's own look, at the right
+  std::optional<ShadingModel> ownModel{}; ///< of the scene's own look, where it is not shown by the scene's
   bool operator==(const ComparedLook&) const = default;
 };
 
@@ -36,7 +37,8 @@ struct SeenMeasure {
   std::vector<glm::dvec3> placesMm; ///< world; the last are absent while it is being measured
   QString text;
   bool isInHand = false;
-  bool isOpen = false; ///< nothing of it can be taken here: it is being measured, or lies in a slice
+  bool isOpen = false;   ///< nothing of it can be taken here: it is being measured, or lies in a slice
+  bool isHidden = false; ///< all of its places lie behind what is seen
   bool operator==(const SeenMeasure&) const = default;
 };
 

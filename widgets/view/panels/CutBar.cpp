@@ -84,6 +84,7 @@ void CutBar::showScissors(bool removesInside, bool onlySeen) {
   m_text->setText(tr("Draw around it, or click corners"));
   m_text->setToolTip(tr("Shift draws straight on; Enter, a double click or the first corner closes a line of "
                         "corners, Backspace takes the last one back, Esc all."));
+  m_tellsPiece = false;
   (removesInside ? m_inside : m_outside)->setChecked(true);
   (onlySeen ? m_seen : m_through)->setChecked(true);
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
@@ -96,6 +97,7 @@ void CutBar::showScissors(bool removesInside, bool onlySeen) {
 }
 
 void CutBar::showPiece(const QString& text, bool isPicked) {
+  m_tellsPiece = isPicked;
   m_text->setText(text);
   m_text->setToolTip(tr("The wheel widens or narrows the range of values; another click picks another piece, "
                         "Esc none."));
@@ -140,8 +142,9 @@ void CutBar::showEvent(QShowEvent* event) {
   place();
 }
 
-// In a narrow view the sentence gives way: it says what the tool's tip does. Beside slices the view may have
-// no room for all buttons either: then they stand in three rows.
+// In a narrow view the sentence gives way: it says what the tool's tip does, but for what is found of a
+// piece, which takes a row first. Beside slices the view may have no room for all buttons either: then they
+// stand in three rows.
 void CutBar::place() {
   const QWidget* view = parentWidget();
   const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
@@ -150,8 +153,10 @@ void CutBar::place() {
     layout()->activate();
     return sizeHint().width() <= view->width() - 16;
   };
-  if (!fits(true, QBoxLayout::LeftToRight) && !fits(false, QBoxLayout::LeftToRight) &&
-      !fits(true, QBoxLayout::TopToBottom))
+  const auto fitsInRows = [&] { return fits(true, QBoxLayout::TopToBottom); };
+  const auto fitsWithoutText = [&] { return fits(false, QBoxLayout::LeftToRight); };
+  if (!fits(true, QBoxLayout::LeftToRight) && !(m_tellsPiece ? fitsInRows() : fitsWithoutText()) &&
+      !(m_tellsPiece ? fitsWithoutText() : fitsInRows()))
     fits(false, QBoxLayout::TopToBottom);
   const QSize size = sizeHint().boundedTo(view->size());
   setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - aboveEdge - size.height()),

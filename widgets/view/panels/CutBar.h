@@ -56,8 +56,9 @@ private:
   QPushButton* m_alone;
   QPushButton* m_look;
   std::function<bool()> m_isDrawing = [] { return false; };
-  bool m_isOut = false;   ///< a tool is in hand
-  bool m_isAside = false; ///< hidden until the button is let go
+  bool m_tellsPiece = false; ///< the text, which no tip does
+  bool m_isOut = false;      ///< a tool is in hand
+  bool m_isAside = false;    ///< hidden until the button is let go
 };
 
 } // namespace limn

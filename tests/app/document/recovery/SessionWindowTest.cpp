@@ -104,6 +104,21 @@ TEST_F(SessionWindow, aSavedSessionComesBackAsItWas) {
   EXPECT_FALSE(window->isWindowModified());
 }
 
+// What was brought back is unsaved until it is saved; what is opened after it has no edit.
+TEST_F(SessionWindow, whatIsOpenedAfterAnUnsavedSessionIsUnmarked) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  workALittle();
+  ASSERT_TRUE(waitForAutosave());
+  die();
+  window = newWindow();
+  window->keepSessions();
+  ASSERT_TRUE(restore(*window));
+  ASSERT_TRUE(window->isWindowModified());
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  EXPECT_FALSE(window->isWindowModified());
+}
+
 TEST_F(SessionWindow, savingAgainAsksForNoName) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   saving().writeSession(pathTo("mine.json"));

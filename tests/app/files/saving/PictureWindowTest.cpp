@@ -86,6 +86,43 @@ TEST_F(SavedPicture, isNoSmallerBecauseAMessageStandsOpen) {
   EXPECT_EQ(saved("after.png", options).size(), size);
 }
 
+// What is cancelled leaves no file, and nothing that stands in the way of the next one.
+TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
+  PictureOptions options;
+  options.size = PictureOptions::Size::print;
+  options.printCm = 40.0; // 4,724 pixels
+  saving().writePicture(pathTo("large.png"), options);
+  auto& stop = *window->findChild<QToolButton*>(QStringLiteral("stopWaiting"));
+  ASSERT_TRUE(stop.isVisible());
+  QTest::mouseClick(&stop, Qt::LeftButton);
+  EXPECT_FALSE(stop.isVisible());
+  bool isAsked = false;
+  onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
+    isAsked = true;
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  EXPECT_TRUE(isAsked);
+  EXPECT_FALSE(fs::exists(folder.path() / "large.png"));
+}
+
+// Two pictures touch in the file: the line between them on screen is in no promise.
+TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  QString promised;
+  onceAsked<PictureDialog>([&promised](PictureDialog& dialog) {
+    dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(1);
+    promised = dialog.findChild<QLabel*>(QStringLiteral("picturePixels"))->text();
+    QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
+  });
+  typeName(pathTo("two.png"));
+  action(QStringLiteral("Save &picture…"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "two.png"); }));
+  const QSize size = QImage(pathTo("two.png")).size();
+  EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
+}
+
 TEST_F(SavedPicture, theAnswersAreRemembered) {
   const auto answer = [this] {
     onceAsked<PictureDialog>([](PictureDialog& dialog) {

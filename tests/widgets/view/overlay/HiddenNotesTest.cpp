@@ -3,8 +3,11 @@
 
 #include "scene/volume/Phantom.h"
 #include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/overlay/SavedOverlay.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace limn {
 namespace {
@@ -51,6 +54,18 @@ TEST_F(HiddenNotes, tellWhatIsHidden) {
             QStringLiteral("2 labels hidden or faded"));
   EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1})),
             QStringLiteral("Body only: table hidden"));
+}
+
+// Whoever sees the file alone would take for the patient what is left of them.
+TEST_F(HiddenNotes, goWithTheNamesIntoAFile) {
+  keepBody();
+  const auto told = [this](const SavedMarks& marks) {
+    const Overlay overlay = savedOverlay(source(), marks);
+    return std::ranges::any_of(
+        overlay.notes, [](const Note& note) { return note.text == QStringLiteral("Body only: table hidden"); });
+  };
+  EXPECT_TRUE(told({}));
+  EXPECT_FALSE(told(noMarks));
 }
 
 TEST_F(HiddenNotes, keepClearOfEverythingElseInEveryLayout) {

@@ -42,6 +42,8 @@ TEST(ScaleBar, hasTheLongestRoundLengthThatFits) {
 TEST(ScaleBar, millimetresPerPixelHoldAtTheTarget) {
   const Camera perspective{.position = {0, -100, 0}, .target = {0, 0, 0}, .fovYDeg = 90.0};
   EXPECT_NEAR(mmPerPixel(perspective, 400.0), 0.5, 1e-12); // 2 · 100 mm · tan 45° over 400 pixels
+  EXPECT_NEAR(mmPerPixel(perspective, 400.0, glm::dvec3(30, -60, 0)), 0.2, 1e-12) << "40 mm before the eye";
+  EXPECT_NEAR(mmPerPixel(perspective, 400.0, glm::dvec3(0, -160, 0)), 0.5, 1e-12) << "behind it";
   const Camera parallel{.projection = Camera::Projection::orthographic, .heightMm = 200.0};
   EXPECT_EQ(mmPerPixel(parallel, 400.0), 0.5);
 }
