@@ -124,14 +124,10 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
   m_note->setText(
       (averages ? tr("The dial's steps average the curve between samples; the chart has them without, too. ")
                 : QString()) +
-<<<<<<< HEAD
-      (m_points.empty() ? QString() : tr("From there it refines while nothing moves. ")) +
-      tr("A level is the smallest step of brightness on a "
-         "screen, of 255."));
-=======
-      (scene.quality.toleranceLevels ? QString() : tr("From there it refines while nothing moves. ")) +
+      (scene.quality.toleranceLevels || m_points.empty()
+           ? QString()
+           : tr("From there it refines while nothing moves. ")) +
       tr("A level is the smallest step of brightness on a screen, of 255."));
->>>>>>> main
 }
 
 void DialSection::showStops(const MeasuredAccuracy* measured) {
