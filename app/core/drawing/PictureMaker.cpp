@@ -261,7 +261,7 @@ std::vector<Message> remarksOf(const MadePicture& picture) {
 }
 
 std::string exactnessOf(const MadePicture& picture) {
-  return picture.paths ? sentenceOf(*picture.paths).english() : picture.steps.english();
+  return picture.paths ? sentenceOf(*picture.paths).english() : std::string();
 }
 
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,

@@ -38,7 +38,7 @@ struct MadePicture {
 /// Everything that a picture tells, a sentence each.
 std::vector<Message> remarksOf(const MadePicture& picture);
 
-/// How exact a picture says to be of itself, one sentence; empty where it does not know.
+/// How exact a picture of physical light is by its own paths, one sentence of ASCII; empty of any other.
 std::string exactnessOf(const MadePicture& picture);
 
 /// How pictures are drawn.
