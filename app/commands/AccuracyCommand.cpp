@@ -5,6 +5,7 @@
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
 #include "app/core/drawing/OnDisk.h"
+#include "app/core/drawing/PathAccuracy.h"
 #include "app/core/drawing/PictureMaker.h"
 #include "app/core/drawing/RealRenderers.h"
 #include "app/document/PrivateNames.h"
@@ -19,6 +20,7 @@
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/accuracy/ChartPicture.h"
 
 #include <QApplication>
@@ -134,6 +136,19 @@ void measureRivals(AccuracyReport& report, const LoadedScene& loaded, const Scen
             part(progress, 0.4, 1.0).report);
 }
 
+// Of physical light paths are followed, by the processor, and nothing else is compared.
+AccuracyReport pathReport(const LoadedScene& loaded, const Scene& scene, const AccuracyArguments& arguments,
+                          const Progress& progress) {
+  if (arguments.engine == "gl" || arguments.hasRivals || !arguments.exactBy.empty())
+    throw Error(Error::Kind::usage,
+                "Physical light is followed by the processor alone and tells its own error: "
+                "leave out --engine gl, --rivals and --exact-by.");
+  constexpr int mostPathsMeasured = 256, mostPathsQuick = 32;
+  return measurePaths(nameOf(arguments.scene, loaded), scene, {scene.image.width, scene.image.height},
+                      arguments.isQuick ? mostPathsQuick : mostPathsMeasured, {arguments.threads, {}, {}},
+                      progress.report);
+}
+
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
 AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
                               const AccuracyArguments& arguments, const Progress& progress) {
@@ -213,7 +228,8 @@ void runAccuracy(const AccuracyArguments& arguments) {
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
-  const AccuracyReport report = measuredReport(loaded, scene, arguments, progress);
+  const AccuracyReport report = isPhysical(scene) ? pathReport(loaded, scene, arguments, progress)
+                                                  : measuredReport(loaded, scene, arguments, progress);
   requireWhole(loaded.volumePath, *scene.volume);
   writeReport(report, arguments.folder);
   std::cout << accuracyTable(report);
@@ -228,7 +244,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
 void addAccuracyCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<AccuracyArguments>();
   CommandSyntax command = root.command("accuracy", "error against time of a scene");
-  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced, robust or physical");
   command.added("SOURCE").required(false);
   command.option("-o,--output", arguments->folder, "folder for accuracy.json, .csv, .png and .html")
       .required()
@@ -262,10 +278,10 @@ void addAccuracyCommand(CommandSyntax& root) {
       .within(0.01, 255.0);
   command.option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
       .within(0.01, 1e7);
-  command.footer(
-      "Errors are told in levels of 255 against a picture in double precision that finer steps no "
-      "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report\n"
-      "Example: limn accuracy --join reports/* -o cohort");
+  command.footer("Errors are told in levels of 255 against a picture in double precision that finer steps no "
+                 "longer change; of physical light by its own standard error, after 4 to 256 paths a pixel.\n"
+                 "Example: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report\n"
+                 "Example: limn accuracy --join reports/* -o cohort");
   command.runs([arguments] { runAccuracy(*arguments); });
 }
 

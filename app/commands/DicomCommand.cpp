@@ -38,9 +38,11 @@ void runDicom(const DicomArguments& arguments) {
                                   .front();
   requireWhole(loaded.volumePath, *scene.volume);
   const std::vector<Message> losses =
-      saveToDicom(arguments.out, scene, picture.image, series, arguments.isAnonymous);
+      saveToDicom(arguments.out, scene, picture.image, series, arguments.isAnonymous, exactnessOf(picture));
   if (isQuiet)
     return;
+  for (const Message& remark : remarksOf(picture))
+    note(remark.english());
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
   for (const Message& loss : losses)
@@ -58,7 +60,7 @@ void addDicomCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<DicomArguments>();
   CommandSyntax command = root.command(
       "dicom", "picture and look of a DICOM series as objects for an archive: picture.dcm and look.dcm");
-  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced, robust or physical");
   command
       .option(
           "-o,--output", arguments->out,

@@ -3,6 +3,7 @@
 #include "app/commands/RenderWork.h"
 
 #include "accuracy/SamplePicture.h"
+#include "app/core/drawing/PathDrawing.h"
 #include "app/document/PrivateNames.h"
 #include "app/document/Settings.h"
 #include "io/AtomicFile.h"
@@ -70,6 +71,8 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
 // Whoever asks for a tolerance is told what it came to.
 std::optional<PictureAccuracy> accuracyOf(const Scene& asked, const MadePicture& picture, int threads,
                                           const Progress& progress) {
+  if (picture.paths && picture.paths->p99_9Levels)
+    return PictureAccuracy{*picture.paths->p99_9Levels, sentenceOf(*picture.paths).english()};
   if (!asked.quality.toleranceLevels || isPhysical(asked))
     return std::nullopt;
   reportOrStop(progress, -1.0, "Integrating some pixels exactly");
@@ -156,7 +159,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     note(warning.english());
   for (const Message& remark : remarksOf(picture))
     note(remark.english());
-  if (accuracy)
+  if (accuracy && !picture.paths) // of paths it was said
     note(accuracy->sentence);
   char line[160];
   std::snprintf(line, sizeof line, ": %d x %d pixels in %.0f ms (set-up included) on %s",

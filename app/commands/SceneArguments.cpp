@@ -172,8 +172,7 @@ void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command
       .option("--light", arguments.light,
               "headlight, studio (a lamp above and to the left that turns with the view, with shadows), "
-              "soft-studio, "
-              "or overcast")
+              "soft-studio, overcast, or physical (the studio's lamp and a sky in physical light)")
       .words(lightWords);
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior")
       .words(viewWords);

@@ -63,6 +63,14 @@ QString numberText(const Shading& before, const Shading& after) {
     if (changed == after)
       return arrow(text(before.*number), text(after.*number));
   }
+  constexpr std::array physicalNumbers{&PhysicalLight::density, &PhysicalLight::anisotropy,
+                                       &PhysicalLight::keyRadiusDeg, &PhysicalLight::exposureEv};
+  for (double PhysicalLight::*number : physicalNumbers) {
+    Shading changed = before;
+    changed.physical.*number = after.physical.*number;
+    if (changed == after)
+      return arrow(text(before.physical.*number), text(after.physical.*number));
+  }
   constexpr std::array ranges{&Shading::exponentRange, &Shading::opacityRange};
   for (CoefficientRange Shading::*range : ranges) {
     Shading changed = before;

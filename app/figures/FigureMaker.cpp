@@ -6,6 +6,7 @@
 #include "app/core/drawing/ProcessCost.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/MemoryBudget.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/steps/LocalSteps.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
@@ -26,11 +27,17 @@ uchar byteOfShare(float value) {
   return static_cast<uchar>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-// What chance says of a picture that was drawn.
+// What chance says of a picture that was drawn, or its paths.
 void state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
+  panel.isAim = false;
+  if (picture.paths) {
+    panel.paths = PanelPaths{picture.paths->paths, picture.paths->rmsLevels};
+    panel.isStated = false;
+    panel.errorLevels.reset();
+    return;
+  }
   const std::optional<ErrorByChance> chance =
       chanceOf(picture.scene, picture.image, {effort.threads, effort.isCancelled, {}});
-  panel.isAim = false;
   panel.isStated = chance.has_value();
   panel.errorLevels = chance ? std::optional(chance->levels) : std::nullopt;
 }
@@ -147,6 +154,8 @@ MadeFigure makeFigure(const Figure& figure, const MakingOptions& order, FigurePi
     for (const std::size_t panel : panelsWithScene(figure)) {
       told.panels[panel].errorLevels = wideLevels + 0.01 * static_cast<double>(panel);
       told.panels[panel].isStated = true;
+      if (isPhysical(told.panels[panel].scene))
+        told.panels[panel].paths = PanelPaths{mostPaths, wideLevels};
     }
   const FigureLayout layout = figureLayout(told);
   MadeFigure made = drawPanels(told, layout.pictureSize(), order, pixels);
@@ -209,7 +218,9 @@ Figure withErrors(Figure figure, const MakingOptions& order) {
   const glm::ivec2 size(std::max(1, static_cast<int>(full.width() * factor)),
                         std::max(1, static_cast<int>(full.height() * factor)));
   std::vector<std::size_t> panels = panelsWithScene(figure);
-  std::erase_if(panels, [&](std::size_t panel) { return figure.panels[panel].errorLevels.has_value(); });
+  std::erase_if(panels, [&](std::size_t panel) {
+    return figure.panels[panel].errorLevels.has_value() || isPhysical(figure.panels[panel].scene);
+  });
   std::vector<Scene> scenes;
   for (const Scene& scene : withStepsFound(scenesOf(figure, panels), size, order))
     for (const double parts : {1.0, 2.0, 4.0})

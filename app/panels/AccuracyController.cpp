@@ -2,12 +2,14 @@
 #include "app/panels/AccuracyController.h"
 
 #include "app/asking/FileDialogs.h"
+#include "app/core/drawing/PathAccuracy.h"
 #include "app/document/DocumentText.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/Translated.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/ChartPicture.h"
@@ -42,6 +44,7 @@ bool needsFinerSteps(const WithinTolerance& a, const WithinTolerance& b) {
 }
 
 constexpr int mostPixels = 224; ///< each way, of a picture that is measured
+constexpr int mostPathsMeasured = 128;
 constexpr QSize chartSize(1200, 750);
 
 QByteArray pngOf(const QImage& picture) {
@@ -75,6 +78,7 @@ public:
         m_renderers(0, line.effort.isCancelled, rays) {}
 
   RealRenderers& renderers() { return m_renderers; }
+  Effort effort() const { return {0, m_line.effort.isCancelled, {}}; }
 
   /// Tells progress from one part of the whole to another.
   ReportProgress progress(double from, double to) {
@@ -117,6 +121,12 @@ void AccuracyMeasurer::forgetOthersThan(const std::shared_ptr<const Volume>& vol
 void AccuracyMeasurer::measure(const QString& name, const Scene& scene, const glm::ivec2& size) {
   start([this, name = name.toStdString(), scene, size](Job& job) -> BackgroundWork::Deliver {
     const double steepest = steepness(*scene.volume);
+    if (isPhysical(scene)) {
+      MeasuredAccuracy accuracy{
+          measurePaths(name, scene, size, mostPathsMeasured, job.effort(), job.progress(0.0, 1.0)), scene,
+          steepest};
+      return [this, accuracy = std::move(accuracy)] { emit measured(accuracy); };
+    }
     const ConvergedPicture& exact = job.exactPicture(scene, size, 0.5);
     MeasuredAccuracy accuracy{measureAccuracy(name, scene, size, pointsToMeasure(scene, steepest), exact,
                                               job.renderers(), job.progress(0.5, 1.0)),
@@ -127,6 +137,15 @@ void AccuracyMeasurer::measure(const QString& name, const Scene& scene, const gl
 
 void AccuracyMeasurer::compare(const Scene& scene, const glm::ivec2& size) {
   start([this, scene, size](Job& job) -> BackgroundWork::Deliver {
+    if (isPhysical(scene)) {
+      ComparedPicture compared;
+      compared.point.paths = scene.quality.paths.value_or(pathsOf(scene.shading.physical.until));
+      compared.reference.converged = compared.reference.isByChance = true;
+      PathErrors errors = pathErrors(scene, size, job.effort());
+      compared.error = errors.error;
+      compared.map = std::move(errors.map);
+      return [this, compared = std::move(compared)] { emit this->compared(compared); };
+    }
     const ConvergedPicture& exact = job.exactPicture(scene, size, 0.95);
     ComparedPicture compared;
     compared.point.stepVoxels = scene.quality.stepVoxels;

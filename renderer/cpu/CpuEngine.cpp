@@ -139,6 +139,9 @@ public:
   std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) override {
     return rendererFor(scene).pathFigures(scene, size);
   }
+  int followedPaths(const Scene& scene, const glm::ivec2& size) override {
+    return isPhysical(scene) ? rendererFor(scene).followedPaths(scene, size) : 0;
+  }
   GradientScale gradientScale() const override { return m_last->gradientScale(); }
   int compiledPrograms() const override { return 0; }
   double memoryMb() const override {

@@ -93,6 +93,9 @@ Image CpuRenderer::drawPaths(const Scene& scene, const glm::ivec2& size, const P
       for (int x = 0; x < tile.size.x; ++x)
         picture.at(tile.topLeft.x + x, tile.topLeft.y + y).alpha = alpha.at(x, y).a;
   }
+  const int count = scene.quality.paths.value_or(pathsOf(scene.shading.physical.until));
+  if (count == 0)
+    return picture.displayedTile(tile, scene.shading, m_threads);
   const Scene medium = cpu::mediumOf(scene);
   const EffectPlan needed = plan(medium, isCancelled);
   if (needed.isVisible) {
@@ -100,19 +103,28 @@ Image CpuRenderer::drawPaths(const Scene& scene, const glm::ivec2& size, const P
     const EffectSet effects = needed.effects.with(Effect::exponentMap);
     const cpu::PictureTerms terms = m_data.terms(medium, size, effects, isCancelled);
     const cpu::PathTerms paths = m_data.pathTerms(medium, terms, isCancelled);
-    const int count = scene.quality.paths.value_or(pathsOf(scene.shading.physical.until));
     const PixelRect covered =
         intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
     picture.limit(tile, count);
     cpu::tracePaths(paths, terms, scene.shading.physical.seed, covered, count, m_threads, isCancelled,
                     picture);
   }
-  return picture.displayedTile(tile);
+  return picture.displayedTile(tile, scene.shading, m_threads);
 }
 
 std::optional<PathFigures> CpuRenderer::pathFigures(const Scene& scene, const glm::ivec2& size) const {
   const cpu::PathPicture* picture = m_paths.find(scene, size);
-  return picture ? std::optional(picture->figures()) : std::nullopt;
+  return picture ? std::optional(picture->figures(scene.shading, m_threads)) : std::nullopt;
+}
+
+int CpuRenderer::followedPaths(const Scene& scene, const glm::ivec2& size) const {
+  const cpu::PathPicture* picture = m_paths.find(scene, size);
+  return picture ? picture->followed() : 0;
+}
+
+std::vector<float> CpuRenderer::pathErrors(const Scene& scene, const glm::ivec2& size) const {
+  const cpu::PathPicture* picture = m_paths.find(scene, size);
+  return picture ? picture->errors(scene.shading, m_threads) : std::vector<float>();
 }
 
 std::optional<Image> CpuRenderer::radiance(const Scene& scene, const glm::ivec2& size) const {

@@ -37,6 +37,11 @@ public:
   /// the scene asks for (pathsOf) and goes on from those that were followed before.
   std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) const;
   std::optional<Image> radiance(const Scene& scene, const glm::ivec2& size) const;
+  /// How many paths of each pixel a picture goes on from (DrawingEngine).
+  int followedPaths(const Scene& scene, const glm::ivec2& size) const;
+  /// Of each pixel the standard error of the worst of its display colours, 255 levels, rows from the top;
+  /// less than 0 where nothing is covered. Empty where it is not among the last few drawn.
+  std::vector<float> pathErrors(const Scene& scene, const glm::ivec2& size) const;
 
   /// The same without some effects, and without what cannot be had without them, to measure what they cost;
   /// where light travels and some is given, in that.
@@ -57,7 +62,7 @@ public:
   void makeReady(const Scene& scene, const Effort& effort) { m_data.makeReady(scene, effort); }
   double steepestPerMm() { return m_data.steepestPerMm(); }
   const GradientScale& gradientScale() const { return m_data.gradientScale(); }
-  double memoryMb() const { return m_data.memoryMb(); }
+  double memoryMb() const { return m_data.memoryMb() + 1e-6 * static_cast<double>(m_paths.bytes()); }
 
   /// One sentence where rays get fewer samples than asked for, otherwise empty.
   const Message& limitation() const { return m_limitation; }

@@ -112,6 +112,11 @@ public:
     return std::nullopt;
   }
 
+  /// How many paths of each pixel a picture of physical light goes on from, because they were followed
+  /// before, however it was exposed; 0 where it begins. With none more (Quality::paths 0) it is drawn at
+  /// once.
+  virtual int followedPaths(const Scene&, const glm::ivec2& /*size*/) { return 0; }
+
   /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads them.
   virtual GradientScale gradientScale() const = 0;
 

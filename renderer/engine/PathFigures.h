@@ -11,6 +11,8 @@ struct PathFigures {
   /// The standard errors of pixels, in 255 levels after tone and encoding: their root mean square, and what
   /// 99.9 % of the colours keep below. Absent before there are two paths to compare.
   std::optional<double> rmsLevels, p99_9Levels;
+  /// Beside those: their mean and largest, and of the covered pixels the share, 0..1, of which one exceeds 1.
+  double meanLevels{}, largestLevels{}, shareOverOne{};
   bool operator==(const PathFigures&) const = default;
 };
 

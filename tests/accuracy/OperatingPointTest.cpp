@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/sweep/OperatingPoint.h"
+#include "accuracy/sweep/FigureText.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,48 @@ TEST(OperatingPoint, showsItsOrderBesideThePointOfTwiceItsStep) {
   EXPECT_DOUBLE_EQ(*points[1].order, 2.0);
   EXPECT_FALSE(points[2].order) << "1/4 is missing between 1/2 and 1/8";
   EXPECT_FALSE(points[3].order) << "another family";
+}
+
+MeasuredPoint ofPaths(int paths, double rms, double ms) {
+  MeasuredPoint point;
+  point.point.paths = paths;
+  point.error.rms = rms;
+  point.error.mean = 0.8 * rms;
+  point.error.p99_9 = 5.0 * rms;
+  point.ms = {ms, ms, ms};
+  return point;
+}
+
+TEST(OperatingPoint, ofPathsHasALawOfItsOwn) {
+  std::vector<MeasuredPoint> points{ofPaths(4, 16.0, 100.0), ofPaths(8, 11.3, 200.0),
+                                    ofPaths(64, 4.0, 1600.0)};
+  findOrders(points);
+  ASSERT_TRUE(points[1].order);
+  EXPECT_NEAR(*points[1].order, 0.5, 0.005);
+  EXPECT_FALSE(points[2].order) << "16 and 32 are missing";
+  EXPECT_EQ(
+      lawOfPaths(points).english(),
+      "From 4 to 64 paths a pixel the error (RMS) falls as their number to the power of −0.5; the law of "
+      "chance is −0.5. A quarter of it, 1 instead of 4 levels, takes 16 times as many paths and as long: "
+      "1024 paths, 26 s.");
+  EXPECT_TRUE(lawOfPaths({points[0]}).empty());
+  EXPECT_TRUE(lawOfPaths({measured(1, 8, 10), measured(0.5, 2, 20)}).empty());
+  // 20 levels (99.9th percentile) at 64 paths: 5 take 16 times as many, and four times the time halves them.
+  const auto within = pathsWithinLevels(points, 5.0);
+  ASSERT_TRUE(within);
+  EXPECT_DOUBLE_EQ(within->paths, 1024.0);
+  EXPECT_DOUBLE_EQ(within->ms, 25600.0);
+  const auto inTime = pathsWithinMs(points, 6400.0);
+  ASSERT_TRUE(inTime);
+  EXPECT_DOUBLE_EQ(inTime->levels, 10.0);
+  EXPECT_EQ(
+      wishWithinLevels(points, 5.0),
+      "By the law of 1/√n 1024 paths a pixel take 25.6 s and lie within 5.00 levels (99.9th percentile of "
+      "the standard error).");
+  EXPECT_FALSE(pathsWithinLevels({measured(1, 8, 10)}, 1.0));
+  EXPECT_EQ(familyOf(points[0].point), "random paths");
+  EXPECT_EQ(stepOf(points[0].point), "4 paths");
+  EXPECT_EQ(atPoint({}, points[0].point).quality.paths, 4);
 }
 
 TEST(OperatingPoint, namesItsFamilyAndStep) {

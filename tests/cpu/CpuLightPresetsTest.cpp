@@ -26,6 +26,7 @@ TEST(CpuLightPresets, keepTheBrightnessOfAHead) {
   for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
     Scene scene = headScene(phantomVolume({.spacingMm = 2.0}), model);
     scene.shading.specular = 0.2; // as the built-in presets have it
+    scene.shading.physical.until = UntilPaths{32};
     const double headlight = brightnessOf(scene);
     for (const LightPreset preset : lightPresets) {
       Scene lit = scene;
@@ -37,6 +38,27 @@ TEST(CpuLightPresets, keepTheBrightnessOfAHead) {
       EXPECT_NEAR(ratio, 1.0, 0.22);
     }
   }
+}
+
+TEST(CpuLightPresets, physicalLightBringsItsModelAndTakesItAlong) {
+  Shading shading;
+  shading.model = ShadingModel::robust;
+  shading.physical.density = 3.0; // tissue, not light
+  const Shading physical = withLight(shading, LightPreset::physical);
+  EXPECT_EQ(physical.model, ShadingModel::physical);
+  EXPECT_EQ(physical.physical.density, 3.0);
+  EXPECT_EQ(lightPresetOf(physical), LightPreset::physical);
+  Shading exposed = physical;
+  exposed.physical.exposureEv += 1.0;
+  EXPECT_EQ(lightPresetOf(exposed), LightPreset::physical);
+  exposed.physical.keyRadiusDeg = 30.0;
+  EXPECT_NE(lightPresetOf(exposed), LightPreset::physical);
+  // Its lamp is the studio's.
+  Shading robust = physical;
+  robust.model = ShadingModel::robust;
+  EXPECT_EQ(lightPresetOf(robust), LightPreset::studio);
+  EXPECT_EQ(withLight(physical, LightPreset::headlight).model, Shading().model);
+  EXPECT_EQ(withLight(shading, LightPreset::overcast).model, ShadingModel::robust);
 }
 
 TEST(CpuLightPresets, theHeadlightIsTodaysLight) {

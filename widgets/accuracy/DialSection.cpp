@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/DialSection.h"
 
+#include "scene/effects/EffectPlan.h"
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/PointUse.h"
 #include "widgets/accuracy/StopSlider.h"
@@ -31,6 +32,8 @@ QString stopName(const OperatingPoint& point) {
 // The stops halve the step, so logarithms lie evenly between them; beyond the smallest step lies the exact
 // end, and between the two what is exact to more levels than that end.
 double placeOf(const Quality& quality, const std::vector<OperatingPoint>& stops) {
+  if (stops.empty())
+    return 0.0;
   const double last = static_cast<double>(stops.size()) - 1.0;
   if (quality.toleranceLevels) {
     const double least = stops.back().toleranceLevels.value_or(*quality.toleranceLevels);
@@ -58,9 +61,10 @@ QLabel* endLabel(const QString& text) {
 } // namespace
 
 DialSection::DialSection(QWidget* parent)
-    : FoldingSection(tr("Faster or closer to exact"), parent), m_dial(new StopSlider), m_sentence(new QLabel),
-      m_note(new QLabel), m_work(new WorkRow(tr("Finding the steps"))) {
-  auto* block = new QVBoxLayout;
+    : FoldingSection(tr("Faster or closer to exact"), parent), m_scale(new QWidget), m_dial(new StopSlider),
+      m_sentence(new QLabel), m_note(new QLabel), m_work(new WorkRow(tr("Finding the steps"))) {
+  auto* block = new QVBoxLayout(m_scale);
+  block->setContentsMargins(0, 0, 0, 0);
   block->setSpacing(4);
   block->addWidget(new QLabel(tr("Picture at rest")));
   auto* ends = new QHBoxLayout;
@@ -69,7 +73,7 @@ DialSection::DialSection(QWidget* parent)
   ends->addWidget(endLabel(tr("Exact")));
   block->addLayout(ends);
   block->addWidget(m_dial);
-  contents()->addLayout(block);
+  contents()->addWidget(m_scale);
   m_dial->setAccessibleName(tr("Faster or closer to exact"));
   m_dial->setToolTip(
       tr("<p>How far apart the samples along a ray lie while nothing moves: to the left the picture is there "
@@ -109,6 +113,7 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
   showStops(measured);
   m_dial->setPlace(placeOf(scene.quality, m_points));
   m_dial->setEnabled(scene.volume != nullptr);
+  m_scale->setVisible(!m_points.empty());
   QString sentence = sentenceFor(scene, measured);
   if (measured && onScreen && onScreen != pointOf(scene, steepest))
     sentence += QLatin1Char(' ') + refinedText(*onScreen, measured->report);
@@ -119,7 +124,9 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
   m_note->setText(
       (averages ? tr("The dial's steps average the curve between samples; the chart has them without, too. ")
                 : QString()) +
-      (scene.quality.toleranceLevels ? QString() : tr("From there it refines while nothing moves. ")) +
+      (scene.quality.toleranceLevels || m_points.empty()
+           ? QString()
+           : tr("From there it refines while nothing moves. ")) +
       tr("A level is the smallest step of brightness on a screen, of 255."));
 }
 
@@ -145,6 +152,10 @@ void DialSection::showStops(const MeasuredAccuracy* measured) {
 QString DialSection::sentenceFor(const Scene& scene, const MeasuredAccuracy* measured) const {
   if (!scene.volume)
     return tr("Open a volume to choose.");
+  if (isPhysical(scene))
+    return tr(
+        "Physical light gets twice and twice as many paths while nothing moves. How many a saved picture "
+        "has stands among the properties.");
   const std::optional<OperatingPoint> point = pointOf(scene, measured ? measured->steepestPerMm : 0.0);
   if (!point)
     return tr("With blurred steps (jitter) no error is measured.");

@@ -42,6 +42,7 @@ private:
   QString sentenceFor(const Scene& scene, const MeasuredAccuracy* measured) const;
 
   std::vector<OperatingPoint> m_points; ///< one per stop
+  QWidget* m_scale;                     ///< the dial and its ends, hidden where there is nothing to choose
   StopSlider* m_dial;
   QLabel* m_sentence;
   QLabel* m_note; ///< how the dial's steps are taken, and what a level is

@@ -19,6 +19,15 @@ QString sentenceOf(const ComparedPicture& compared) {
     return MapSection::tr("Not converged: the exact picture still changes with finer steps, so there is "
                           "nothing to compare with.");
   const QString name = pointText(compared.point);
+  if (compared.reference.isByChance)
+    return MapSection::tr(
+               "%1, at %2 × %3 pixels: the standard error of 999 of 1000 colour values is at most %4 "
+               "levels of 255; that of %5 % of the pixels is more than one.")
+        .arg(name)
+        .arg(compared.map.size.x)
+        .arg(compared.map.size.y)
+        .arg(promisedLevels(compared.error.p99_9),
+             plainNumber(100.0 * compared.error.shareOverOne, compared.error.shareOverOne < 0.1 ? 2 : 0));
   return MapSection::tr("%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of "
                         "255; %5 % of the pixels are off by more than one.")
       .arg(name.left(1).toUpper() + name.mid(1))

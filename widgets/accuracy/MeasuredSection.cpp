@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/MeasuredSection.h"
 
+#include "accuracy/sweep/FigureText.h"
+#include "widgets/Translated.h"
 #include "widgets/accuracy/AccuracyChart.h"
 #include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/ChoiceRow.h"
@@ -126,6 +128,8 @@ void MeasuredSection::showSummary() {
     how += QLatin1Char(' ') + tr("Times are scaled from there to the %1 × %2 pixels on screen.")
                                   .arg(m_timedSize.x)
                                   .arg(m_timedSize.y);
+  if (const Message law = lawOfPaths(m_report.points); !law.empty())
+    how += QLatin1Char(' ') + translated(law);
   switch (m_relation) {
   case MeasuredFor::thisPicture:
     m_summary->setText(how);

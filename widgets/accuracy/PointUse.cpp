@@ -104,9 +104,14 @@ MeasuredAccuracy timedFor(MeasuredAccuracy measured, const glm::ivec2& size) {
 }
 
 std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm) {
+  OperatingPoint point;
+  if (isPhysical(scene)) {
+    point.paths = scene.quality.paths.value_or(pathsOf(scene.shading.physical.until));
+    point.stepVoxels = scene.quality.stepVoxels;
+    return point;
+  }
   if (scene.quality.jitter)
     return std::nullopt;
-  OperatingPoint point;
   // Under a tolerance neither the step nor pre-integration matters, and where rays end comes with it.
   point.toleranceLevels = scene.quality.toleranceLevels;
   if (point.toleranceLevels)
@@ -119,6 +124,8 @@ std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm) 
 
 std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm) {
   std::vector<OperatingPoint> points;
+  if (isPhysical(scene))
+    return points;
   points.reserve(dialSteps.size() + 1);
   for (const double step : dialSteps)
     points.push_back(*pointOf(withStep(scene, step), steepestPerMm));
@@ -151,7 +158,7 @@ std::vector<OperatingPoint> pointsToMeasure(const Scene& scene, double steepestP
 }
 
 bool isOfTheWindow(const OperatingPoint& point) {
-  return point.rival.empty() && point.engine == Engine::rayCaster &&
+  return point.rival.empty() && !point.paths && point.engine == Engine::rayCaster &&
          point.gradients == GradientSource::onTheFly && point.imageScale == 1.0;
 }
 
@@ -176,7 +183,8 @@ bool holdsFor(const Scene& measured, const Scene& shown) {
 
 std::optional<double> levelsMeasuredOf(const Scene& shown, const MeasuredAccuracy& measured) {
   const ReferenceFacts& reference = measured.report.reference;
-  if (!reference.converged || !holdsFor(measured.scene, shown) || measured.scene.camera != shown.camera)
+  if (!reference.converged || reference.isByChance || !holdsFor(measured.scene, shown) ||
+      measured.scene.camera != shown.camera)
     return std::nullopt;
   const std::optional<OperatingPoint> point = pointOf(shown, measured.steepestPerMm);
   const std::optional<std::size_t> index = point ? indexOf(*point, measured.report.points) : std::nullopt;
@@ -204,6 +212,9 @@ QString pointErrorText(const MeasuredPoint& point, const ReferenceFacts& referen
 }
 
 QString pointText(const OperatingPoint& point) {
+  if (point.paths)
+    return *point.paths == 1 ? QObject::tr("1 path a pixel")
+                             : QObject::tr("%1 paths a pixel").arg(*point.paths);
   QString text = point.toleranceLevels ? toleranceText(*point.toleranceLevels) : stepText(point.stepVoxels);
   if (point.preintegrated)
     text += QObject::tr(", curve averaged");
@@ -211,6 +222,8 @@ QString pointText(const OperatingPoint& point) {
 }
 
 QString familyText(const OperatingPoint& point) {
+  if (point.paths)
+    return QObject::tr("random paths");
   if (!isOfTheWindow(point))
     return QString::fromStdString(familyOf(point));
   const QString steps = point.toleranceLevels ? QObject::tr("steps by error") : QObject::tr("equal steps");
@@ -229,7 +242,7 @@ QString pointToolTip(const MeasuredPoint& point, const AccuracyReport& report) {
   const ReferenceFacts& reference = report.reference;
   const double least = leastP99_9(reference);
   QString rows;
-  if (!point.point.toleranceLevels)
+  if (!point.point.toleranceLevels && !point.point.paths)
     rows +=
         row(QObject::tr("Step"), QObject::tr("%1 voxels = %2 mm")
                                      .arg(plainNumber(point.point.stepVoxels, 4),

@@ -24,7 +24,7 @@ struct MeasuredAccuracy {
 MeasuredAccuracy timedFor(MeasuredAccuracy measured, const glm::ivec2& size);
 
 /// The points that the dial offers, from fast to exact, with everything but the step as the scene has it. The
-/// last one has error-controlled steps where the projection integrates.
+/// last one has error-controlled steps where the projection integrates. None of physical light.
 std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm);
 
 /// The points that the window measures for a scene: those of its dial, another tolerance or finer steps, and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/WishSection.h"
 
+#include "accuracy/sweep/FigureText.h"
+#include "widgets/ValueText.h"
 #include "widgets/accuracy/PointUse.h"
 #include "widgets/controls/NumberField.h"
 
@@ -10,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace limn {
@@ -21,6 +24,15 @@ std::vector<MeasuredPoint> pointsOfTheWindow(const AccuracyReport& report) {
   std::copy_if(report.points.begin(), report.points.end(), std::back_inserter(points),
                [](const MeasuredPoint& point) { return isOfTheWindow(point.point); });
   return points;
+}
+
+// Paths go on while nothing moves: there is nothing to choose, but it is told what to expect.
+QString expectationOf(const PathsNeeded& needed) {
+  return WishSection::tr(
+             "By the law of chance: %1 paths a pixel, %2 s, within %3 levels. The picture goes on "
+             "by itself while nothing moves.")
+      .arg(std::llround(std::ceil(needed.paths)))
+      .arg(plainNumber(1e-3 * needed.ms, 1), promisedLevels(needed.levels));
 }
 
 // `best` keeps the wish, `closest` is what to tell where nothing does.
@@ -37,6 +49,8 @@ WishAnswer answerOf(const AccuracyReport& report, const MeasuredPoint* best, con
 } // namespace
 
 WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
+  if (const auto needed = pathsWithinLevels(report.points, levels))
+    return {std::nullopt, expectationOf(*needed)};
   if (!report.reference.converged)
     return {std::nullopt,
             WishSection::tr("The exact picture has not converged, so no error is known. A limit "
@@ -52,6 +66,8 @@ WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
 }
 
 WishAnswer wishForMs(const AccuracyReport& report, double ms) {
+  if (const auto needed = pathsWithinMs(report.points, ms))
+    return {std::nullopt, expectationOf(*needed)};
   const std::vector<MeasuredPoint> points = pointsOfTheWindow(report);
   const auto fastest = std::ranges::min_element(
       points, [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.ms.median < b.ms.median; });

@@ -16,6 +16,14 @@
 
 namespace limn {
 
+/// Of a picture of physical light, how many paths each pixel has, and their standard error, levels RMS;
+/// absent where there are too few to tell.
+struct PanelPaths {
+  int paths = 0;
+  std::optional<double> rmsLevels;
+  bool operator==(const PanelPaths&) const = default;
+};
+
 /// One picture of a figure: a scene, or a slice of its volume.
 struct FigurePanel {
   QString name;
@@ -27,7 +35,8 @@ struct FigurePanel {
   std::vector<Measurement> measurements = {};
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
-  bool isAim = false;    ///< it is what the drawing goes for; what it reached is known afterwards
+  std::optional<PanelPaths> paths{}; ///< of physical light, which tells its error itself
+  bool isAim = false;                ///< it is what the drawing goes for; what it reached is known afterwards
   bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated
   bool operator==(const FigurePanel&) const = default;
 };

@@ -31,7 +31,7 @@ QString accuracyNote(const Figure& figure) {
   QStringList told;
   QStringList errors;
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
-    if (const auto& levels = figure.panels[i].errorLevels) {
+    if (const auto& levels = figure.panels[i].errorLevels; levels && !figure.panels[i].paths) {
       errors << promisedLevels(*levels);
       told << QStringLiteral("%1 (%2)").arg(errors.back(), panelLetter(i));
     }
@@ -65,12 +65,24 @@ QStringList remarksOn(const FigurePanel& panel) {
   return texts;
 }
 
-QStringList regionNotes(const Figure& figure) {
+// Of physical light its paths and what they differ by.
+QStringList pathsOn(const FigurePanel& panel) {
+  if (panel.plane || !panel.paths)
+    return {};
+  if (!panel.paths->rmsLevels)
+    return {QObject::tr("Random paths: %1 a pixel").arg(panel.paths->paths)};
+  return {QObject::tr("Random paths: %1 a pixel, standard error %2 of 255 levels RMS")
+              .arg(panel.paths->paths)
+              .arg(promisedLevels(*panel.paths->rmsLevels))};
+}
+
+// Of each panel, once for those of which the same is said.
+QStringList notesOn(const Figure& figure, QStringList (*textsOn)(const FigurePanel& panel)) {
   QStringList notes;
   for (const FigurePanel& panel : figure.panels)
-    for (const QString& text : remarksOn(panel)) {
+    for (const QString& text : textsOn(panel)) {
       const QString where =
-          lettersWhere(figure, [&](const FigurePanel& other) { return remarksOn(other).contains(text); });
+          lettersWhere(figure, [&](const FigurePanel& other) { return textsOn(other).contains(text); });
       const QString note =
           where.isEmpty() ? QObject::tr("%1.").arg(text) : QObject::tr("%1 (%2).").arg(text, where);
       if (!notes.contains(note))
@@ -135,9 +147,9 @@ QString notesOf(const Figure& figure) {
   const FigureSettings& settings = figure.settings;
   QStringList notes;
   if (settings.shows(FigureMark::accuracy))
-    notes << accuracyNote(figure);
+    notes << accuracyNote(figure) << notesOn(figure, pathsOn);
   if (settings.shows(FigureMark::region))
-    notes << regionNotes(figure);
+    notes << notesOn(figure, remarksOn);
   if (settings.shows(FigureMark::scaleBar) && std::ranges::any_of(figure.panels, isInPerspective)) {
     const QString where = lettersWhere(figure, isInPerspective);
     notes << (where.isEmpty()

@@ -11,6 +11,7 @@
 #include "widgets/shading/GradientSection.h"
 #include "widgets/shading/LightSection.h"
 #include "widgets/shading/ModelSection.h"
+#include "widgets/shading/PhysicalSection.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>
@@ -96,11 +97,11 @@ ValueSlider* QualitySection::addNumber(ValueSlider* slider, double Quality::*mem
 
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : SectionPanel(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
-      m_light(new LightSection), m_sections({m_model, new GradientSection, m_light}),
+      m_light(new LightSection), m_sections({m_model, new GradientSection, m_light, new PhysicalSection}),
       m_use(m_sections.size()), m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection),
       m_measures(new MeasureSection), m_fog(new FogSection), m_quality(new QualitySection) {
-  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_cuts, m_labels, m_measures,
-         m_fog, m_quality});
+  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_sections[3], m_crop, m_cuts, m_labels,
+         m_measures, m_fog, m_quality});
   // What is needed most stands open; the rest waits folded.
   m_sections[1]->setFolded(true);
   foldUnused();
@@ -110,9 +111,13 @@ PropertiesPanel::PropertiesPanel(QWidget* parent)
 void PropertiesPanel::connectSections() {
   for (ShadingSection* section : m_sections)
     connect(section, &ShadingSection::shadingEdited, this,
-            [this](const Shading& shading, const Gesture& gesture) {
+            [this, section](const Shading& shading, const Gesture& gesture) {
+              const ShadingModel before = m_scene.shading.model;
+              m_scene.shading = shading;
               setShading(shading);
               emit shadingEdited(shading, gesture);
+              if (shading.model != before && section == m_light)
+                chooseModelOfSide(shading.model);
             });
   connect(m_model, &ModelSection::sideModelChosen, this, &PropertiesPanel::modelChosen);
   connect(m_quality, &QualitySection::qualityEdited, this, &PropertiesPanel::qualityEdited);
@@ -126,6 +131,12 @@ void PropertiesPanel::connectSections() {
       m_measures, &MeasureSection::begun, this, [this] { ensureWidgetVisible(m_measures); },
       Qt::QueuedConnection);
   connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);
+}
+
+// A light that comes with its model shows at the right of a comparison, which has models of its own.
+void PropertiesPanel::chooseModelOfSide(ShadingModel model) {
+  if (m_models.size() == 2)
+    emit modelChosen(1, model == ShadingModel::physical ? model : ShadingModel::enhanced);
 }
 
 void PropertiesPanel::setScene(const Scene& scene) {

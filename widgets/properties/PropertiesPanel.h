@@ -84,6 +84,7 @@ signals:
 
 private:
   void connectSections();
+  void chooseModelOfSide(ShadingModel model);
   void showModels();
   void setUnused(std::size_t section, const QString& reason);
 

@@ -87,14 +87,16 @@ GradientSection::GradientSection(QWidget* parent) : ShadingSection(tr("Boundarie
 }
 
 QString GradientSection::unusedBecause() const {
-  return shows({ShadingModel::enhanced, ShadingModel::robust}) ? QString() : tr("unused: not in this model");
+  return shows({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical})
+             ? QString()
+             : tr("unused: not in this model");
 }
 
 void GradientSection::addReference() {
   m_reference =
       new ChoiceRow(tr("Full effect at"),
                     tr("Which boundary counts as the strongest; \"automatic\" is the largest for "
-                       "enhanced and the 99.5th percentile for robust."),
+                       "enhanced and the 99.5th percentile for robust and physical."),
                     {tr("Automatic"), tr("Strongest boundary"), tr("Percentile"), tr("Number")}, automatic);
   m_percent = new ValueSlider(percentSpec());
   m_fixed = new ValueSlider(fixedSpec());
@@ -129,7 +131,7 @@ void GradientSection::addCurve() {
 }
 
 void GradientSection::addRobustExtras() {
-  auto* heading = new QLabel(tr("Robust only"));
+  auto* heading = new QLabel(tr("Highlights and limits"));
   heading->setForegroundRole(QPalette::PlaceholderText);
   contents()->addWidget(heading);
   m_energyHelp = tr("<p>Dims broad highlights so that sharp and broad ones carry the same light.</p><p>On or "
@@ -194,17 +196,20 @@ void GradientSection::showRobustExtras() {
       shows({ShadingModel::robust}) ? QString() : tr("Only the robust model does this, and it is not shown.");
   limn::setUnavailable(*m_energy, reason, m_energyHelp);
   limn::setUnavailable(*m_significanceOn, reason, m_significanceHelp);
-  limn::setUnavailable(*m_kneeOn, reason, m_kneeHelp);
   const QString off = tr("Switch the line above on first.");
   m_significance->setUnavailable(shown.significance ? reason : off);
-  m_knee->setUnavailable(shown.knee ? reason : off);
+  const QString unlimited = shows({ShadingModel::robust, ShadingModel::physical})
+                                ? QString()
+                                : tr("Only the robust and physical models do this, and none is shown.");
+  limn::setUnavailable(*m_kneeOn, unlimited, m_kneeHelp);
+  m_knee->setUnavailable(shown.knee ? unlimited : off);
 }
 
 void GradientSection::showShading() {
   const QString reason =
-      shows({ShadingModel::enhanced, ShadingModel::robust})
+      shows({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical})
           ? QString()
-          : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
+          : tr("Only the enhanced, robust and physical models follow boundaries, and none is shown.");
   for (ChoiceRow* row : {m_reference, m_curve})
     row->setUnavailable(reason);
   for (ValueSlider* slider : {m_percent, m_fixed, m_curveParameter})

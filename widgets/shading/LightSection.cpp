@@ -87,9 +87,9 @@ void LightSection::setCamera(const Camera& camera) {
 
 // The last choice is that of a light of one's own, which nobody can choose.
 void LightSection::addPresets() {
-  m_preset =
-      new ChoiceRow(tr("Light"), tr("A whole light in one go; the picture keeps its brightness."),
-                    {tr("Headlight"), tr("Studio"), tr("Soft studio"), tr("Overcast"), tr("My own")}, 0);
+  m_preset = new ChoiceRow(
+      tr("Light"), tr("A whole light in one go; the picture keeps its brightness."),
+      {tr("Headlight"), tr("Studio"), tr("Soft studio"), tr("Overcast"), tr("Physical"), tr("My own")}, 0);
   auto* model = qobject_cast<QStandardItemModel*>(m_preset->box()->model());
   model->item(static_cast<int>(lightPresets.size()))->setEnabled(false);
   contents()->addWidget(m_preset);
@@ -273,14 +273,16 @@ void LightSection::showShading() {
 
   const bool lit = shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust});
   const bool hasPaths = shows({ShadingModel::physical});
-  const QString unlit = lit        ? QString()
-                        : hasPaths ? tr("Physical light has strengths and highlights of its own.")
-                                   : tr("The unlit model uses no light.");
+  const QString unlit = lit ? QString()
+                        : hasPaths
+                            ? tr("Physical light has its own strengths: they lie in the section below.")
+                            : tr("The unlit model uses no light.");
   for (const auto& [slider, member] : m_numbers)
     slider->setUnavailable(unlit);
-  for (ChoiceRow* row : {m_preset, m_reflection, m_highlightColor})
+  for (ChoiceRow* row : {m_reflection, m_highlightColor})
     row->setUnavailable(unlit);
   const QString nowhere = hasPaths ? QString() : unlit;
+  m_preset->setUnavailable(nowhere);
   m_place->setUnavailable(nowhere);
   limn::setUnavailable(*m_twoSided, unlit, m_twoSidedHelp);
   m_ball->setUnavailable(nowhere);

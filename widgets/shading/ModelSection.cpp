@@ -131,7 +131,8 @@ void ModelSection::showShading() {
       shows({ShadingModel::enhanced, ShadingModel::robust})
           ? QString()
           : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
-  m_exponentRange->setUnavailable(noRange);
+  // The highlights of physical surfaces have the same range.
+  m_exponentRange->setUnavailable(shows({ShadingModel::physical}) ? QString() : noRange);
   m_opacityRange->setUnavailable(noRange);
   const bool isLiteral = shading() == asInThePaper(shading());
   m_literal->setEnabled(noRange.isEmpty() && !isLiteral);

@@ -2,6 +2,8 @@
 #include "app/core/drawing/PathDrawing.h"
 
 #include "scene/ProjectionFacts.h"
+#include "scene/basics/Error.h"
+#include "scene/basics/MemoryBudget.h"
 #include "scene/effects/EffectPlan.h"
 
 #include <algorithm>
@@ -32,8 +34,23 @@ double wayTo(const Until& until, const PathFigures& figures, double seconds) {
   return figures.rmsLevels ? std::min(1.0, std::pow(wanted / std::max(*figures.rmsLevels, 1e-9), 2.0)) : 0.0;
 }
 
+// Beside the picture itself.
+void requireMemoryForPaths(const glm::ivec2& size) {
+  const double needed = double(size.x) * size.y * sizeof(cpu::PixelPaths);
+  const std::optional<std::uint64_t> free = freeMemory();
+  if (!free || needed <= static_cast<double>(*free))
+    return;
+  throw Error(
+      Error::Kind::other,
+      Message::tr("A picture of physical light of %1 × %2 pixels keeps %3 GB of what its paths find, and "
+                  "%4 GB of memory are free; choose a smaller one or close other programs.")
+          .arg(size.x)
+          .arg(size.y)
+          .arg(Message::fixed(1e-9 * needed, 1), Message::fixed(1e-9 * static_cast<double>(*free), 1)));
+}
+
 Message levelsOfError(double levels) {
-  return Message::rounded(levels, 2);
+  return levels < 10.0 ? Message::rounded(levels, 2) : Message::fixed(levels, 0);
 }
 
 } // namespace
@@ -57,9 +74,12 @@ int nextPaths(const Until& until, const PathFigures& figures, double seconds) {
 
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
                           const Effort& effort) {
-  const Until& until = scene.shading.physical.until;
+  const Until until =
+      scene.quality.paths ? Until(UntilPaths{*scene.quality.paths}) : scene.shading.physical.until;
   const auto begin = std::chrono::steady_clock::now();
+  requireMemoryForPaths(size);
   Scene pass = scene;
+  pass.quality.paths.reset();
   DrawnByPaths drawn;
   for (int next = nextPaths(until, {}, 0.0); next > drawn.figures.paths;) {
     pass.shading.physical.until = UntilPaths{next};
@@ -77,17 +97,17 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
   return drawn;
 }
 
+Message sentenceOf(const PathFigures& figures) {
+  if (!figures.rmsLevels || !figures.p99_9Levels)
+    return Message::tr("The picture has %1 paths a pixel, too few to tell its error.").arg(figures.paths);
+  return Message::tr("The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours "
+                     "within %2 (standard error), after %3 paths a pixel.")
+      .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
+      .arg(figures.paths);
+}
+
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene) {
-  std::vector<Message> notes;
-  if (figures.rmsLevels && figures.p99_9Levels)
-    notes.push_back(
-        Message::tr("The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours "
-                    "within %2 (standard error), after %3 paths a pixel.")
-            .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
-            .arg(figures.paths));
-  else
-    notes.push_back(
-        Message::tr("The picture has %1 paths a pixel, too few to tell its error.").arg(figures.paths));
+  std::vector<Message> notes{sentenceOf(figures)};
   if (fogShows(scene))
     notes.push_back(Message::tr("Physical light knows no fog: it was left out."));
   if (showsSurface(scene.projection))

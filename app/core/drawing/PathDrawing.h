@@ -20,15 +20,20 @@ struct DrawnByPaths {
   double seconds = 0.0;
 };
 
-/// Draws a scene of physical light until its paths, levels or seconds are reached (DEFINITION section 12): in
+/// Draws a scene of physical light until its paths, levels or seconds are reached (DEFINITION section 12), or
+/// as many paths as its quality says: in
 /// passes that grow, each of which goes on from the last. A picture that takes longer for its first pass than
-/// it has seconds has that pass. Throws Error; Cancelled.
+/// it has seconds has that pass. Throws Error, also where
+/// the memory that is free does not hold what paths find (64 bytes a pixel); Cancelled.
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
                           const Effort& effort);
 
 /// How many paths a picture has that takes its next pass, given those it has, the error and time of them; the
 /// same number where it is complete.
 int nextPaths(const Until& until, const PathFigures& figures, double seconds);
+
+/// How many paths a picture has and its standard error, one sentence.
+Message sentenceOf(const PathFigures& figures);
 
 /// What whoever asked is told of it, a sentence each: paths and error, and what of the scene was left out.
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene);

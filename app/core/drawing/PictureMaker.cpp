@@ -126,6 +126,7 @@ void putInto(DrawnByPaths made, MadePicture& picture) {
   picture.pathSeconds = made.seconds;
   picture.radiance = std::move(made.radiance);
   picture.scene.shading.physical.until = UntilPaths{made.figures.paths};
+  picture.scene.quality.paths.reset();
   for (const Message& note : notesOf(made.figures, picture.scene))
     picture.notes.push_back(note);
 }
@@ -260,6 +261,10 @@ std::vector<Message> remarksOf(const MadePicture& picture) {
   if (!picture.steps.empty())
     remarks.insert(remarks.begin(), picture.steps);
   return remarks;
+}
+
+std::string exactnessOf(const MadePicture& picture) {
+  return picture.paths ? sentenceOf(*picture.paths).english() : std::string();
 }
 
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,

@@ -38,6 +38,9 @@ struct MadePicture {
 /// Everything that a picture tells, a sentence each.
 std::vector<Message> remarksOf(const MadePicture& picture);
 
+/// How exact a picture of physical light is by its own paths, one sentence of ASCII; empty of any other.
+std::string exactnessOf(const MadePicture& picture);
+
 /// How pictures are drawn.
 struct MakingOptions {
   std::optional<Engine> engine; ///< absent: the ray caster or the CPU engine, whichever is faster and there

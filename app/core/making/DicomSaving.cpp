@@ -23,9 +23,11 @@ SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const Di
 }
 
 std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,
-                                 const Image& picture, const SeriesImages& series, bool isAnonymous) {
-  const DicomObjects objects = dicomObjectsOf(
-      scene, {series, bytesOverBackground(picture, scene.image.background), LIMN_VERSION, isAnonymous});
+                                 const Image& picture, const SeriesImages& series, bool isAnonymous,
+                                 const std::string& remark) {
+  const DicomObjects objects =
+      dicomObjectsOf(scene, {series, bytesOverBackground(picture, scene.image.background), LIMN_VERSION,
+                             remark, isAnonymous});
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure)

@@ -18,8 +18,10 @@ SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const Di
                          std::optional<int> series, const Progress& progress);
 
 /// Writes scene and picture into a folder, which is made, as `look.dcm`, `picture.dcm` and maybe
-/// `segments.dcm`; returns what other programs do not find in the look, a sentence each. Throws Error.
+/// `segments.dcm`; `remark`, which may be empty, tells there how exact the picture is. Returns what other
+/// programs do not find in the look, a sentence each. Throws Error.
 std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,
-                                 const Image& picture, const SeriesImages& series, bool isAnonymous);
+                                 const Image& picture, const SeriesImages& series, bool isAnonymous,
+                                 const std::string& remark = {});
 
 } // namespace limn

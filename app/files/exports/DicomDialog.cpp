@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/exports/DicomDialog.h"
 
+#include "app/core/drawing/PathDrawing.h"
 #include "app/core/making/DicomSaving.h"
 #include "app/document/DocumentText.h"
 #include "io/looks/dicom/Losses.h"
@@ -143,11 +144,14 @@ void DicomDialog::save() {
              const SeriesImages images = shownSeries(source, dicom, series, reading);
              MakingOptions told = order;
              told.effort = effort;
+             QString said;
              makeEach({scene}, {scene.image.width, scene.image.height}, told,
                       [&](std::size_t, const MadePicture& picture) {
-                        saveToDicom(path, scene, picture.image, images, isAnonymous);
+                        saveToDicom(path, scene, picture.image, images, isAnonymous, exactnessOf(picture));
+                        if (picture.paths)
+                          said = QLatin1Char(' ') + translated(sentenceOf(*picture.paths));
                       });
-             return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
+             return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()) + said};
            });
 }
 

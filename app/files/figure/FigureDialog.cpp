@@ -8,6 +8,7 @@
 #include "app/files/saving/SavingController.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/figure/FigureText.h"
@@ -45,6 +46,7 @@ constexpr double exactLevels = 0.5;
 FigurePanel asDrawn(FigurePanel panel) {
   panel.name.clear();
   panel.errorLevels.reset();
+  panel.paths.reset();
   panel.isStated = panel.isAim = false;
   return panel;
 }
@@ -364,7 +366,9 @@ void FigureDialog::drawPreview(double share) {
 // The last that is found out; until then the figure says nothing of it.
 void FigureDialog::estimatePreview(const Figure& figure) {
   const Figure known = withKnownErrors(figure);
-  const auto isKnown = [](const FigurePanel& panel) { return panel.plane || panel.errorLevels; };
+  const auto isKnown = [](const FigurePanel& panel) {
+    return panel.plane || panel.errorLevels || isPhysical(panel.scene);
+  };
   if (!figure.settings.shows(FigureMark::accuracy) || std::ranges::all_of(known.panels, isKnown))
     return;
   m_work.start(
@@ -379,7 +383,7 @@ void FigureDialog::estimatePreview(const Figure& figure) {
 
 Figure FigureDialog::withKnownErrors(Figure figure) const {
   for (FigurePanel& panel : figure.panels) {
-    if (panel.plane)
+    if (panel.plane || isPhysical(panel.scene))
       continue;
     const auto known = std::ranges::find_if(
         m_estimated, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });

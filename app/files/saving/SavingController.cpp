@@ -2,6 +2,7 @@
 #include "app/files/saving/SavingController.h"
 
 #include "app/asking/FileDialogs.h"
+#include "app/core/drawing/PathDrawing.h"
 #include "app/core/drawing/PictureMaker.h"
 #include "app/document/DocumentText.h"
 #include "app/document/PrivateNames.h"
@@ -26,6 +27,10 @@ namespace {
 
 // What chance says of the pictures on screen, of the worse of two; absent until it does.
 std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
+  if (state.sides.size() == 1 && state.sides.front().paths && state.sides.front().paths->p99_9Levels) {
+    const PathFigures& paths = *state.sides.front().paths;
+    return PictureAccuracy{*paths.p99_9Levels, sentenceOf(paths).english()};
+  }
   std::optional<ErrorByChance> worst;
   for (const SideState& side : state.sides) {
     if (!side.chance)

@@ -32,7 +32,9 @@ std::string aligned(const std::vector<Row>& rows) {
 Row rowOf(const MeasuredPoint& point, const AccuracyReport& report) {
   const bool isKnown = report.reference.converged;
   return {familyOf(point.point) + ", " + stepOf(point.point),
-          point.point.toleranceLevels ? "-" : threeDigits(point.point.stepVoxels * report.smallestSpacingMm),
+          point.point.toleranceLevels || point.point.paths
+              ? "-"
+              : threeDigits(point.point.stepVoxels * report.smallestSpacingMm),
           threeDigits(point.ms.median),
           threeDigits(point.ms.least) + " .. " + threeDigits(point.ms.most),
           p99_9Text(point.error, report.reference),

@@ -8,6 +8,31 @@
 namespace limn {
 namespace {
 
+// The point of most paths, whose figures are the surest.
+const MeasuredPoint* mostPathsOf(const std::vector<MeasuredPoint>& points) {
+  const MeasuredPoint* most = nullptr;
+  for (const MeasuredPoint& point : points)
+    if (point.point.paths && point.error.p99_9 > 0.0 && (!most || *point.point.paths > *most->point.paths))
+      most = &point;
+  return most;
+}
+
+// By 1/√n from a point on: `factor` times its paths.
+PathsNeeded scaledPaths(const MeasuredPoint& from, double factor) {
+  return {factor * *from.point.paths, factor * from.ms.median, from.error.p99_9 / std::sqrt(factor)};
+}
+
+// Two digits that count, and none behind the point from 10 on.
+Message briefly(double number) {
+  return number < 10.0 ? Message::rounded(number, 2) : Message::fixed(number, 0);
+}
+
+std::string pathsSentence(const PathsNeeded& needed) {
+  return "By the law of 1/√n " + std::to_string(std::llround(std::ceil(needed.paths))) +
+         " paths a pixel take " + threeDigits(1e-3 * needed.ms) + " s and lie within " +
+         threeDigits(needed.levels) + " levels (99.9th percentile of the standard error).";
+}
+
 std::string sentenceOf(const MeasuredPoint& point) {
   return familyOf(point.point) + ", " + stepOf(point.point) + ": within " + threeDigits(point.error.p99_9) +
          " of 255 levels, " + threeDigits(point.ms.median) + " ms";
@@ -44,6 +69,9 @@ std::string meanText(const ImageError& error, const ReferenceFacts& reference) {
 }
 
 std::string referenceSentence(const ReferenceFacts& reference) {
+  if (reference.isByChance)
+    return "Errors are the standard errors of random paths, told by what paths of one pixel differ by; no "
+           "other picture is needed for them.";
   const std::string step =
       reference.fineness
           ? "with error-controlled steps of fineness " + threeDigits(*reference.fineness)
@@ -60,7 +88,39 @@ std::string referenceSentence(const ReferenceFacts& reference) {
          (reference.isInFloats ? floats : "") + ".";
 }
 
+Message lawOfPaths(const std::vector<MeasuredPoint>& points) {
+  const MeasuredPoint* most = mostPathsOf(points);
+  const MeasuredPoint* fewest = nullptr;
+  for (const MeasuredPoint& point : points)
+    if (point.point.paths && point.error.rms > 0.0 && (!fewest || *point.point.paths < *fewest->point.paths))
+      fewest = &point;
+  if (!most || !fewest || most == fewest)
+    return {};
+  const double power = std::log(fewest->error.rms / most->error.rms) /
+                       std::log(double(*most->point.paths) / *fewest->point.paths);
+  return Message::tr("From %1 to %2 paths a pixel the error (RMS) falls as their number to the power of −%3; "
+                     "the law of chance is −0.5. A quarter of it, %4 instead of %5 levels, takes 16 times as "
+                     "many paths and as long: %6 paths, %7 s.")
+      .arg(*fewest->point.paths)
+      .arg(*most->point.paths)
+      .arg(Message::rounded(power, 2), briefly(most->error.rms / 4.0), briefly(most->error.rms))
+      .arg(16 * *most->point.paths)
+      .arg(briefly(16e-3 * most->ms.median));
+}
+
+std::optional<PathsNeeded> pathsWithinLevels(const std::vector<MeasuredPoint>& points, double levels) {
+  const MeasuredPoint* most = mostPathsOf(points);
+  return most ? std::optional(scaledPaths(*most, std::pow(most->error.p99_9 / levels, 2.0))) : std::nullopt;
+}
+
+std::optional<PathsNeeded> pathsWithinMs(const std::vector<MeasuredPoint>& points, double ms) {
+  const MeasuredPoint* most = mostPathsOf(points);
+  return most ? std::optional(scaledPaths(*most, ms / std::max(most->ms.median, 1e-6))) : std::nullopt;
+}
+
 std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double levels) {
+  if (const auto needed = pathsWithinLevels(points, levels))
+    return pathsSentence(*needed);
   if (const MeasuredPoint* point = fastestWithin(points, levels))
     return "The fastest within " + threeDigits(levels) + " levels: " + sentenceOf(*point) + ".";
   const auto closest = std::ranges::min_element(
@@ -71,6 +131,8 @@ std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double le
 }
 
 std::string wishWithinMs(const std::vector<MeasuredPoint>& points, double ms) {
+  if (const auto needed = pathsWithinMs(points, ms))
+    return pathsSentence(*needed);
   if (const MeasuredPoint* point = mostAccurateWithin(points, ms))
     return "The most accurate in " + threeDigits(ms) + " ms: " + sentenceOf(*point) + ".";
   const auto fastest = std::ranges::min_element(

@@ -19,6 +19,20 @@ std::string threeDigits(double value);
 /// What the exact picture is and how certain, one sentence.
 std::string referenceSentence(const ReferenceFacts& reference);
 
+/// Of points of random paths: how the error fell with their number beside the law of 1/√n, and what a quarter
+/// of it would cost by that. Empty for fewer than two such points.
+Message lawOfPaths(const std::vector<MeasuredPoint>& points);
+
+/// By that law, how many paths of each pixel and how long it takes until 99.9 % of the colours lie within so
+/// many levels; and how many levels a picture that may take so long has. Absent without such a point.
+struct PathsNeeded {
+  double paths = 0.0;
+  double ms = 0.0;
+  double levels = 0.0;
+};
+std::optional<PathsNeeded> pathsWithinLevels(const std::vector<MeasuredPoint>& points, double levels);
+std::optional<PathsNeeded> pathsWithinMs(const std::vector<MeasuredPoint>& points, double ms);
+
 /// What a wish got, one sentence: the point that keeps it, or that none does and what came closest.
 std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double levels);
 std::string wishWithinMs(const std::vector<MeasuredPoint>& points, double ms);

@@ -27,6 +27,11 @@ const char* methodOf(Engine engine) {
   return "double precision";
 }
 
+bool isTwiceAsCoarse(const OperatingPoint& coarse, const OperatingPoint& fine) {
+  return fine.paths ? coarse.paths && *fine.paths == 2 * *coarse.paths
+                    : coarse.stepVoxels == 2.0 * fine.stepVoxels;
+}
+
 // Whether `other` makes a point needless.
 bool beats(const MeasuredPoint& other, const MeasuredPoint& point) {
   const bool isNoWorse = other.error.p99_9 <= point.error.p99_9 && other.ms.median <= point.ms.median;
@@ -44,6 +49,7 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
   scene.quality.toleranceLevels = point.toleranceLevels;
   scene.quality.fineness.reset();
   scene.quality.ownWeights = false;
+  scene.quality.paths = point.paths;
   return scene;
 }
 
@@ -52,6 +58,8 @@ std::string familyOf(const OperatingPoint& point) {
     return point.rival == "vtk-gpu"          ? "VTK's GPU mapper"
            : point.rival == "vtk-fixedpoint" ? "VTK's fixed-point caster"
                                              : point.rival;
+  if (point.paths)
+    return "random paths";
   std::string family = methodOf(point.engine);
   if (point.toleranceLevels)
     family += ", error-controlled";
@@ -68,6 +76,8 @@ std::string familyOf(const OperatingPoint& point) {
 }
 
 std::string stepOf(const OperatingPoint& point) {
+  if (point.paths)
+    return std::to_string(*point.paths) + (*point.paths == 1 ? " path" : " paths");
   if (point.toleranceLevels)
     return "within " + number(*point.toleranceLevels) +
            (*point.toleranceLevels == 1.0 ? " level" : " levels");
@@ -89,8 +99,7 @@ void findOrders(std::vector<MeasuredPoint>& points) {
   for (MeasuredPoint& point : points)
     for (const MeasuredPoint& coarser : points)
       if (!point.point.toleranceLevels && familyOf(coarser.point) == familyOf(point.point) &&
-          coarser.point.stepVoxels == 2.0 * point.point.stepVoxels && point.error.mean > 0.0 &&
-          coarser.error.mean > 0.0)
+          isTwiceAsCoarse(coarser.point, point.point) && point.error.mean > 0.0 && coarser.error.mean > 0.0)
         point.order = std::log2(coarser.error.mean / point.error.mean);
 }
 

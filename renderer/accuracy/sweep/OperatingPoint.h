@@ -25,7 +25,9 @@ struct OperatingPoint {
   double earlyTermination = 0.998;
   GradientSource gradients = GradientSource::onTheFly;
   double imageScale = 1.0; ///< of width and height while drawing, 0 < s ≤ 1; enlarged afterwards
-  std::string rival = {};  ///< another library's renderer that drew it, such as "vtk-gpu"; empty: Limn's
+  /// Of physical light, how many of each pixel: in place of steps, which are then those of its alpha.
+  std::optional<int> paths{};
+  std::string rival = {}; ///< another library's renderer that drew it, such as "vtk-gpu"; empty: Limn's
   bool operator==(const OperatingPoint&) const = default;
 };
 
@@ -36,17 +38,18 @@ Scene atPoint(Scene scene, const OperatingPoint& point);
 /// What stays when only the step or the tolerance changes, in words: a curve of the chart.
 std::string familyOf(const OperatingPoint& point);
 
-/// Step or tolerance in words: "step 1/4" or "within 1 level".
+/// Step, tolerance or paths in words: "step 1/4", "within 1 level" or "64 paths".
 std::string stepOf(const OperatingPoint& point);
 
 /// A point with what it brought and what it took.
 struct MeasuredPoint {
   OperatingPoint point;
-  ImageError error;            ///< to the converged picture
-  Timing ms;                   ///< of a whole picture
-  double peakMb = 0.0;         ///< of memory beyond what was in use before, in which it was drawn
-  std::optional<double> order; ///< log2 of the mean error's ratio to that at twice the step, same family
-  bool isPareto = false;       ///< no other point is at least as fast and at least as accurate
+  ImageError error;    ///< to the converged picture
+  Timing ms;           ///< of a whole picture
+  double peakMb = 0.0; ///< of memory beyond what was in use before, in which it was drawn
+  /// log2 of the mean error's ratio to that at twice the step, or at half the paths, same family.
+  std::optional<double> order;
+  bool isPareto = false; ///< no other point is at least as fast and at least as accurate
   bool operator==(const MeasuredPoint&) const = default;
 };
 
@@ -58,13 +61,15 @@ struct ReferenceFacts {
   double lastChangeLevels = 0.0;  ///< 99.9th percentile of the change by the last halving
   double lastMeanChange = 0.0;    ///< mean of that change, levels
   bool isInFloats = false;        ///< drawn in single precision
+  /// There is none: errors are the standard errors of random paths (DEFINITION section 12).
+  bool isByChance{};
   bool operator==(const ReferenceFacts&) const = default;
 };
 
 /// The points that no other one beats: marks those, by 99.9th percentile and median time.
 void markPareto(std::vector<MeasuredPoint>& points);
 
-/// Fills in the orders within families whose steps halve.
+/// Fills in the orders within families whose steps halve, or whose paths double.
 void findOrders(std::vector<MeasuredPoint>& points);
 
 /// The fastest point whose 99.9th percentile is at most `levels`; null where none is.

@@ -154,7 +154,7 @@ private:
   static constexpr float little = 0.25f;
 
   // The depth that light passes before it meets something.
-  static float depth(PathRandom& random) { return -std::log1p(-random.next()); }
+  static float depth(PathRandom& random) { return -std::log(1.0f - random.next()); } // of multiples of 2⁻²⁴
 
   const PathTerms& m_terms;
   const Medium<T>& m_medium;

@@ -13,7 +13,7 @@ namespace limn::cpu {
 
 /// The texels of the segment of a table that holds x (scene/function/PiecewiseTable).
 inline const glm::vec4* segmentAt(const PiecewiseTable& table, float x) {
-  const float place = std::clamp(std::floor((x - table.domain.x) * table.domain.y), 0.0f, table.domain.z);
+  const float place = std::clamp((x - table.domain.x) * table.domain.y, 0.0f, table.domain.z);
   const glm::vec4& bin = table.bins[static_cast<std::size_t>(place)];
   const std::size_t segment =
       static_cast<std::size_t>(bin.w) + (x >= bin.y ? 1u : 0u) + (x >= bin.z ? 1u : 0u);
@@ -150,8 +150,10 @@ public:
   glm::vec3 gradientAt(const glm::vec3& place) const { return gradientAt(place, m_field.cellAt(place)); }
 
 private:
+  // From a half on 1 - opacity is exact, and its logarithm is had in less time.
   static float extinctionOf(float opacity) {
-    return -std::log1p(-std::min(opacity, static_cast<float>(largestOpacity)));
+    const float limited = std::min(opacity, static_cast<float>(largestOpacity));
+    return limited >= 0.5f ? -std::log(1.0f - limited) : -std::log1p(-limited);
   }
 
   using Cell = typename VoxelField<T>::Cell;

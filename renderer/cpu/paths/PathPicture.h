@@ -23,12 +23,13 @@ struct PixelPaths {
 };
 
 /// A picture of physical light on its way: the same for each number of paths, whatever tiles, passes and
-/// threads brought it there.
+/// threads brought it there. It keeps radiances: exposure and knee say how they are shown, whenever that is
+/// asked for.
 class PathPicture {
 public:
   PathPicture(const Scene& scene, const glm::ivec2& size);
 
-  /// Whether it is that of a scene, however many paths it asks for.
+  /// Whether it is that of a scene, however many paths it asks for and however they are shown.
   bool isOf(const Scene& scene, const glm::ivec2& size) const;
   bool isOfVolume(const Scene& scene) const { return m_scene.volume == scene.volume; }
 
@@ -38,25 +39,39 @@ public:
   void limit(const PixelRect& tile, int paths);
   bool knowsAlpha(const PixelRect& tile) const;
   /// Premultiplied display colours, or linear radiance times alpha.
-  Image displayedTile(const PixelRect& tile) const;
+  Image displayedTile(const PixelRect& tile, const Shading& shading, int threads) const;
   Image radianceTile(const PixelRect& tile) const;
-  PathFigures figures() const;
+  PathFigures figures(const Shading& shading, int threads) const;
+  /// Of each pixel the standard error of the worst of its display colours, 255 levels; less than 0 where
+  /// nothing is covered.
+  std::vector<float> errors(const Shading& shading, int threads) const;
+
+  /// How many paths it goes on from: those that half of the covered pixels have. 0 where one has none.
+  int followed() const;
+  std::size_t bytes() const { return m_pixels.size() * sizeof(PixelPaths); }
 
 private:
-  Scene m_scene; ///< without an end
+  Scene m_scene; ///< as far as paths depend on it
   glm::ivec2 m_size;
   std::vector<PixelPaths> m_pixels;
 };
 
-/// The pictures drawn last, the newest first.
+/// The pictures drawn last, the newest first: two sides, and beside them those before, as long as all are
+/// small, coarse ones of a drag no longer than others.
 class PathPictures {
 public:
   PathPicture& of(const Scene& scene, const glm::ivec2& size);
   const PathPicture* find(const Scene& scene, const glm::ivec2& size) const;
+  std::size_t bytes() const;
 
 private:
-  static constexpr std::size_t mostKept = 4; // two sides, and a coarse one of each
-  std::deque<std::unique_ptr<PathPicture>> m_pictures;
+  using Kept = std::deque<std::unique_ptr<PathPicture>>;
+  Kept::iterator leastWorth();
+
+  static constexpr std::size_t alwaysKept = 2;
+  static constexpr std::size_t mostKept = 6;
+  static constexpr std::size_t mostBytes = std::size_t{128} << 20; // of seven pictures of 512²
+  Kept m_pictures;
 };
 
 } // namespace limn::cpu

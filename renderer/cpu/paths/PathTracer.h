@@ -6,6 +6,7 @@
 #include "cpu/paths/PathRandom.h"
 #include "cpu/paths/PathTerms.h"
 #include "cpu/paths/Scattering.h"
+#include "scene/basics/StableMath.h"
 
 #include <glm/glm.hpp>
 
@@ -88,8 +89,7 @@ private:
     const glm::vec3 gradient = m_medium.gradientAt(place);
     const float modulus = glm::length(gradient);
     const float r = ratioOf(modulus);
-    const float rise = std::clamp((r - 0.05f) / 0.20f, 0.0f, 1.0f);
-    const float chance = m_terms.surface * rise * rise * (3.0f - 2.0f * rise);
+    const float chance = m_terms.surface * static_cast<float>(significanceWeight(0.05, 0.25, r));
     if (!(random.next() < chance))
       return std::nullopt;
     glm::vec3 normal = modulus > m_terms.flatModulus ? -gradient / modulus : glm::vec3(0.0f);
@@ -108,9 +108,9 @@ private:
     case GradientCurve::Type::linear:
       return r;
     case GradientCurve::Type::gamma:
-      return r > 0.0f ? std::pow(r, m_terms.curve) : 0.0f;
+      return static_cast<float>(gammaCurve(r, m_terms.curve));
     case GradientCurve::Type::log:
-      return std::log1p(m_terms.curve * r) / std::log1p(m_terms.curve);
+      return static_cast<float>(logCurve(r, m_terms.curve));
     }
     return r;
   }
@@ -138,7 +138,7 @@ private:
   // paths leave a volume after n falls as n^(-3/2), so both the work, the sum of n^(-1/2) over those that go
   // on, and the variance, that of n^(-3/2) times their weight squared, grow as log n and no faster.
   static bool goesOn(int events, glm::vec3& weight, PathRandom& random) {
-    constexpr float little = 0.25f;
+    constexpr float little = 0.5f;
     constexpr int firstOfLong = 64;
     const float most = std::max({weight.r, weight.g, weight.b});
     if (most < little) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cpu/paths/PathRandom.h"
+#include "scene/light/LightDirections.h"
 
 #include <glm/glm.hpp>
 
@@ -11,25 +12,11 @@
 
 namespace limn::cpu {
 
-/// Two unit vectors square to a third, and to each other.
-struct Around {
-  glm::vec3 u, v;
-};
-inline Around around(const glm::vec3& axis) {
-  const glm::vec3 size = glm::abs(axis);
-  const glm::vec3 other = size.x <= size.y && size.x <= size.z ? glm::vec3(1.0f, 0.0f, 0.0f)
-                          : size.y <= size.z                   ? glm::vec3(0.0f, 1.0f, 0.0f)
-                                                               : glm::vec3(0.0f, 0.0f, 1.0f);
-  const glm::vec3 u = glm::normalize(glm::cross(axis, other));
-  return {u, glm::cross(axis, u)};
-}
-
 /// The unit vector at an angle from an axis, given by its cosine, turned about it by chance.
 inline glm::vec3 turnedFrom(const glm::vec3& axis, float cosine, PathRandom& random) {
   const float sine = std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
   const float angle = 2.0f * std::numbers::pi_v<float> * random.next();
-  const Around square = around(axis);
-  return glm::normalize(cosine * axis + sine * (std::cos(angle) * square.u + std::sin(angle) * square.v));
+  return glm::normalize(axesAround(axis) * glm::vec3(sine * std::cos(angle), sine * std::sin(angle), cosine));
 }
 
 /// A direction within a cone, evenly over its solid angle.

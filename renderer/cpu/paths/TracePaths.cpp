@@ -14,8 +14,9 @@ namespace {
 constexpr int pixelsAtOnce = 16;
 constexpr int pathsAtOnce = 4;
 
-// In thin tissue most paths meet nothing: so often the first collision of one is looked for.
-constexpr int mostTries = 16;
+// In thin tissue most paths meet nothing: so often the first collision of one is looked for. What shows there
+// is faint, so that more tries cost more than they better.
+constexpr int mostTries = 4;
 
 template <class T>
 void traceAll(const PathTerms& paths, const PictureTerms& terms, std::uint32_t seed, const PixelRect& covered,

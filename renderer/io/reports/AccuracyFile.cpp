@@ -56,6 +56,11 @@ OperatingPoint pointIn(JsonFields& fields) {
     fields.choice("engine", point.engine, pointEngines);
   readNumber(fields, "step_voxels", point.stepVoxels, positive);
   point.toleranceLevels = numberOrNone(fields, "tolerance_levels", positive);
+  if (!isNull(fields, "paths")) {
+    int paths = 0;
+    if (fields.integer("paths", paths, 1, mostPaths))
+      point.paths = paths;
+  }
   fields.boolean("preintegrated", point.preintegrated);
   fields.number("early_termination", point.earlyTermination, fraction);
   fields.choice("gradients", point.gradients, gradientSourceNames);
@@ -85,6 +90,7 @@ ReferenceFacts referenceIn(JsonFields fields) {
   fields.number("last_change_levels", facts.lastChangeLevels, notNegative);
   fields.number("last_mean_change_levels", facts.lastMeanChange, notNegative);
   fields.boolean("single_precision", facts.isInFloats);
+  fields.boolean("standard_error", facts.isByChance);
   // Follow from those.
   fields.has("least_p99_9");
   fields.has("least_mean");

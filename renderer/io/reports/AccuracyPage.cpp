@@ -22,14 +22,16 @@ std::string pointTable(const AccuracyReport& report) {
     if (familyOf(point.point) != family)
       table += htmlRow({family = familyOf(point.point)}, "group");
     const bool isKnown = report.reference.converged;
-    table += htmlRow(
-        {stepOf(point.point),
-         point.point.toleranceLevels ? "–" : threeDigits(point.point.stepVoxels * report.smallestSpacingMm),
-         threeDigits(point.ms.median), rangeOf(point.ms), p99_9Text(point.error, report.reference),
-         meanText(point.error, report.reference), isKnown ? threeDigits(point.error.largest) : "–",
-         isKnown ? threeDigits(100.0 * point.error.shareOverOne) : "–",
-         isKnown && point.order ? threeDigits(*point.order) : "–", threeDigits(point.peakMb)},
-        isKnown && point.isPareto ? "best" : "");
+    table +=
+        htmlRow({stepOf(point.point),
+                 point.point.toleranceLevels || point.point.paths
+                     ? "–"
+                     : threeDigits(point.point.stepVoxels * report.smallestSpacingMm),
+                 threeDigits(point.ms.median), rangeOf(point.ms), p99_9Text(point.error, report.reference),
+                 meanText(point.error, report.reference), isKnown ? threeDigits(point.error.largest) : "–",
+                 isKnown ? threeDigits(100.0 * point.error.shareOverOne) : "–",
+                 isKnown && point.order ? threeDigits(*point.order) : "–", threeDigits(point.peakMb)},
+                isKnown && point.isPareto ? "best" : "");
   }
   return table + "</table>\n";
 }

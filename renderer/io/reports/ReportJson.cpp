@@ -71,10 +71,12 @@ void addErrors(Json& json, const ImageError& error, bool isKnown) {
 
 Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
   const OperatingPoint& point = measured.point;
+  const bool hasStep = !point.toleranceLevels && !point.paths;
   Json json{{"engine", point.rival.empty() ? nameOf(point.engine) : point.rival},
-            {"step_voxels", point.toleranceLevels ? Json() : Json(point.stepVoxels)},
-            {"step_mm", point.toleranceLevels ? Json() : Json(point.stepVoxels * report.smallestSpacingMm)},
+            {"step_voxels", hasStep ? Json(point.stepVoxels) : Json()},
+            {"step_mm", hasStep ? Json(point.stepVoxels * report.smallestSpacingMm) : Json()},
             {"tolerance_levels", point.toleranceLevels ? Json(*point.toleranceLevels) : Json()},
+            {"paths", point.paths ? Json(*point.paths) : Json()},
             {"preintegrated", point.preintegrated},
             {"early_termination", point.earlyTermination},
             {"gradients", gradientSourceNames.of(point.gradients)},
@@ -88,7 +90,8 @@ Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
 }
 
 const std::string csvColumns =
-    "engine,step_voxels,step_mm,tolerance_levels,preintegrated,early_termination,gradients,image_scale,max,"
+    "engine,step_voxels,step_mm,tolerance_levels,paths,preintegrated,early_termination,gradients,image_scale,"
+    "max,"
     "p99_9,mean,rms,share_over_one,order,peak_mb,ms_median,ms_min,ms_max,pareto";
 
 // The cells of a point, in the order of the columns.
@@ -143,6 +146,7 @@ Json referenceOf(const ReferenceFacts& facts) {
           {"last_change_levels", facts.lastChangeLevels},
           {"last_mean_change_levels", facts.lastMeanChange},
           {"single_precision", facts.isInFloats},
+          {"standard_error", facts.isByChance},
           {"least_p99_9", leastP99_9(facts)},
           {"least_mean", leastMean(facts)}};
 }

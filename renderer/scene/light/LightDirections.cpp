@@ -26,15 +26,6 @@ glm::dvec2 spreadPoint(int n) {
   return glm::fract(glm::dvec2(0.5) + double(n) * glm::dvec2(1.0 / plastic, 1.0 / (plastic * plastic)));
 }
 
-glm::dmat3 axesAround(const glm::dvec3& axis) {
-  const glm::dvec3 size = glm::abs(axis);
-  const glm::dvec3 aside = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
-                           : size.y <= size.z                   ? glm::dvec3(0.0, 1.0, 0.0)
-                                                                : glm::dvec3(0.0, 0.0, 1.0);
-  const glm::dvec3 first = glm::normalize(glm::cross(aside, axis));
-  return {first, glm::cross(axis, first), axis};
-}
-
 glm::dvec3 directionInCone(const glm::dvec2& point, double angleDeg) {
   const double half = std::sin(0.5 * glm::radians(angleDeg));
   return directionAt(1.0 - 2.0 * half * half * point.x, point.y); // 1 - cos, for small angles, too

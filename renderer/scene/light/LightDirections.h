@@ -17,7 +17,16 @@ double lightOffsetMm(const Grid& grid);
 glm::dvec2 spreadPoint(int n);
 
 /// Axes of which the third is `axis`, a unit vector; columns.
-glm::dmat3 axesAround(const glm::dvec3& axis);
+template <class T>
+glm::mat<3, 3, T> axesAround(const glm::vec<3, T>& axis) {
+  using V = glm::vec<3, T>;
+  const V size = glm::abs(axis);
+  const V aside = size.x <= size.y && size.x <= size.z ? V(T(1), T(0), T(0))
+                  : size.y <= size.z                   ? V(T(0), T(1), T(0))
+                                                       : V(T(0), T(0), T(1));
+  const V first = glm::normalize(glm::cross(aside, axis));
+  return {first, glm::cross(axis, first), axis};
+}
 
 /// Directions about the third axis, each from a point of the unit square: evenly over those within an angle
 /// of it, over the half sphere by the cosine, and evenly over the whole sphere.

@@ -25,6 +25,7 @@ Light lightOf(LightPreset preset) {
   case LightPreset::headlight:
     break;
   case LightPreset::studio:
+  case LightPreset::physical:
     return {aboveLeft, 1.7, 1.25, {0.85, 4.0}, {0.8, 15.0}};
   case LightPreset::softStudio:
     return {aboveLeft, 1.75, 1.15, {0.75, 20.0}, {0.8, 15.0}};
@@ -32,6 +33,20 @@ Light lightOf(LightPreset preset) {
     return {glm::normalize(glm::dvec3(0.0, -1.0, 0.35)), 2.7, 0.6, {0.8, 45.0}, {1.0, 30.0}};
   }
   return {};
+}
+
+// The lamp is as large as the studio's, the sky brighter above than below.
+PhysicalLight physicalLight() {
+  PhysicalLight light;
+  light.sky = {0.2, 0.5};
+  light.exposureEv = 0.0;
+  return light;
+}
+
+// Of physical light: what shows where it comes from, not how strong it is.
+bool hasLightOfPreset(const PhysicalLight& light) {
+  const PhysicalLight preset = physicalLight();
+  return light.keyRadiusDeg == preset.keyRadiusDeg && light.sky == preset.sky;
 }
 
 // What came of a product of such gains and was none before is none again.
@@ -53,6 +68,16 @@ Shading withLight(Shading shading, LightPreset preset) {
   shading.lightAxes = light.direction ? LightAxes::camera : LightAxes::world;
   shading.shadow = light.shadow;
   shading.occlusion = light.occlusion;
+  if (preset == LightPreset::physical) {
+    const PhysicalLight physical = physicalLight();
+    shading.model = ShadingModel::physical;
+    shading.physical.keyIrradiance = physical.keyIrradiance;
+    shading.physical.keyRadiusDeg = physical.keyRadiusDeg;
+    shading.physical.sky = physical.sky;
+    shading.physical.exposureEv = physical.exposureEv;
+  } else if (shading.model == ShadingModel::physical) {
+    shading.model = Shading().model;
+  }
   return shading;
 }
 
@@ -61,6 +86,8 @@ std::optional<LightPreset> lightPresetOf(const Shading& shading) {
     const Light light = lightOf(preset);
     return shading.lightDirection == light.direction && shading.shadow == light.shadow &&
            shading.occlusion == light.occlusion &&
+           (preset == LightPreset::physical) ==
+               (shading.model == ShadingModel::physical && hasLightOfPreset(shading.physical)) &&
            (!light.direction || shading.lightAxes == LightAxes::camera);
   };
   const auto found = std::ranges::find_if(lightPresets, isOf);
@@ -68,7 +95,7 @@ std::optional<LightPreset> lightPresetOf(const Shading& shading) {
 }
 
 const char* nameOf(LightPreset preset) {
-  constexpr std::array names{"headlight", "studio", "soft-studio", "overcast"};
+  constexpr std::array names{"headlight", "studio", "soft-studio", "overcast", "physical"};
   return names[static_cast<std::size_t>(preset)];
 }
 

@@ -103,6 +103,51 @@ TEST_F(PathCommand, exrKeepsTheRadianceBesideTheDisplayColours) {
       << "nothing but physical light has one";
 }
 
+TEST_F(PathCommand, accuracyIsTheErrorOverPathsWithItsOwnLaw) {
+  const std::string scene = sceneUntil(R"({"paths": 1})");
+  const Outcome outcome =
+      run("accuracy " + scene + " --quick --within 1 --at-most-ms 1000 -o " + path("report"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::ifstream file(path("report") + "/accuracy.json");
+  const json report = json::parse(file);
+  EXPECT_EQ(report["reference"]["standard_error"], true);
+  std::vector<int> paths;
+  double last = 255.0, ms = 0.0;
+  for (const json& point : report["points"]) {
+    paths.push_back(point["paths"]);
+    EXPECT_TRUE(point["step_voxels"].is_null());
+    EXPECT_LT(point["rms"].get<double>(), last);
+    EXPECT_GE(point["ms"]["median"].get<double>(), ms);
+    last = point["rms"];
+    ms = point["ms"]["median"];
+  }
+  EXPECT_EQ(paths, (std::vector<int>{4, 8, 16, 32}));
+  EXPECT_NE(outcome.out.find("the law of chance is −0.5"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("takes 16 times as many paths and as long: 512 paths"), std::string::npos);
+  // Both wishes are answered by the law.
+  EXPECT_NE(outcome.out.find("By the law of 1/√n"), outcome.out.rfind("By the law of 1/√n"));
+  EXPECT_NE(outcome.out.find("and lie within 1.00 levels"), std::string::npos) << outcome.out;
+  // Reports are joined as others are.
+  EXPECT_EQ(run("accuracy --join " + path("report") + " -o " + path("joined")).status, 0);
+  EXPECT_EQ(run("accuracy " + scene + " --engine gl -o " + path("other")).status, 2);
+}
+
+TEST_F(PathCommand, aFigureSaysPathsAndError) {
+  const Outcome outcome =
+      run("figure " + sceneUntil(R"({"paths": 8})") + " --model physical --size 300px -o " + path("f.png"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("after 8 paths a pixel"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("--tolerance"), std::string::npos) << "no step mends it";
+}
+
+TEST_F(PathCommand, aPictureKeepsItsStandardError) {
+  ASSERT_EQ(run("render " + sceneUntil(R"({"paths": 8})") + " -o " + path("a.png")).status, 0);
+  const json written = json::parse(readImageDescription(path("a.png")));
+  EXPECT_GT(written["accuracy"]["within_levels"].get<double>(), 0.0);
+  EXPECT_NE(written["accuracy"]["statement"].get<std::string>().find("after 8 paths a pixel"),
+            std::string::npos);
+}
+
 TEST_F(PathCommand, whoFollowsNoPathsRefusesInASentence) {
   const std::string scene = sceneUntil(R"({"paths": 1})");
   for (const char* engine : {"gl", "slices", "reference"}) {

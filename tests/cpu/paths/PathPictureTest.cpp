@@ -36,6 +36,12 @@ Scene physicalHead(int paths, double spacingMm = 6.0) {
   return scene;
 }
 
+// The same volume: a renderer goes on.
+Scene until(Scene scene, int paths) {
+  scene.shading.physical.until = UntilPaths{paths};
+  return scene;
+}
+
 bool isFinite(const Image& image) {
   return std::ranges::all_of(image.pixels, [](const glm::vec4& pixel) {
     return std::isfinite(pixel.r) && std::isfinite(pixel.g) && std::isfinite(pixel.b) && pixel.a >= 0.0f &&
@@ -50,10 +56,10 @@ TEST(PathPictures, areTheSameWithAnyThreadsTilesAndPasses) {
     EXPECT_EQ(CpuRenderer(threads).render(scene, pathPicture), whole) << threads;
   CpuRenderer inPasses(2);
   for (const int paths : {1, 5, 24})
-    EXPECT_EQ(inPasses.render(physicalHead(paths), pathPicture) == whole, paths == 24) << paths;
+    EXPECT_EQ(inPasses.render(until(scene, paths), pathPicture) == whole, paths == 24) << paths;
   // Fewer are drawn anew, and are those that would have been drawn first.
-  EXPECT_EQ(inPasses.render(physicalHead(5), pathPicture),
-            CpuRenderer(1).render(physicalHead(5), pathPicture));
+  EXPECT_EQ(inPasses.render(until(scene, 5), pathPicture),
+            CpuRenderer(1).render(until(scene, 5), pathPicture));
   CpuRenderer inTiles(2);
   Image tiled(pathPicture);
   for (int y = 0; y < pathPicture.y; y += 7)
@@ -77,6 +83,90 @@ TEST(PathPictures, areCancelledWithinAPassAndGoOn) {
   EXPECT_THROW(renderer.draw(scene, pathPicture, {{0, 0}, pathPicture}, [&asked] { return ++asked > 12; }),
                Cancelled);
   EXPECT_EQ(renderer.render(scene, pathPicture), CpuRenderer(1).render(scene, pathPicture));
+}
+
+// Exposure and knee say how light is shown: what was found of it stays.
+TEST(PathPictures, areExposedAnewWithoutAPathMore) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(16);
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 0);
+  renderer.render(scene, pathPicture);
+  Scene exposed = scene;
+  exposed.shading.physical.exposureEv = 1.5;
+  exposed.shading.knee = 0.5;
+  exposed.shading.ambient = 0.3; // of other models
+  EXPECT_EQ(renderer.followedPaths(exposed, pathPicture), 16);
+  const Image expected = CpuRenderer(2).render(exposed, pathPicture);
+  exposed.quality.paths = 0; // none more
+  EXPECT_EQ(renderer.render(exposed, pathPicture), expected);
+  // The error is that of the colours shown.
+  EXPECT_NE(renderer.pathFigures(exposed, pathPicture)->rmsLevels,
+            renderer.pathFigures(scene, pathPicture)->rmsLevels);
+  Scene other = exposed;
+  other.shading.physical.keyRadiusDeg = 10.0;
+  EXPECT_EQ(renderer.followedPaths(other, pathPicture), 0);
+}
+
+TEST(PathPictures, goOnFromThePathsThatHalfOfTheirPixelsHave) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(16);
+  renderer.render(until(scene, 8), pathPicture);
+  renderer.draw(scene, pathPicture, {{0, 0}, {pathPicture.x, 4}});
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 8);
+  renderer.draw(scene, pathPicture, {{0, 0}, {pathPicture.x, 16}});
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 16);
+  EXPECT_EQ(renderer.render(scene, pathPicture), CpuRenderer(1).render(scene, pathPicture));
+}
+
+// Back where a drag began, everything is there that was followed before it.
+TEST(PathPictures, goOnAfterADragThatDrewManyCoarseOnes) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(16);
+  renderer.render(scene, pathPicture);
+  Scene dragged = until(scene, 1);
+  for (int frame = 0; frame < 20; ++frame) {
+    dragged.camera = orbited(dragged.camera, 0.02, 0.0);
+    renderer.render(dragged, {6, 5});
+  }
+  EXPECT_EQ(renderer.followedPaths(scene, pathPicture), 16);
+}
+
+// Two, the sides of a comparison, whatever their size; more while all take 134 MB at most.
+TEST(PathPictures, takeLittleMemoryBesideTheLastTwo) {
+  CpuRenderer renderer(2);
+  Scene scene = physicalHead(1);
+  const double before = (renderer.plan(scene), renderer.memoryMb());
+  constexpr glm::ivec2 large{1600, 1200}; // 64 bytes a pixel
+  for (int n = 1; n <= 4; ++n) {
+    scene.shading.physical.seed = static_cast<std::uint32_t>(n);
+    renderer.draw(scene, large, {{0, 0}, {1, 1}});
+    EXPECT_NEAR(renderer.memoryMb() - before, std::min(n, 2) * 64e-6 * large.x * large.y, 2.0) << n;
+  }
+  for (int n = 10; n <= 30; ++n) {
+    scene.shading.physical.seed = static_cast<std::uint32_t>(n);
+    renderer.draw(scene, {512, 512}, {{0, 0}, {1, 1}});
+  }
+  EXPECT_NEAR(renderer.memoryMb() - before, 6 * 64e-6 * 512 * 512, 2.0);
+}
+
+TEST(PathPictures, tellTheErrorOfEachPixel) {
+  CpuRenderer renderer(2);
+  const Scene scene = physicalHead(64);
+  EXPECT_TRUE(renderer.pathErrors(scene, pathPicture).empty());
+  const Image image = renderer.render(scene, pathPicture);
+  const PathFigures figures = *renderer.pathFigures(scene, pathPicture);
+  const std::vector<float> errors = renderer.pathErrors(scene, pathPicture);
+  ASSERT_EQ(errors.size(), image.pixels.size());
+  double largest = 0.0, over = 0.0, covered = 0.0;
+  for (std::size_t n = 0; n < errors.size(); ++n) {
+    EXPECT_EQ(errors[n] < 0.0f, image.pixels[n].a < 1.0f / 510.0f) << n;
+    largest = std::max(largest, double(errors[n]));
+    over += errors[n] > 1.0f ? 1.0 : 0.0;
+    covered += errors[n] >= 0.0f ? 1.0 : 0.0;
+  }
+  EXPECT_EQ(figures.largestLevels, largest);
+  EXPECT_DOUBLE_EQ(figures.shareOverOne, over / covered);
+  EXPECT_LT(figures.meanLevels, *figures.rmsLevels);
 }
 
 TEST(PathPictures, tellTheErrorThatTheyHave) {

@@ -60,6 +60,22 @@ TEST(PointUse, measuresEveryPositionOfTheDial) {
   }
 }
 
+// Of physical light there is no dial, and a point says its paths.
+TEST(PointUse, ofPhysicalLightIsTheNumberOfItsPaths) {
+  Scene scene;
+  scene.volume = phantomVolume({.spacingMm = 16.0});
+  scene.shading.model = ShadingModel::physical;
+  scene.transferFunction.points = {{-1000.0, glm::dvec3(1.0), 0.0}, {500.0, glm::dvec3(1.0), 0.8}};
+  EXPECT_TRUE(dialPoints(scene, 100.0).empty());
+  EXPECT_EQ(pointOf(scene, 100.0)->paths, UntilPaths().paths);
+  scene.quality.paths = 8;
+  const OperatingPoint point = *pointOf(scene, 100.0);
+  EXPECT_EQ(point.paths, 8);
+  EXPECT_FALSE(isOfTheWindow(point)) << "paths go on by themselves";
+  EXPECT_EQ(pointText(point), QStringLiteral("8 paths a pixel"));
+  EXPECT_EQ(familyText(point), QStringLiteral("random paths"));
+}
+
 TEST(ErrorScale, hasItsTicksInOrderAndItsColoursByLightness) {
   for (std::size_t tick = 1; tick < errorScaleTicks.size(); ++tick)
     EXPECT_GT(errorScalePlace(errorScaleTicks[tick]), errorScalePlace(errorScaleTicks[tick - 1]));

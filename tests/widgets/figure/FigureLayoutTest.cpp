@@ -161,6 +161,21 @@ TEST(FigureText, saysOfEachNoteWhereItHolds) {
   EXPECT_EQ(notesOf(figure), QString());
 }
 
+TEST(FigureText, tellsThePathsOfPhysicalLightAndTheirError) {
+  Figure figure = figureOf(2);
+  figure.settings.marks.fill(false);
+  figure.settings.marks[static_cast<std::size_t>(FigureMark::accuracy)] = true;
+  figure.panels[0].errorLevels = 0.42;
+  figure.panels[1].paths = PanelPaths{256, 1.234};
+  EXPECT_EQ(
+      notesOf(figure).toStdString(),
+      "Estimated within 0.42 (a) of 255 levels of the exact picture. Random paths: 256 a pixel, standard "
+      "error 1.3 of 255 levels RMS (b).");
+  figure.panels[1].paths = PanelPaths{1, {}};
+  figure.panels[0] = figure.panels[1];
+  EXPECT_EQ(notesOf(figure).toStdString(), "Random paths: 1 a pixel.");
+}
+
 TEST(FigureText, tellsWhereNormalsAreSmooth) {
   Figure figure = figureOf(2);
   figure.settings.marks.fill(false);

@@ -164,7 +164,8 @@ void PictureLoop::drawCoarsely() {
   int level = m_quality.levelFor(seen);
   if (level == 0 && m_quality.levelFor(all) > 0)
     level = 1; // full quality draws the hidden parts too
-  m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, m_order.seen));
+  if (const double ms = m_pictures->drawCoarsely(level, m_order.seen); ms > 0.0)
+    m_quality.measured(level, level == 0 ? all : seen, ms);
   requireVolume();
   if (m_quality.levelFor(all) < level) {
     m_isStale = true;

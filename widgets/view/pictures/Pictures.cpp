@@ -95,7 +95,7 @@ SideState Pictures::stateOf(int index) const {
   if (state.isRough)
     state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
   if (isPhysical(side.scene())) {
-    state.paths = m_refinement.paths(index).value_or(PathFigures{1, {}, {}});
+    state.paths = m_refinement.paths(index).value_or(PathFigures{side.shownPaths(), {}, {}});
     state.estimate.reset();
     if (state.paths->rmsLevels)
       state.estimate = ErrorEstimate{*state.paths->p99_9Levels, *state.paths->rmsLevels, 1.0};
@@ -113,14 +113,17 @@ PictureState Pictures::state() const {
   state.refines = m_refinement.isSearching();
   state.limitation = m_limitation;
   state.renderer = QString::fromStdString(m_engine->name());
+  int finer = 0;
   for (int i = 0; i < m_count; ++i) {
     state.sides.push_back(stateOf(i));
     state.resting = state.resting && m_sides[i].finished();
     if (m_sides[i].isFiner()) {
-      state.refines = true;
-      state.refinementFraction += m_sides[i].finerSchedule().fraction() / m_count;
+      ++finer;
+      state.refinementFraction += m_sides[i].finerSchedule().fraction();
     }
   }
+  state.refines = state.refines || finer > 0;
+  state.refinementFraction /= std::max(finer, 1);
   state.refinementEnd = m_refinement.end();
   return state;
 }

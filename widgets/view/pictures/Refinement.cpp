@@ -82,7 +82,7 @@ RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides,
     return RestTurn::nothing;
   if (!m_road)
     return chooseRoad(engine, sides, rough, budgetMs);
-  if (!sides.front().isFiner())
+  if (std::ranges::none_of(sides, &SidePicture::isFiner))
     return begin(engine, sides);
   return advance(engine, sides, budgetMs);
 }
@@ -107,7 +107,7 @@ RestTurn Refinement::completeLight(DrawingEngine& engine, std::span<SidePicture>
 RestTurn Refinement::advance(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs) {
   if (compileOne(engine, sides) || drawStrips(engine, sides, budgetMs) || readOne(sides))
     return RestTurn::worked;
-  if (!std::all_of(m_sides.begin(), m_sides.end(), [](const Side& side) { return side.job->isDone.load(); }))
+  if (!std::ranges::all_of(m_sides, [](const Side& side) { return !side.job || side.job->isDone.load(); }))
     return RestTurn::waiting;
   return adoptAll(engine, sides);
 }
@@ -117,8 +117,12 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
   if (std::ranges::any_of(sides, hasPaths)) {
     m_road = Road::paths;
     m_sides.resize(sides.size());
-    for (const SidePicture& side : sides)
-      m_lastMs += side.completeMs().value_or(0.0);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      m_lastMs += sides[i].completeMs().value_or(0.0);
+      // What was followed before tells its error at once.
+      if (hasPaths(sides[i]) && sides[i].shownPaths() > 1)
+        m_sides[i].paths = engine.pathFigures(sides[i].scene(), sides[i].size());
+    }
     return RestTurn::worked;
   }
   if (!m_search)
@@ -183,7 +187,7 @@ RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) 
                                      : beginHalving(engine, sides);
 }
 
-// Follow as many again. A picture beside it whose light is not physical is drawn as it was.
+// Follow as many again. A picture beside it whose light is not physical stays as it is.
 RestTurn Refinement::beginPaths(std::span<SidePicture> sides) {
   bool isEnough = true;
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -198,11 +202,12 @@ RestTurn Refinement::beginPaths(std::span<SidePicture> sides) {
   if (m_end)
     return RestTurn::finished;
   for (SidePicture& side : sides) {
+    if (!hasPaths(side))
+      continue;
     Quality quality = side.finishedQuality();
     const double ms = side.completeMs().value_or(0.0);
-    if (hasPaths(side))
-      quality.paths = std::min(2 * quality.paths.value_or(1), mostPaths);
-    side.beginFiner(quality, quality.paths.value_or(0) > 2 ? 2.0 * ms : ms);
+    quality.paths = std::min(2 * quality.paths.value_or(1), mostPaths);
+    side.beginFiner(quality, *quality.paths > 2 ? 2.0 * ms : ms);
   }
   return RestTurn::worked;
 }
@@ -270,9 +275,12 @@ bool Refinement::drawStrips(DrawingEngine& engine, std::span<SidePicture> sides,
   const auto start = Clock::now();
   bool hasDrawn = false;
   for (;;) {
-    SidePicture& next = *std::min_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
-      return a.finerSchedule().fraction() < b.finerSchedule().fraction();
-    });
+    const auto done = [](const SidePicture& side) {
+      return side.isFiner() ? side.finerSchedule().fraction() : 1.0;
+    };
+    SidePicture& next = *std::ranges::min_element(sides, {}, done);
+    if (!next.isFiner())
+      return hasDrawn;
     if (next.finerSchedule().complete())
       return hasDrawn;
     const double spentMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -285,7 +293,7 @@ bool Refinement::drawStrips(DrawingEngine& engine, std::span<SidePicture> sides,
 
 bool Refinement::readOne(std::span<SidePicture> sides) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (m_sides[i].job)
+    if (m_sides[i].job || !sides[i].isFiner())
       continue;
     auto job = std::make_shared<Job>();
     if (m_road == Road::halving)
@@ -303,6 +311,8 @@ RestTurn Refinement::adoptAll(DrawingEngine& engine, std::span<SidePicture> side
   m_lastMs = 0.0;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const std::shared_ptr<Job> job = std::move(m_sides[i].job);
+    if (!job) // its picture stayed as it is
+      continue;
     if (job->problem)
       std::rethrow_exception(job->problem);
     if (m_road == Road::light) {
@@ -318,7 +328,7 @@ RestTurn Refinement::adoptAll(DrawingEngine& engine, std::span<SidePicture> side
     if (m_road != Road::paths)
       m_sides[i].whole = (hasTravellingLight(job->scene) ? withLight : withFilter)(
           withEarlyEnds(m_sides[i].steps, job->earlyEnds), m_sides[i].ofFilter);
-    else if (hasPaths(sides[i]))
+    else
       m_sides[i].paths = engine.pathFigures(sides[i].finerScene(), sides[i].size());
     m_lastMs += sides[i].finerSchedule().spentMs();
     sides[i].adoptFiner(std::move(job->picture));

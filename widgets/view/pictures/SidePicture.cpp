@@ -2,6 +2,7 @@
 #include "widgets/view/pictures/SidePicture.h"
 
 #include "engine/DrawingEngine.h"
+#include "scene/effects/EffectPlan.h"
 
 #include <algorithm>
 #include <chrono>
@@ -45,6 +46,9 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_finished = m_lacksLight = false;
   m_picture = {};
   m_finer.reset();
+  m_paths.reset();
+  m_middlePaths = m_coarsePaths = 1;
+  m_spentMs = 0.0;
 }
 
 // Of a picture that is drawn on the way to the full one.
@@ -53,7 +57,34 @@ Scene SidePicture::passScene(DrawingEngine& engine, const QualityLevel& quality,
   return withQualityLevel(m_standIn ? m_standIn->scene : m_scene, quality);
 }
 
+// The full picture; of physical light it goes on from the paths that were followed before.
+Scene SidePicture::fullScene(DrawingEngine& engine) {
+  Scene scene = withQualityLevel(m_scene, {});
+  if (!isPhysical(m_scene))
+    return scene;
+  if (!m_paths)
+    m_paths = std::max(m_hasMiddlePass ? m_middlePaths : 1, engine.followedPaths(m_scene, m_size));
+  scene.quality.paths = m_paths;
+  return scene;
+}
+
+// What was found before, as it is to be shown now.
+void SidePicture::drawFollowed(DrawingEngine& engine) {
+  m_paths = m_coarsePaths = engine.followedPaths(m_scene, m_size);
+  Scene scene = m_scene;
+  scene.quality.paths = 0;
+  m_coarse->resize(m_size);
+  m_coarseMs = timedMs([&] { m_coarse->draw(engine, scene, {{0, 0}, m_size}); });
+  m_coarseLacksLight = m_lacksLight = false;
+  m_standIn.reset();
+  m_coarseQuality = {};
+}
+
 double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns& seen) {
+  if (isPhysical(m_scene) && engine.followedPaths(m_scene, m_size) > 0) {
+    drawFollowed(engine);
+    return 0.0;
+  }
   const QualityLevel quality = InteractionQuality::levelAt(level);
   const glm::ivec2 size = sizeAt(quality, m_size);
   const Scene scene = passScene(engine, quality, size);
@@ -72,7 +103,7 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
   if (isFull) {
     m_schedule.finishedWhole(ms);
     m_completeMs = ms;
-  } else if (level >= veryCoarse) {
+  } else if (level >= veryCoarse || isPhysical(m_scene)) {
     m_pass = middleLevel;
     m_hasMiddlePass = true;
     m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size), m_stripMs);
@@ -84,7 +115,9 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
   const QualityLevel quality = InteractionQuality::levelAt(m_pass);
   PictureSheet& target = m_pass == 0 ? *m_full : *m_middle;
   const glm::ivec2 size = sizeAt(quality, m_size);
-  const Scene scene = m_pass == 0 ? withQualityLevel(m_scene, quality) : passScene(engine, quality, size);
+  Scene scene = m_pass == 0 ? fullScene(engine) : passScene(engine, quality, size);
+  if (m_pass != 0 && isPhysical(m_scene))
+    scene.quality.paths = m_middlePaths;
   target.resize(size);
   m_lacksLight = m_lacksLight || (m_pass == 0 && engine.isFindingLight(scene));
   m_schedule.finished(timedMs([&] { target.draw(engine, scene, m_schedule.next()); }));
@@ -97,13 +130,30 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
   std::swap(m_coarse, m_middle);
   m_coarseQuality = quality;
   m_coarseMs = m_schedule.spentMs();
+  if (isPhysical(m_scene))
+    return betterMiddle();
   m_pass = 0;
   m_schedule = TileSchedule(m_size, m_stripMs);
 }
 
+// As many paths again take as long as those before, but for the first two.
+void SidePicture::betterMiddle() {
+  const double nextMs = (m_middlePaths > 1 ? 2.0 : 1.0) * m_coarseMs;
+  m_coarsePaths = m_middlePaths;
+  m_spentMs += m_coarseMs;
+  if (2 * m_middlePaths <= mostMiddlePaths && m_spentMs + nextMs <= middleMs)
+    m_middlePaths *= 2;
+  else
+    m_pass = 0;
+  m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size), m_stripMs);
+}
+
 double SidePicture::fraction() const {
   const double middle = m_hasMiddlePass ? InteractionQuality::relativeCost(middleLevel) : 0.0;
-  const double done = m_pass == 0 ? middle + m_schedule.fraction() : middle * m_schedule.fraction();
+  // Each of several middling pictures does half of what is left.
+  const double ofMiddle =
+      isPhysical(m_scene) ? 1.0 - std::exp2(-m_schedule.fraction()) / m_middlePaths : m_schedule.fraction();
+  const double done = m_pass == 0 ? middle + m_schedule.fraction() : middle * ofMiddle;
   return done / (middle + 1.0);
 }
 
@@ -131,7 +181,8 @@ const ShownPixels& SidePicture::coarserPixels() const {
 
 void SidePicture::finish() {
   Quality quality = m_scene.quality;
-  quality.paths = withQualityLevel(m_scene, {}).quality.paths;
+  if (isPhysical(m_scene))
+    quality.paths = m_paths.value_or(1);
   adopt(m_full->finished(m_scene.image.background), quality);
   m_finishedRowMs = m_schedule.rowMs();
 }

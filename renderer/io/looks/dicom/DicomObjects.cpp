@@ -60,7 +60,8 @@ void putPicture(DcmItem& object, DcmItem& image, const DicomWriting& writing) {
   putText(object, DCM_ConversionType, "WSD"); // workstation
   putText(object, DCM_ImageType, "DERIVED\\SECONDARY");
   putText(object, DCM_DerivationDescription,
-          "Volume rendering of the source images made by Limn " + writing.version + "; not for diagnosis");
+          "Volume rendering of the source images made by Limn " + writing.version + "; not for diagnosis" +
+              (writing.remark.empty() ? "" : ". " + writing.remark));
   putText(object, DCM_BurnedInAnnotation, "NO");
   putNothing(object, DCM_PatientOrientation);
   putReferences(object, DCM_SourceImageSequence, writing.series.images);
@@ -235,7 +236,7 @@ DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing) {
 
 std::string dicomLookOf(const Scene& scene, const SeriesImages& series, const std::string& version) {
   const auto image = imageOf(series);
-  return lookFile(scene, {series, {}, version, false}, *image->getDataset(), {});
+  return lookFile(scene, {series, {}, version, {}, false}, *image->getDataset(), {});
 }
 
 void writeDicomObjects(const std::filesystem::path& folder, const DicomObjects& objects) {

@@ -16,6 +16,7 @@ struct DicomWriting {
   SeriesImages series;      ///< that the scene shows
   BytePicture picture;      ///< of the scene, RGB, without annotation
   std::string version;      ///< of Limn
+  std::string remark{};     ///< how exact the picture is, one sentence; may be empty
   bool isAnonymous = false; ///< leave out what the series says of its patient and study, but for UIDs
 };
 

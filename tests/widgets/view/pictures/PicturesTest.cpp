@@ -17,6 +17,7 @@
 #include "widgets/view/pictures/StepSearch.h"
 
 #include <cmath>
+#include <set>
 
 // Pictures on their way from coarse to exact, without a window, with every engine that there is.
 
@@ -106,18 +107,19 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
 }
 
-// Paths are followed once each: a pass of twice as many goes on from the last one.
+// A picture of half the size gets as many paths as there is time for; the whole one begins with as many, and
+// goes on: paths are followed once each.
 TEST(PicturesInMemory, ofPhysicalLightHaveTwiceAndTwiceAsManyPathsWhileTheyRest) {
   Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
   const Scene scene = phantomWith(ShadingModel::physical);
   finish(pictures, {scene});
   ASSERT_TRUE(pictures.state().resting);
   ASSERT_TRUE(pictures.state().sides[0].paths);
-  EXPECT_EQ(pictures.state().sides[0].paths->paths, 1);
-  EXPECT_FALSE(pictures.state().sides[0].paths->rmsLevels) << "one path tells no error";
+  EXPECT_EQ(pictures.state().sides[0].paths->paths, SidePicture::mostMiddlePaths);
+  EXPECT_FALSE(pictures.state().sides[0].paths->rmsLevels) << "nobody has looked yet";
   EXPECT_FALSE(levelsOf(pictures.state().sides[0]));
   std::vector<double> errors;
-  for (const int paths : {2, 4, 8, 16}) {
+  for (const int paths : {32, 64, 128}) {
     RestTurn turn = RestTurn::worked;
     while (turn != RestTurn::finished) {
       turn = pictures.workAtRest(true, 5.0);
@@ -133,8 +135,81 @@ TEST(PicturesInMemory, ofPhysicalLightHaveTwiceAndTwiceAsManyPathsWhileTheyRest)
     drawn.shading.physical.until = UntilPaths{paths};
     EXPECT_EQ(*pictures.side(0).picture().image, CpuRenderer().render(drawn, pictureSize));
   }
-  // 1/√n from 4 paths to 16: half, give or take what errors found from so few say.
-  EXPECT_NEAR(errors[3] / errors[1], 0.5, 0.1);
+  // 1/√n from 32 paths to 128: half, give or take what errors found from so few say.
+  EXPECT_NEAR(errors[2] / errors[0], 0.5, 0.1);
+}
+
+void passes(Pictures& pictures, int count) {
+  for (int n = 0; n < count; ++n)
+    for (RestTurn turn = RestTurn::worked; turn != RestTurn::finished;) {
+      turn = pictures.workAtRest(true, 5.0);
+      ASSERT_NE(turn, RestTurn::nothing);
+    }
+}
+
+// Exposed otherwise it is there at once, with all that was found; then it goes on.
+TEST(PicturesInMemory, ofPhysicalLightAreExposedAnewWithThePathsThatTheyHave) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  Scene scene = phantomWith(ShadingModel::physical);
+  finish(pictures, {scene});
+  passes(pictures, 1);
+  ASSERT_EQ(pictures.state().sides[0].paths->paths, 32);
+  scene.shading.physical.exposureEv = 1.0;
+  pictures.want({scene}, pictureSize);
+  EXPECT_EQ(pictures.drawCoarsely(InteractionQuality::levelCount - 1, {}), 0.0);
+  EXPECT_EQ(pictures.state().sides[0].paths->paths, 32);
+  EXPECT_EQ(pictures.state().sides[0].imageScale, 1.0);
+  while (!pictures.refine(5.0)) {
+  }
+  Scene drawn = scene;
+  drawn.shading.physical.until = UntilPaths{32};
+  EXPECT_EQ(*pictures.side(0).picture().image, CpuRenderer().render(drawn, pictureSize));
+  EXPECT_EQ(qualityShown(scene.quality, pictures.state().sides[0]).paths, 32);
+  while (!pictures.state().sides[0].paths->rmsLevels)
+    ASSERT_NE(pictures.workAtRest(true, 5.0), RestTurn::nothing);
+  EXPECT_EQ(pictures.state().sides[0].paths->paths, 32) << "their error is told before there are more";
+  // Another light begins anew.
+  scene.shading.physical.sky.above = 0.9;
+  pictures.want({scene}, pictureSize);
+  EXPECT_GT(pictures.drawCoarsely(InteractionQuality::levelCount - 1, {}), 0.0);
+  EXPECT_EQ(pictures.state().sides[0].paths->paths, 1);
+}
+
+// On its way the picture never has fewer paths than what it replaces, and each stage is shown.
+TEST(PicturesInMemory, ofPhysicalLightOnTheirWayAreOfHalfTheSizeAndLessAndLessNoisy) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  pictures.want({phantomWith(ShadingModel::physical)}, pictureSize);
+  pictures.drawCoarsely(InteractionQuality::levelCount - 1, {});
+  int paths = 0;
+  double fraction = 0.0;
+  std::set<int> seen;
+  for (bool isComplete = false; !isComplete;) {
+    isComplete = pictures.refine(0.0); // a strip a turn
+    const SideState state = pictures.state().sides[0];
+    EXPECT_GE(state.paths->paths, paths);
+    EXPECT_GE(state.fraction, fraction);
+    paths = state.paths->paths;
+    fraction = state.fraction;
+    if (!isComplete && paths > 1) {
+      EXPECT_EQ(state.imageScale, 0.5);
+      seen.insert(paths);
+    }
+  }
+  EXPECT_EQ(seen, (std::set<int>{2, 4, 8, 16}));
+  EXPECT_EQ(paths, SidePicture::mostMiddlePaths);
+}
+
+TEST(PicturesInMemory, besidePhysicalLightAnotherPictureIsDrawnOnce) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  finish(pictures, {phantomWith(ShadingModel::classic), phantomWith(ShadingModel::physical)});
+  const std::shared_ptr<const Image> beside = pictures.side(0).picture().image;
+  while (pictures.state().sides[1].paths->paths < 64) {
+    ASSERT_NE(pictures.workAtRest(true, 5.0), RestTurn::nothing);
+    EXPECT_FALSE(pictures.side(0).isFiner());
+    EXPECT_LE(pictures.state().refinementFraction, 1.0);
+  }
+  EXPECT_EQ(pictures.side(0).picture().image, beside);
+  EXPECT_FALSE(pictures.state().sides[0].paths);
 }
 
 // Whichever quality keeps up with the hand, the picture at rest is that of all voxels.

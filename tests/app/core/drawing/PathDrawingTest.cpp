@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of physical light until paths, levels or seconds are reached, and what they tell of themselves.
+#include "app/core/drawing/PathDrawing.h"
+#include "app/core/drawing/PathAccuracy.h"
+#include "app/core/drawing/PictureMaker.h"
+#include "scene/basics/Error.h"
+#include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 fewPixels{20, 16};
+
+Scene pathScene(const Until& until) {
+  static const auto volume = phantomVolume({.spacingMm = 8.0});
+  Scene scene = headScene(volume, ShadingModel::physical);
+  scene.shading.physical.until = until;
+  return scene;
+}
+
+TEST(PathDrawing, aQualityWithPathsGoesBeforeTheScenesOwnEnd) {
+  Scene scene = pathScene(UntilPaths{256});
+  scene.quality.paths = 8; // as a picture on screen has
+  const MadePicture picture = makePictures({scene}, fewPixels, Engine::cpu, 2).front();
+  ASSERT_TRUE(picture.paths);
+  EXPECT_EQ(picture.paths->paths, 8);
+  // What is written down draws the same again.
+  EXPECT_EQ(picture.scene.shading.physical.until, Until(UntilPaths{8}));
+  EXPECT_FALSE(picture.scene.quality.paths);
+  EXPECT_EQ(makePictures({picture.scene}, fewPixels, Engine::cpu, 2).front().image, picture.image);
+  EXPECT_NE(exactnessOf(picture).find("after 8 paths a pixel"), std::string::npos) << exactnessOf(picture);
+}
+
+TEST(PathDrawing, aPictureThatMemoryDoesNotHoldIsRefusedInASentence) {
+  CpuRenderer renderer(1);
+  try {
+    drawnByPaths(renderer, pathScene(UntilPaths{1}), {1 << 20, 1 << 20}, {}); // 70 TB
+    FAIL() << "drawn";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("70368.7 GB of what its paths find"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(PathDrawing, errorOverPathsIsThatOfThePicturesAndFallsByItsLaw) {
+  const Scene scene = pathScene(UntilPaths{256});
+  const AccuracyReport report = measurePaths("head", scene, fewPixels, 64, {2, {}, {}});
+  ASSERT_EQ(report.points.size(), 5u); // 4, 8, 16, 32, 64
+  const PathErrors last = [&] {
+    Scene drawn = scene;
+    drawn.quality.paths = 64;
+    return pathErrors(drawn, fewPixels, {2, {}, {}});
+  }();
+  EXPECT_EQ(report.points.back().error, last.error);
+  EXPECT_EQ(last.map.size, fewPixels);
+  EXPECT_EQ(*std::ranges::max_element(last.map.levels), static_cast<float>(last.error.largest));
+  // From 16 to 64 paths half of the error; from few pixels and paths it is known to some ten per cent.
+  EXPECT_NEAR(report.points[4].error.rms / report.points[2].error.rms, 0.5, 0.1);
+  ASSERT_EQ(report.remarks.size(), 1u);
+  EXPECT_NE(report.remarks[0].find("1024 paths"), std::string::npos) << report.remarks[0];
+  EXPECT_THROW(measurePaths("head", scene, fewPixels, 64, {2, [] { return true; }, {}}), Cancelled);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Physical light in the program's window: chosen, set, measured, and never in the way.
+#include "app/WindowHarness.h"
+#include "support/Heart.h"
+#include "support/JudgedTime.h"
+#include "widgets/FindWidget.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/accuracy/DialSection.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/accuracy/MeasuredSection.h"
+#include "widgets/accuracy/StopSlider.h"
+#include "widgets/accuracy/WishSection.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/NumberSliders.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/properties/PropertiesPanel.h"
+#include "widgets/shading/PhysicalSection.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QPushButton>
+
+namespace limn {
+namespace {
+
+class PhysicalWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    window->resize(1100, 760);
+    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+    ASSERT_TRUE(rest());
+  }
+
+  PropertiesPanel& properties() { return *window->findChild<PropertiesPanel*>(); }
+  AccuracyPanel& accuracy() { return *window->findChild<AccuracyPanel*>(); }
+  ChoiceRow& light() { return *rowNamed<ChoiceRow>(properties(), "Light"); }
+
+  void choose(ChoiceRow& row, int index) {
+    row.box()->setCurrentIndex(index);
+    emit row.box()->activated(index);
+  }
+  void click(QWidget* control) {
+    accuracy().ensureWidgetVisible(control);
+    QCoreApplication::processEvents();
+    QTest::mouseClick(control, Qt::LeftButton);
+  }
+  const SideState& lastSide() { return view().pictureState().sides.back(); }
+  [[nodiscard]] bool workEnds() {
+    return test::waitUntil([this] { return accuracy().work() == AccuracyWork::none; });
+  }
+};
+
+TEST_F(PhysicalWindow, theLightCalledPhysicalShowsAtTheRightAndItsNumbersComeUp) {
+  auto& section = *window->findChild<PhysicalSection*>();
+  EXPECT_TRUE(section.isFolded());
+  choose(light(), 4);
+  EXPECT_EQ(view().scenesOfSides()[0].shading.model, ShadingModel::classic);
+  EXPECT_EQ(view().scenesOfSides()[1].shading.model, ShadingModel::physical);
+  EXPECT_FALSE(section.isFolded());
+  ASSERT_TRUE(rest());
+  EXPECT_TRUE(lastSide().paths);
+  setLayout(CompareLayout::single);
+  EXPECT_EQ(view().scenesOfSides()[0].shading.model, ShadingModel::physical);
+  choose(light(), 1);
+  EXPECT_EQ(view().scenesOfSides()[0].shading.model, ShadingModel::classic);
+  EXPECT_TRUE(section.isFolded());
+  undo().undo();
+  EXPECT_EQ(scene().shading.model, ShadingModel::physical) << "one step back";
+}
+
+// The first picture soon, no turn of the event loop held up, and another edit is answered as soon.
+TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  ASSERT_TRUE(rest()); // OpenGL has given way
+  const test::Heart heart;
+  for (const double density : {2.0, 0.5, 1.5}) {
+    Shading shading = scene().shading;
+    shading.physical.density = density;
+    QElapsedTimer clock;
+    clock.start();
+    session().setShading(shading, {nextGestureId(), QStringLiteral("density")});
+    ASSERT_FALSE(view().pictureState().resting);
+    // Of this edit: shown coarsely.
+    ASSERT_TRUE(test::waitUntil([&] { return lastSide().imageScale < 1.0 && lastSide().fraction < 1.0; }));
+    test::judgeMs("the first picture of physical light", static_cast<double>(clock.elapsed()), 300.0);
+  }
+  ASSERT_TRUE(rest());
+  test::expectShortTurns(heart, "while paths are followed", 100.0);
+}
+
+TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  ASSERT_TRUE(rest());
+  const int paths = lastSide().paths->paths;
+  const QImage before = view().grab().toImage();
+  const int steps = undo().count();
+  QTest::keyClick(rowNamed<ValueSlider>(properties(), "Exposure")->findChild<TrackSlider*>(), Qt::Key_End);
+  EXPECT_EQ(scene().shading.physical.exposureEv, 4.0);
+  EXPECT_EQ(undo().count(), steps + 1);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change exposure 0 → 4"));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(lastSide().paths->paths, paths);
+  undo().undo();
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(lastSide().paths->paths, paths);
+}
+
+TEST_F(PhysicalWindow, accuracyIsMeasuredByPathsWithTheirLawAndAMap) {
+  window->resize(800, 560);
+  window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(accuracy().findChild<StopSlider*>()->isVisible()) << "there is no step to choose";
+  click(widgetNamed<QPushButton>(accuracy(), "Measure error and time"));
+  ASSERT_EQ(accuracy().work(), AccuracyWork::measuring);
+  ASSERT_TRUE(workEnds());
+  ASSERT_TRUE(accuracy().measured());
+  EXPECT_TRUE(accuracy().measured()->report.reference.isByChance);
+  const auto textOf = [this](const QWidget& section, const char* label) {
+    return section.findChild<QLabel*>(QString::fromLatin1(label))->text();
+  };
+  const QString summary = textOf(*accuracy().findChild<MeasuredSection*>(), "summary");
+  EXPECT_TRUE(summary.contains(QStringLiteral("the law of chance"))) << summary.toStdString();
+  EXPECT_TRUE(summary.contains(QStringLiteral("16 times as many paths"))) << summary.toStdString();
+  click(widgetNamed<QPushButton>(accuracy(), "Use: Error at most, levels"));
+  const QString answer = textOf(*accuracy().findChild<WishSection*>(), "answer");
+  EXPECT_TRUE(answer.contains(QStringLiteral("By the law of chance"))) << answer.toStdString();
+  // The map is of the picture on screen.
+  QCheckBox* map = accuracy().findChild<MapSection*>()->findChild<QCheckBox*>();
+  click(map);
+  ASSERT_TRUE(workEnds());
+  EXPECT_TRUE(window->findChild<ErrorMapOverlay*>()->isVisible());
+  const QString sentence = textOf(*accuracy().findChild<MapSection*>(), "sentence");
+  EXPECT_TRUE(sentence.contains(QStringLiteral("paths a pixel"))) << sentence.toStdString();
+}
+
+} // namespace
+} // namespace limn
