@@ -219,6 +219,10 @@
         <source>So little memory is not enough for any volume; give at least %1 MB (--memory).</source>
         <translation>So wenig Speicher reicht für kein Volumen; mindestens %1&#xa0;MB angeben (--memory).</translation>
     </message>
+    <message>
+        <source>its voxels end early</source>
+        <translation>ihre Voxel enden vorzeitig</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1979,6 +1983,26 @@
         <source>%1 of each pixel</source>
         <translation>mit %1 je Bildpunkt</translation>
     </message>
+    <message>
+        <source>1 path a pixel</source>
+        <translation>1 Pfad je Bildpunkt</translation>
+    </message>
+    <message>
+        <source>%1 paths a pixel</source>
+        <translation>%1 Pfade je Bildpunkt</translation>
+    </message>
+    <message>
+        <source>Drawn for %1 of 255 levels of the exact picture; the file tells what was reached.</source>
+        <translation>Gezeichnet für %1 von 255 Stufen am exakten Bild; die Datei sagt, was erreicht wurde.</translation>
+    </message>
+    <message>
+        <source>Random paths: %1 a pixel</source>
+        <translation>Zufallspfade: %1 je Bildpunkt</translation>
+    </message>
+    <message>
+        <source>Random paths: %1 a pixel, standard error %2 of 255 levels RMS</source>
+        <translation>Zufallspfade: %1 je Bildpunkt, Standardfehler %2 von 255 Stufen (RMS)</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2950,12 +2974,20 @@
         <translation>%1: für dieses Bild nicht gemessen.</translation>
     </message>
     <message>
-        <source>From there it refines while nothing moves. A level is the smallest step of brightness on a screen, of 255.</source>
-        <translation>Von dort wird verfeinert, solange sich nichts bewegt. Eine Stufe ist der kleinste Helligkeitsschritt eines Bildschirms, einer von 255.</translation>
-    </message>
-    <message>
         <source>The dial&apos;s steps average the curve between samples; the chart has them without, too. </source>
         <translation>Die Schritte des Reglers mitteln die Kurve zwischen den Abtastpunkten; das Diagramm hat sie auch ohne. </translation>
+    </message>
+    <message>
+        <source>From there it refines while nothing moves. </source>
+        <translation>Von dort verfeinert es sich, solange sich nichts bewegt. </translation>
+    </message>
+    <message>
+        <source>A level is the smallest step of brightness on a screen, of 255.</source>
+        <translation>Eine Stufe ist der kleinste Helligkeitsschritt eines Bildschirms, von 255.</translation>
+    </message>
+    <message>
+        <source>Physical light gets twice and twice as many paths while nothing moves. How many a saved picture has stands among the properties.</source>
+        <translation>Physikalisches Licht bekommt immer doppelt so viele Pfade, solange sich nichts bewegt. Wie viele ein gespeichertes Bild hat, steht bei den Eigenschaften.</translation>
     </message>
 </context>
 <context>
@@ -3181,6 +3213,10 @@
     <message>
         <source>Has the picture show it.</source>
         <translation>Lässt das Bild es zeigen.</translation>
+    </message>
+    <message>
+        <source>%1; it %2.</source>
+        <translation>%1; dies %2.</translation>
     </message>
 </context>
 <context>
@@ -3824,10 +3860,6 @@
         <translation>nicht in diesem Modell</translation>
     </message>
     <message>
-        <source>Which boundary counts as the strongest; &quot;automatic&quot; is the largest for enhanced and the 99.5th percentile for robust.</source>
-        <translation>Welche Grenzfläche als die stärkste gilt; „Automatisch“ ist die größte bei „Verstärkt“ und das 99,5. Perzentil bei „Robust“.</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -3850,10 +3882,6 @@
     <message>
         <source>Logarithmic</source>
         <translation>Logarithmisch</translation>
-    </message>
-    <message>
-        <source>Robust only</source>
-        <translation>Nur „Robust“</translation>
     </message>
     <message>
         <source>&lt;p&gt;Dims broad highlights so that sharp and broad ones carry the same light.&lt;/p&gt;&lt;p&gt;On or off, default on.&lt;/p&gt;</source>
@@ -3884,10 +3912,6 @@
         <translation>Schalten Sie zuerst die Zeile darüber ein.</translation>
     </message>
     <message>
-        <source>Only the enhanced and robust models follow boundaries, and none is shown.</source>
-        <translation>Nur die Modelle „Verstärkt“ und „Robust“ folgen Grenzflächen, und keines wird gezeigt.</translation>
-    </message>
-    <message>
         <source>At a change of</source>
         <translation>Wertänderung</translation>
     </message>
@@ -3906,6 +3930,22 @@
     <message>
         <source>Dim broad highlights</source>
         <translation>Breite Glanzlichter dämpfen</translation>
+    </message>
+    <message>
+        <source>Which boundary counts as the strongest; &quot;automatic&quot; is the largest for enhanced and the 99.5th percentile for robust and physical.</source>
+        <translation>Welche Grenze als die stärkste gilt; „automatisch“ ist die größte bei „verstärkt“ und das 99,5. Perzentil bei „robust“ und „physikalisch“.</translation>
+    </message>
+    <message>
+        <source>Highlights and limits</source>
+        <translation>Glanzlichter und Grenzen</translation>
+    </message>
+    <message>
+        <source>Only the robust and physical models do this, and none is shown.</source>
+        <translation>Das tun nur die Modelle „robust“ und „physikalisch“, und keines wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Only the enhanced, robust and physical models follow boundaries, and none is shown.</source>
+        <translation>Nur die Modelle „verstärkt“, „robust“ und „physikalisch“ folgen Grenzen, und keines wird gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -4180,6 +4220,10 @@
         <source>%1 labels whose names begin with &quot;%2&quot;: a click on the mark shows or hides all of them.</source>
         <translation>%1 Labels, deren Namen mit „%2“ beginnen: Ein Klick auf das Kästchen zeigt oder verbirgt sie alle.</translation>
     </message>
+    <message>
+        <source>%1 labels that their file counts as &quot;%2&quot;: a click on the mark shows or hides all of them.</source>
+        <translation>%1 Labels, die ihre Datei zu „%2“ zählt: Ein Klick auf das Kästchen zeigt oder verbirgt sie alle.</translation>
+    </message>
 </context>
 <context>
     <name>limn::LightBall</name>
@@ -4399,16 +4443,20 @@
         <translation>Aus welcher Entfernung das, was um eine Stelle steht, sie noch verdunkelt.</translation>
     </message>
     <message>
-        <source>Physical light has strengths and highlights of its own.</source>
-        <translation>Physikalisches Licht hat eigene Stärken und Glanzlichter.</translation>
-    </message>
-    <message>
         <source>The lamp is where the viewer is: drag it off, or choose another position.</source>
         <translation>Die Lampe ist beim Betrachter: Ziehen Sie sie weg, oder wählen Sie eine andere Position.</translation>
     </message>
     <message>
         <source>A lamp at the viewer casts no shadow that can be seen: drag it off, or choose another position.</source>
         <translation>Eine Lampe beim Betrachter wirft keinen sichtbaren Schatten: Ziehen Sie sie weg, oder wählen Sie eine andere Position.</translation>
+    </message>
+    <message>
+        <source>Physical</source>
+        <translation>Physikalisch</translation>
+    </message>
+    <message>
+        <source>Physical light has its own strengths: they lie in the section below.</source>
+        <translation>Physikalisches Licht hat eigene Stärken: Sie stehen im Abschnitt darunter.</translation>
     </message>
 </context>
 <context>
@@ -4521,6 +4569,10 @@
     <message>
         <source>&lt;p&gt;Colours the picture by how far it lies from the exact one, in levels of 255. The next change of the picture takes it away.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Färbt das Bild danach, wie weit es vom exakten entfernt ist, in Stufen von 255. Die nächste Änderung des Bildes nimmt die Färbung weg.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>%1, at %2 × %3 pixels: the standard error of 999 of 1000 colour values is at most %4 levels of 255; that of %5 % of the pixels is more than one.</source>
+        <translation>%1, bei %2 × %3 Bildpunkten: Der Standardfehler von 999 von 1000 Farbwerten ist höchstens %4 Stufen von 255; der von %5 % der Bildpunkte ist größer als eine.</translation>
     </message>
 </context>
 <context>
@@ -8326,6 +8378,34 @@
         <source>Slices cannot draw shadows and occlusion; use --engine gl, cpu or reference, or set their strength to 0.</source>
         <translation>Schichten können Schatten und Verdeckung nicht zeichnen; nehmen Sie --engine gl, cpu oder reference, oder setzen Sie ihre Stärke auf 0.</translation>
     </message>
+    <message>
+        <source>Following %1 paths a pixel</source>
+        <translation>Verfolge %1 Pfade je Bildpunkt</translation>
+    </message>
+    <message>
+        <source>A picture of physical light of %1 × %2 pixels keeps %3 GB of what its paths find, and %4 GB of memory are free; choose a smaller one or close other programs.</source>
+        <translation>Ein Bild in physikalischem Licht von %1 × %2 Bildpunkten hält %3 GB von dem, was seine Pfade finden, und %4 GB Speicher sind frei; wählen Sie ein kleineres oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 paths a pixel the error (RMS) falls as their number to the power of −%3; the law of chance is −0.5. A quarter of it, %4 instead of %5 levels, takes 16 times as many paths and as long: %6 paths, %7 s.</source>
+        <translation>Von %1 bis %2 Pfaden je Bildpunkt fällt der Fehler (RMS) mit ihrer Zahl hoch −%3; das Gesetz des Zufalls ist −0,5. Ein Viertel davon, %4 statt %5 Stufen, braucht 16-mal so viele Pfade und so lange: %6 Pfade, %7 s.</translation>
+    </message>
+    <message>
+        <source>The volume is compressed or text, which can only be read from its start: every process reads all of it and keeps its part.</source>
+        <translation>Das Volumen ist komprimiert oder Text und kann nur von Anfang an gelesen werden: Jeder Prozess liest alles und behält seinen Teil.</translation>
+    </message>
+    <message>
+        <source>The slices are straightened, for which every process reads and keeps all of them.</source>
+        <translation>Die Schichten werden begradigt; dafür liest und behält jeder Prozess alle.</translation>
+    </message>
+    <message>
+        <source>changes nothing in this picture that could be seen</source>
+        <translation>ändert in diesem Bild nichts, was man sehen könnte</translation>
+    </message>
+    <message>
+        <source>changes this picture by up to %1 of 255 levels, by %2 on average</source>
+        <translation>ändert dieses Bild um bis zu %1 von 255 Stufen, im Mittel um %2</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -8901,6 +8981,157 @@
     </message>
 </context>
 <context>
+    <name>limn::PhysicalSection</name>
+    <message>
+        <source>Paths a pixel</source>
+        <translation>Pfade je Bildpunkt</translation>
+    </message>
+    <message>
+        <source>Four times as many paths halve the noise, and take four times as long.</source>
+        <translation>Viermal so viele Pfade halbieren das Rauschen und brauchen viermal so lange.</translation>
+    </message>
+    <message>
+        <source>Noise left</source>
+        <translation>Restrauschen</translation>
+    </message>
+    <message>
+        <source>The standard error that may be left, RMS over the picture, in 255 levels of brightness; half of it takes four times as long.</source>
+        <translation>Der Standardfehler, der bleiben darf, RMS über das Bild, in 255 Helligkeitsstufen; die Hälfte braucht viermal so lange.</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Time for it</source>
+        <translation>Zeit dafür</translation>
+    </message>
+    <message>
+        <source>How long a picture may take.</source>
+        <translation>Wie lange ein Bild dauern darf.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Physical light</source>
+        <translation>Physikalisches Licht</translation>
+    </message>
+    <message>
+        <source>unused: not in this model</source>
+        <translation>nicht in diesem Modell</translation>
+    </message>
+    <message>
+        <source>Tissue scatters</source>
+        <translation>Gewebe streut</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>How dense everything is beside what the curve says: thinner lets light deeper in, denser keeps it at the surface.</source>
+        <translation>Wie dicht alles ist, neben dem, was die Kurve sagt: Dünner lässt Licht tiefer hinein, dichter hält es an der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Forward scatter (g)</source>
+        <translation>Vorwärtsstreuung (g)</translation>
+    </message>
+    <message>
+        <source>Where light goes that hits something inside tissue: above 0 rather on, below 0 rather back, at 0 all ways alike. Real tissue lies near 0.9.</source>
+        <translation>Wohin Licht geht, das im Gewebe auf etwas trifft: über 0 eher weiter, unter 0 eher zurück, bei 0 in alle Richtungen gleich. Echtes Gewebe liegt nahe 0,9.</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>How much of the light that meets a clear boundary comes back from it as from a surface, instead of going on in all directions.</source>
+        <translation>Wie viel des Lichts, das auf eine deutliche Grenze trifft, wie von einer Oberfläche zurückkommt, statt in alle Richtungen weiterzugehen.</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>How much of that is a highlight; the rest comes back matt, in the tissue&apos;s colour.</source>
+        <translation>Wie viel davon Glanzlicht ist; der Rest kommt matt zurück, in der Farbe des Gewebes.</translation>
+    </message>
+    <message>
+        <source>Lamp and sky</source>
+        <translation>Lampe und Himmel</translation>
+    </message>
+    <message>
+        <source>Lamp strength</source>
+        <translation>Stärke der Lampe</translation>
+    </message>
+    <message>
+        <source>At 1 a white surface that faces the lamp shows as white.</source>
+        <translation>Bei 1 erscheint eine weiße Fläche, die der Lampe zugewandt ist, weiß.</translation>
+    </message>
+    <message>
+        <source>Lamp size</source>
+        <translation>Größe der Lampe</translation>
+    </message>
+    <message>
+        <source>How large the lamp is, as the angle from its middle to its rim: 0° casts hard shadows, 45° hardly any edge.</source>
+        <translation>Wie groß die Lampe ist, als Winkel von der Mitte zum Rand: 0° wirft harte Schatten, 45° kaum eine Kante.</translation>
+    </message>
+    <message>
+        <source>Sky above</source>
+        <translation>Himmel oben</translation>
+    </message>
+    <message>
+        <source>The light that comes from all around, here from straight above; 1 is as bright as white paper under the lamp.</source>
+        <translation>Das Licht, das von ringsum kommt, hier von ganz oben; 1 ist so hell wie weißes Papier unter der Lampe.</translation>
+    </message>
+    <message>
+        <source>Sky below</source>
+        <translation>Himmel unten</translation>
+    </message>
+    <message>
+        <source>The same from straight below; between both it changes evenly.</source>
+        <translation>Dasselbe von ganz unten; dazwischen ändert es sich gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Brightens or darkens the whole picture, as a camera does: each step of 1 doubles its light. No path is followed anew.</source>
+        <translation>Hellt das ganze Bild auf oder dunkelt es ab, wie eine Kamera: Jeder Schritt um 1 verdoppelt sein Licht. Kein Pfad wird neu verfolgt.</translation>
+    </message>
+    <message>
+        <source>Saved pictures</source>
+        <translation>Gespeicherte Bilder</translation>
+    </message>
+    <message>
+        <source>Drawn until</source>
+        <translation>Gezeichnet, bis</translation>
+    </message>
+    <message>
+        <source>When a picture that is saved, filed or put into a figure has enough paths; the window goes on while nothing moves.</source>
+        <translation>Wann ein Bild, das gespeichert, abgelegt oder in eine Abbildung gestellt wird, genug Pfade hat; das Fenster geht weiter, solange sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>A number of paths</source>
+        <translation>eine Zahl von Pfaden</translation>
+    </message>
+    <message>
+        <source>Little noise is left</source>
+        <translation>wenig Rauschen bleibt</translation>
+    </message>
+    <message>
+        <source>Its time is up</source>
+        <translation>die Zeit um ist</translation>
+    </message>
+    <message>
+        <source>Only physical light has this, and no picture is drawn in it.</source>
+        <translation>Das hat nur physikalisches Licht, und kein Bild wird darin gezeichnet.</translation>
+    </message>
+</context>
+<context>
     <name>limn::PictureArea</name>
     <message>
         <source>Left dra&amp;g</source>
@@ -9094,10 +9325,6 @@
         <translation>Dazu</translation>
     </message>
     <message>
-        <source>&amp;Names of models or presets</source>
-        <translation>&amp;Namen der Modelle oder Presets</translation>
-    </message>
-    <message>
         <source>&amp;Letters of the sides (R, L, …)</source>
         <translation>&amp;Buchstaben der Seiten (R, L, …)</translation>
     </message>
@@ -9124,6 +9351,10 @@
     <message>
         <source>%1 × %2 pixels: more than %3 a side cannot be drawn</source>
         <translation>%1 × %2 Pixel: Mehr als %3 je Seite können nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>&amp;Names, and what is hidden</source>
+        <translation>&amp;Namen, und was ausgeblendet ist</translation>
     </message>
 </context>
 <context>
@@ -9938,6 +10169,10 @@
         <source>&quot;%1&quot; shows nothing of this volume: its curve is for other values.</source>
         <translation>„%1“ zeigt nichts von diesem Volumen: Die Kurve gilt für andere Werte.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; shapes the curve in hand, of one label or piece; the picture&apos;s other curves stay.</source>
+        <translation>„%1“ formt die Kurve in der Hand, die eines Labels oder Teils; die anderen Kurven des Bildes bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>limn::ProfileChart</name>
@@ -10315,6 +10550,10 @@
     <message>
         <source>Drawing %1, %2 × %3 pixels</source>
         <translation>%1 wird gezeichnet, %2 × %3 Pixel</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
     </message>
 </context>
 <context>
@@ -11195,6 +11434,10 @@
     <message>
         <source>Open a volume, or wait until the measuring is done.</source>
         <translation>Öffnen Sie ein Volumen, oder warten Sie, bis die Messung fertig ist.</translation>
+    </message>
+    <message>
+        <source>By the law of chance: %1 paths a pixel, %2 s, within %3 levels. The picture goes on by itself while nothing moves.</source>
+        <translation>Nach dem Gesetz des Zufalls: %1 Pfade je Bildpunkt, %2 s, innerhalb von %3 Stufen. Das Bild geht von selbst weiter, solange sich nichts bewegt.</translation>
     </message>
 </context>
 <context>

@@ -362,12 +362,7 @@ void ViewInput::hover(const QMouseEvent& event) {
   m_view->setToolTip(toolTipAt(source, point));
   const bool isProbing = event.modifiers() == Qt::ShiftModifier && event.buttons() == Qt::NoButton;
   showProbe(isProbing ? probeAt(source, point) : std::nullopt, source, point);
-  if (isProbing)
-    readRayAt(source, point);
-}
-
-void ViewInput::readRayAt(const OverlaySource& source, const QPointF& point) {
-  if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+  if (const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, point); ray && isProbing)
     emit rayRead(*ray, sideAt(source, point));
 }
 

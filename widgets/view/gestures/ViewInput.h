@@ -134,7 +134,6 @@ private:
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
   void lookFromFace(const OverlaySource& source, std::size_t face);
   void obeyClick(ViewClick click, const QPointF& point);
-  void readRayAt(const OverlaySource& source, const QPointF& point);
   bool drawLine(const OverlaySource& source, const QMouseEvent& event);
   void closeLine();
   bool takeMeasure(const OverlaySource& source, const QMouseEvent& event);

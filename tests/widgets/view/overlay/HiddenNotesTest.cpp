@@ -61,8 +61,9 @@ TEST_F(HiddenNotes, goWithTheNamesIntoAFile) {
   keepBody();
   const auto told = [this](const SavedMarks& marks) {
     const Overlay overlay = savedOverlay(source(), marks);
-    return std::ranges::any_of(
-        overlay.notes, [](const Note& note) { return note.text == QStringLiteral("Body only: table hidden"); });
+    return std::ranges::any_of(overlay.notes, [](const Note& note) {
+      return note.text == QStringLiteral("Body only: table hidden");
+    });
   };
   EXPECT_TRUE(told({}));
   EXPECT_FALSE(told(noMarks));
