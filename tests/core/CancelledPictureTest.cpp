@@ -21,7 +21,8 @@ TEST(CancelledPicture, of3000SquaredAtOneLevelIsGivenUpWithinMoments) {
   MakingOptions order;
   order.engine = Engine::cpu;
   order.effort.report = [&](double fraction) { done = fraction; };
-  // Once all that is made before and five strips of 128 rows are behind, which those tried before do not have.
+  // Once all that is made before and five strips of 128 rows are behind, which those tried before do not
+  // have.
   constexpr double enough = 5.0 * 128.0 / 3000.0;
   order.effort.isCancelled = [&] {
     wait.asked();
