@@ -36,9 +36,12 @@ StripSize stripSize(const cpu::PictureTerms& terms) {
 // Nothing to be seen. To fill a picture of 3,000² takes longer than whoever cancels may wait.
 Image blank(const glm::ivec2& size, const std::function<bool()>& isCancelled) {
   constexpr std::size_t piece = 1 << 18; // a few ms
+  const auto count = static_cast<std::size_t>(size.x) * size.y;
+  // All at once goes faster.
+  if (count <= 2 * piece)
+    return Image(size);
   Image image;
   image.size = size;
-  const auto count = static_cast<std::size_t>(size.x) * size.y;
   image.pixels.reserve(count);
   while (image.pixels.size() < count) {
     if (isCancelled && image.pixels.size() > 0 && isCancelled())

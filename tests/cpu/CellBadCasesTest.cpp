@@ -181,7 +181,7 @@ void expectGivenUp(const Scene& scene, const std::string& what) {
     test::LongestWait wait;
     const auto isCancelled = [&] {
       wait.asked();
-      return wait.count() > 400;
+      return wait.count() > 200;
     };
     EXPECT_THROW(renderer.draw(scene, size, part, isCancelled), Cancelled);
     wait.asked();

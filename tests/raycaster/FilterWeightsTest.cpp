@@ -225,7 +225,8 @@ TEST_F(FilterWeights3D, theErrorOfACardsPictureIsWhatIsToldOfIt) {
 }
 
 // Two programs that share nothing but the definition round alike, so neither figure is a driver's own. What
-// differs is decided by float rounding where a place lies between two weights: a quarter, as above.
+// differs is decided by float rounding where a place lies between two weights: of these scenes by 2.3 % of
+// the percentile at most, and by no more than twice that.
 TEST_F(FilterWeights3D, theProcessorRoundsToTheSameError) {
   constexpr glm::ivec2 size(192, 192);
   RayCaster floats;
@@ -245,7 +246,7 @@ TEST_F(FilterWeights3D, theProcessorRoundsToTheSameError) {
     std::cout << "| " << one.what << " | " << error.p99_9 << " | " << error.largest << " | " << driver
               << " | " << apart << " |\n";
     EXPECT_LE(error.p99_9, one.mostP99_9);
-    EXPECT_NEAR(error.p99_9, driver, 0.25 * driver);
+    EXPECT_NEAR(error.p99_9, driver, 0.05 * driver);
     if (one.scene.projection == Projection::mip || one.scene.projection == Projection::average) {
       EXPECT_LE(error.largest, mostLevelsOfValue(one.scene));
     }
