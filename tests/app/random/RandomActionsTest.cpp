@@ -9,6 +9,8 @@
 #include <QDeadlineTimer>
 #include <QDockWidget>
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -46,6 +48,10 @@ void noteWarning(QtMsgType type, const QMessageLogContext&, const QString& messa
 class RandomActions : public test::WindowHarness {
 protected:
   void SetUp() override {
+    // What a thread has freed glibc keeps, up to 64 MB for each of 16 arenas, and malloc_trim leaves it
+    // there: after 13,000 actions 123 MB were held and 718 resident. Of a threshold that is set it keeps no
+    // more.
+    mallopt(M_TRIM_THRESHOLD, 1 << 17);
     WindowHarness::SetUp();
     window->resize(1280, 800);
     view().setRefinesAtRest(true);
