@@ -28,7 +28,6 @@
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
-#include <QTimer>
 
 #include <algorithm>
 #include <future>
@@ -239,27 +238,6 @@ TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   EXPECT_EQ(scene().quality, used);
   EXPECT_TRUE(textOf<WishSection>("answer").contains(QStringLiteral("Closest:")))
       << textOf<WishSection>("answer").toStdString();
-}
-
-TEST_F(AccuracyWindowTest, whatCannotBeKeptIsWarnedOfUntilItIsDismissed) {
-  TransferFunction peak = scene().transferFunction;
-  const ValueRange values = scene().volume->range();
-  const double middle = 0.5 * (values.lowest + values.highest);
-  const double narrow = 1e-7 * (values.highest - values.lowest);
-  peak.points = {{middle - narrow, glm::dvec3(1.0), 0.0},
-                 {middle, glm::dvec3(1.0), 1.0},
-                 {middle + narrow, glm::dvec3(1.0), 0.0}};
-  session().setTransferFunction(peak, {nextGestureId(), QStringLiteral("peak")});
-  ASSERT_TRUE(rest());
-  Quality wished = scene().quality;
-  wished.toleranceLevels = 0.5;
-  emit panel().toleranceWished(wished, {nextGestureId(), QStringLiteral("tolerance")});
-  ASSERT_TRUE(workEnds());
-  ASSERT_TRUE(messages().isVisible());
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("cannot be kept")))
-      << messages().sentence().toStdString();
-  EXPECT_EQ(messages().property("kind").toString(), QStringLiteral("warning"));
-  EXPECT_FALSE(messages().findChild<QTimer*>()->isActive()) << "it does not go by itself";
 }
 
 TEST_F(AccuracyWindowTest, cancellingLeavesNothingHalf) {

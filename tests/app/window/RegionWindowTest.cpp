@@ -139,13 +139,6 @@ TEST_F(RegionWindow, whereTheBodyIsInDoubtHidingTheTableIsAskedFor) {
   EXPECT_EQ(undo().undoText(), QStringLiteral("body only"));
   undo().undo();
   EXPECT_EQ(scene().keep, Region{});
-
-  // It is asked of the volume that is open, and once what is said first has been read.
-  ASSERT_TRUE(open(pathTo("doubtful.nrrd")));
-  messages().show(MessageBar::Kind::warning, QStringLiteral("Something else."));
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  ASSERT_TRUE(rest());
-  EXPECT_FALSE(messages().isVisible() && messages().sentence() == question);
 }
 
 TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndEachNoteTakesBackWhatItTells) {
