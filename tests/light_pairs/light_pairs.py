@@ -110,8 +110,9 @@ def main():
 
     pairs = []
     for volume, number in VOLUMES:
-        for view in range(4):
-            turn = f"{2 * view * 4 + number + 1}/36"
+        views, found = iter(range(9)), 0
+        while found < 4:  # thin vessels may have no such places
+            turn = f"{(8 * next(views) + number + 1) % 36}/36"
             off, texts = render(data / volume, "off.png", "--light", "headlight", "--turn", turn)
             on, _ = render(data / volume, "on.png", "--light", "soft-studio", "--turn", turn)
             scene = scene_in(texts)
@@ -144,6 +145,7 @@ def main():
                 nearer = depth(*b) - depth(*a)
                 if 6.0 <= abs(nearer) <= 30.0:
                     pairs.append((off, on, a, b, nearer, f"{volume} {turn}"))
+                    found += 1
                     break
             print(volume, turn, len(pairs), flush=True)
     chance.shuffle(pairs)
