@@ -6,8 +6,8 @@
 
 For each of four views of five volumes of the shared data two places are chosen by chance: both on opaque tissue, off
 edges, 60 to 160 pixels apart, and 6 to 30 mm apart in depth. FOLDER gets `off-NN.png` (a headlight, no shadow),
-`on-NN.png` (Soft studio) with the same marks, A red and B cyan, and, apart, `answers/answers.txt`: which mark is nearer, and
-by how many mm. The order of the pairs is shuffled. Judge all of `off`, then all of `on`, then open the answers.
+`on-NN.png` (Soft studio) with the same marks, A red and B cyan, and, apart, `answers/answers.txt`: which mark is
+nearer, and by how many mm. The order of the pairs is shuffled. Judge all of `off`, then all of `on`, then open the answers.
 
 Depth is what the program itself tells of the volume: the picture in white without light under linear fog is darker by
 the mean distance of what is seen, in 1/255 of 300 mm; nothing of light enters it.
@@ -69,7 +69,8 @@ def write_png(path, rows):
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     raw = b"".join(b"\0" + bytes(c for pixel in row for c in pixel) for row in rows)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0)) +
+    head = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
                      chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
 
 
@@ -110,8 +111,9 @@ def main():
 
     pairs = []
     for volume, number in VOLUMES:
-        for view in range(4):
-            turn = f"{2 * view * 4 + number + 1}/36"
+        views, found = iter(range(9)), 0
+        while found < 4:  # thin vessels may have no such places
+            turn = f"{(8 * next(views) + number + 1) % 36}/36"
             off, texts = render(data / volume, "off.png", "--light", "headlight", "--turn", turn)
             on, _ = render(data / volume, "on.png", "--light", "soft-studio", "--turn", turn)
             scene = scene_in(texts)
@@ -139,11 +141,13 @@ def main():
 
             for _ in range(200000):
                 a, b = [(chance.randrange(20, SIZE - 20), chance.randrange(20, SIZE - 20)) for _ in range(2)]
-                if not 60 <= ((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5 <= 160 or not steady(*a) or not steady(*b):
+                apart = ((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5
+                if not 60 <= apart <= 160 or not steady(*a) or not steady(*b):
                     continue
                 nearer = depth(*b) - depth(*a)
                 if 6.0 <= abs(nearer) <= 30.0:
                     pairs.append((off, on, a, b, nearer, f"{volume} {turn}"))
+                    found += 1
                     break
             print(volume, turn, len(pairs), flush=True)
     chance.shuffle(pairs)

@@ -16,8 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
 /// M of DEFINITION section 11 at several places, trilinear between the eight nodes around each. Codes are
-/// mixed two to a register's lane, in 16 bits: weights along x are whole 256ths, as a graphics card's are,
-/// and 65535ths across.
+/// mixed in 16 bits, two to a lane: that loses less than a fortieth of one.
 class GridLight {
 public:
   HWY_INLINE GridLight(const TravelTerms& travel, const V3& index) : m_travel(travel) {
@@ -25,12 +24,8 @@ public:
     const VI lowX = lowOf(index.x, 0, x), lowY = lowOf(index.y, 1, y), lowZ = lowOf(index.z, 2, z);
     const VI row = hn::Add(hn::Mul(lowZ, hn::Set(ints, travel.found.nodes.count.y)), lowY);
     hn::Store(hn::Add(hn::Mul(row, hn::Set(ints, travel.found.nodes.count.x)), lowX), ints, m_low);
-    m_upper.x = twice(x, 256.0f);
-    m_lower.x = hn::Sub(hn::Set(halves, 256), m_upper.x);
-    m_upper.y = twice(y, 65535.0f);
-    m_lower.y = hn::Sub(hn::Set(halves, 65535), m_upper.y);
-    m_upper.z = twice(z, 65535.0f);
-    m_lower.z = hn::Sub(hn::Set(halves, 65535), m_upper.z);
+    m_upper = {twice(x), twice(y), twice(z)};
+    m_lower = {restOf(m_upper.x), restOf(m_upper.y), restOf(m_upper.z)};
   }
 
   /// Of a light that has a direction.
@@ -48,12 +43,12 @@ public:
         pairs[lane] = one | static_cast<std::uint32_t>(other) << 16;
       }
       const VW codes = hn::Load(words, pairs);
-      planes[z] = alongX(evenBytes(codes), oddBytes(codes));
+      planes[z] = mixed(evenBytes(codes), oddBytes(codes), m_lower.x, m_upper.x);
     }
-    const VH rows = across(planes[0], planes[1], m_lower.z, m_upper.z);
-    const VW mixed = hn::BitCast(words, across(rows, nextOf(rows), m_lower.y, m_upper.y));
+    const VH rows = mixed(planes[0], planes[1], m_lower.z, m_upper.z);
+    const VW sum = hn::BitCast(words, mixed(rows, nextOf(rows), m_lower.y, m_upper.y));
     // What is lost in rounding must not make less than nothing of it.
-    return hn::Max(hn::MulSub(lowHalf(mixed), all(1.0f / (254.0f * 256.0f)), all(1.0f / 254.0f)),
+    return hn::Max(hn::MulSub(lowHalf(sum), all(1.0f / (254.0f * 256.0f)), all(1.0f / 254.0f)),
                    hn::Zero(floats));
   }
 
@@ -69,14 +64,14 @@ public:
           std::memcpy(&pairs[2 * lane], nodes + m_low[lane], 8);
         VW lower, upper;
         hn::LoadInterleaved2(words, pairs, lower, upper);
-        even[y] = alongX(evenBytes(lower), evenBytes(upper));
-        odd[y] = alongX(oddBytes(lower), oddBytes(upper));
+        even[y] = mixed(evenBytes(lower), evenBytes(upper), m_lower.x, m_upper.x);
+        odd[y] = mixed(oddBytes(lower), oddBytes(upper), m_lower.x, m_upper.x);
       }
-      evens[z] = across(even[0], even[1], m_lower.y, m_upper.y);
-      odds[z] = across(odd[0], odd[1], m_lower.y, m_upper.y);
+      evens[z] = mixed(even[0], even[1], m_lower.y, m_upper.y);
+      odds[z] = mixed(odd[0], odd[1], m_lower.y, m_upper.y);
     }
-    const VW even = hn::BitCast(words, across(evens[0], evens[1], m_lower.z, m_upper.z));
-    const VW odd = hn::BitCast(words, across(odds[0], odds[1], m_lower.z, m_upper.z));
+    const VW even = hn::BitCast(words, mixed(evens[0], evens[1], m_lower.z, m_upper.z));
+    const VW odd = hn::BitCast(words, mixed(odds[0], odds[1], m_lower.z, m_upper.z));
     // The shares of the axes are nothing without a normal.
     VF sum = hn::MulAdd(normal.x, lowHalf(odd), lowHalf(even));
     sum = hn::MulAdd(normal.y, highHalf(even), sum);
@@ -110,25 +105,23 @@ private:
     return y * row + z * row * m_travel.found.nodes.count.y;
   }
 
-  HWY_INLINE static VH twice(VF weight, float of) {
-    const VW whole = hn::BitCast(words, intOf(hn::MulAdd(weight, all(of), all(0.5f))));
+  // In 65535ths, rounded by intOf.
+  HWY_INLINE static VH twice(VF weight) {
+    const VW whole = hn::BitCast(words, intOf(hn::Mul(weight, all(65535.0f))));
     return hn::BitCast(halves, hn::Or(whole, hn::ShiftLeft<16>(whole)));
   }
+  HWY_INLINE static VH restOf(VH weight) { return hn::Sub(hn::Set(halves, 65535), weight); }
 
-  HWY_INLINE static VH evenBytes(VW codes) {
-    return hn::BitCast(halves, hn::And(codes, hn::Set(words, 0x00ff00ffu)));
+  // Codes times 256.
+  HWY_INLINE static VH evenBytes(VW codes) { return hn::ShiftLeft<8>(hn::BitCast(halves, codes)); }
+  HWY_INLINE static VH oddBytes(VW codes) {
+    return hn::BitCast(halves, hn::And(codes, hn::Set(words, 0xff00ff00u)));
   }
-  HWY_INLINE static VH oddBytes(VW codes) { return hn::ShiftRight<8>(hn::BitCast(halves, codes)); }
   HWY_INLINE static VH nextOf(VH rows) {
     return hn::BitCast(halves, hn::ShiftRight<16>(hn::BitCast(words, rows)));
   }
 
-  // Codes times 256.
-  HWY_INLINE VH alongX(VH lower, VH upper) const {
-    return hn::Add(hn::Mul(lower, m_lower.x), hn::Mul(upper, m_upper.x));
-  }
-
-  HWY_INLINE static VH across(VH lower, VH upper, VH shareOfLower, VH shareOfUpper) {
+  HWY_INLINE static VH mixed(VH lower, VH upper, VH shareOfLower, VH shareOfUpper) {
     return hn::Add(hn::MulHigh(lower, shareOfLower), hn::MulHigh(upper, shareOfUpper));
   }
 

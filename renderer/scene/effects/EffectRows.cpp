@@ -112,6 +112,11 @@ void letOthersSpeak(EffectRow& row, const EffectPlan& plan) {
       row.reason = reason.reason;
 }
 
+// Two digits, or all before the point.
+Message levelsOf(double number) {
+  return number < 10.0 ? Message::rounded(number, 2) : Message::fixed(number, 0);
+}
+
 } // namespace
 
 std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
@@ -136,7 +141,7 @@ Message broughtText(const PictureChange& change) {
   if (change.mostLevels < 0.5)
     return Message::tr("changes nothing in this picture that could be seen");
   return Message::tr("changes this picture by up to %1 of 255 levels, by %2 on average")
-      .arg(Message::rounded(change.mostLevels, 2), Message::rounded(change.meanLevels, 2));
+      .arg(levelsOf(change.mostLevels), levelsOf(change.meanLevels));
 }
 
 } // namespace limn
