@@ -27,9 +27,9 @@ const char* methodOf(Engine engine) {
   return "double precision";
 }
 
-bool isTwiceAsCoarse(const OperatingPoint& coarse, const OperatingPoint& fine) {
-  return fine.paths ? coarse.paths && *fine.paths == 2 * *coarse.paths
-                    : coarse.stepVoxels == 2.0 * fine.stepVoxels;
+bool isTwiceAsCoarse(const OperatingPoint& before, const OperatingPoint& after) {
+  return after.paths ? before.paths && *after.paths == 2 * *before.paths
+                    : before.stepVoxels == 2.0 * after.stepVoxels;
 }
 
 // Whether `other` makes a point needless.
