@@ -9,6 +9,8 @@
 #include "widgets/curve/PointLight.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/planes/PlaneDeck.h"
+#include "widgets/planes/PlaneView.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/CropSection.h"
 #include "widgets/properties/EffectsPanel.h"

@@ -122,7 +122,7 @@ TEST(PhysicalPanel, numbersThatPhysicalLightReadsAreOffered) {
     EXPECT_TRUE(
         rowNamed<ChoiceRow>(panel, name)->isEnabledTo(rowNamed<ChoiceRow>(panel, name)->parentWidget()))
         << name;
-  for (const char* name : {"Soft limit from (k)", "Density"})
+  for (const char* name : {"Soft limit from (k)", "Density", "Smooth normals"})
     EXPECT_TRUE(
         rowNamed<ValueSlider>(panel, name)->isEnabledTo(rowNamed<ValueSlider>(panel, name)->parentWidget()))
         << name;

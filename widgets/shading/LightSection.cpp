@@ -277,11 +277,11 @@ void LightSection::showShading() {
                         : hasPaths
                             ? tr("Physical light has its own strengths: they lie in the section below.")
                             : tr("The unlit model uses no light.");
-  for (const auto& [slider, member] : m_numbers)
-    slider->setUnavailable(unlit);
+  const QString nowhere = hasPaths ? QString() : unlit;
+  for (const auto& [slider, member] : m_numbers) // surfaces of both follow smoothed normals
+    slider->setUnavailable(member == &Shading::gradientSmoothing ? nowhere : unlit);
   for (ChoiceRow* row : {m_reflection, m_highlightColor})
     row->setUnavailable(unlit);
-  const QString nowhere = hasPaths ? QString() : unlit;
   m_preset->setUnavailable(nowhere);
   m_place->setUnavailable(nowhere);
   limn::setUnavailable(*m_twoSided, unlit, m_twoSidedHelp);

