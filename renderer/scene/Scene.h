@@ -55,8 +55,8 @@ struct Quality {
   /// finds, too; nothing else draws differently with it.
   bool ownWeights = false;
   LightDetail light = LightDetail::fine; ///< no file keeps it
-  /// Of physical light, how many of each pixel are followed in a picture on its way, > 0; absent: as many as
-  /// the model's `until` asks for (pathsOf). No file keeps it.
+  /// Of physical light, how many of each pixel are followed in a picture on its way; 0: those followed before
+  /// are shown; absent: as many as the model's `until` asks for (pathsOf). No file keeps it.
   std::optional<int> paths{};
   bool operator==(const Quality&) const = default;
 };

@@ -27,15 +27,9 @@ const char* methodOf(Engine engine) {
   return "double precision";
 }
 
-<<<<<<< HEAD
-bool isTwiceAsCoarse(const OperatingPoint& coarse, const OperatingPoint& next) {
-  return next.paths ? coarse.paths && *next.paths == 2 * *coarse.paths
-                    : coarse.stepVoxels == 2.0 * next.stepVoxels;
-=======
 bool isTwiceAsCoarse(const OperatingPoint& before, const OperatingPoint& after) {
   return after.paths ? before.paths && *after.paths == 2 * *before.paths
                      : before.stepVoxels == 2.0 * after.stepVoxels;
->>>>>>> paths2
 }
 
 // Whether `other` makes a point needless.
