@@ -139,7 +139,7 @@ TEST_F(ViewInput, keysChooseStandardViewsAndRotate) {
 
 TEST_F(ViewInput, shiftMoveProbesAndShiftClickPins) {
   ASSERT_TRUE(host.rest());
-  QSignalSpy pins(&host.view.input(), &ViewInput::pinRequested);
+  QSignalSpy pins(&host.view.input(), &limn::ViewInput::pinRequested);
   host.move({200, 120}, Qt::ShiftModifier);
   ASSERT_FALSE(host.probes.empty());
   ASSERT_TRUE(host.probes.back().has_value());
@@ -200,15 +200,15 @@ TEST_F(ViewInput, theTitleOfTheDifferenceExplainsItAndTheLabelsStillChoose) {
 }
 
 TEST_F(ViewInput, doubleClickAsksToMaximise) {
-  QSignalSpy maximise(&host.view.input(), &ViewInput::maximiseRequested);
+  QSignalSpy maximise(&host.view.input(), &limn::ViewInput::maximiseRequested);
   QTest::mouseDClick(host.view.windowHandle(), Qt::LeftButton, {}, {200, 150});
   EXPECT_EQ(maximise.count(), 1);
   EXPECT_EQ(host.cameraEdits, 0);
 }
 
 TEST_F(ViewInput, programKeysAreAskedFor) {
-  QSignalSpy presets(&host.view.input(), &ViewInput::windowPresetRequested);
-  QSignalSpy shortcuts(&host.view.input(), &ViewInput::shortcutListRequested);
+  QSignalSpy presets(&host.view.input(), &limn::ViewInput::windowPresetRequested);
+  QSignalSpy shortcuts(&host.view.input(), &limn::ViewInput::shortcutListRequested);
   QTest::keyClick(&host.view, Qt::Key_3);
   ASSERT_EQ(presets.count(), 1);
   EXPECT_EQ(presets[0][0].toInt(), 3);

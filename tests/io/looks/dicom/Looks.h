@@ -41,7 +41,7 @@ inline BytePicture smallPicture() {
 
 inline DicomObjects objectsOf(const Scene& scene, bool isAnonymous = false) {
   TemporaryFolder folder;
-  return dicomObjectsOf(scene, {seriesIn(folder.path()), smallPicture(), "1.2", isAnonymous});
+  return dicomObjectsOf(scene, {seriesIn(folder.path()), smallPicture(), "1.2", {}, isAnonymous});
 }
 
 /// The head phantom, unlit, seen from the front.
