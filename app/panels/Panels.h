@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/panels/AccuracyController.h"
+#include "app/panels/CropBoxController.h"
 #include "app/panels/RayController.h"
 #include "app/panels/curve/CurveController.h"
 #include "app/panels/curve/SuggestionController.h"
@@ -23,7 +24,6 @@ class QAction;
 
 namespace limn {
 
-class CropSection;
 class EffectsPanel;
 class PointLight;
 class PropertiesPanel;
@@ -47,37 +47,6 @@ private:
 
   std::shared_ptr<const Volume> m_volume;
   std::map<Kind, TransferFunction> m_shown;
-};
-
-/// Shows the crop box in the picture while its action is checked, and while the crop section is used: on
-/// while one goes from there to its handles in the view. Where nothing is cropped yet and the body is known
-/// the action puts the box around that, and takes it back where nobody has moved it since.
-class CropBoxController : public QObject {
-  Q_OBJECT
-
-public:
-  CropBoxController(WindowContext& context, const CropSection& section);
-
-  bool isShown() const;
-  void setShown(bool isShown);
-
-private:
-  // The box as the action has put it around the body.
-  struct Begun {
-    std::shared_ptr<const Volume> volume;
-    CropBox crop;
-    std::uint64_t gesture = 0;
-  };
-
-  void show();
-  void begin(bool isShown);
-  void followFocus(const QWidget* now);
-
-  WindowContext& m_context;
-  const CropSection& m_section;
-  std::optional<Begun> m_begun;
-  QAction* m_action;
-  bool m_isEdited = false; ///< in its section, or in the view since
 };
 
 /// Shows what a point of the curve governs for as long as the pointer rests on it: in the slices and in the
