@@ -61,6 +61,10 @@ std::vector<Cut> withoutNames(std::vector<Cut> cuts) {
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
 constexpr int worthSayingMs = 300;
 
+QString tableQuestion() {
+  return RegionController::tr("Hide the table and the holder? It is not certain which part is the body.");
+}
+
 } // namespace
 
 RegionController::RegionController(WindowContext& context) : QObject(&context.window), m_context(context) {
@@ -201,8 +205,7 @@ void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
     return;
   }
-  m_context.messages.show(MessageBar::Kind::question,
-                          tr("Hide the table and the holder? It is not certain which part is the body."), {},
+  m_context.messages.show(MessageBar::Kind::question, tableQuestion(), {},
                           {tr("Hide them"),
                            [this, isAsShown, found] {
                              m_context.messages.hide();
@@ -266,6 +269,8 @@ void RegionController::showScene(const Scene& scene) {
     offerCutsOfBefore(scene);
     m_volume = scene.volume;
     m_body = {};
+    if (m_context.messages.isAsking() && m_context.messages.sentence() == tableQuestion())
+      m_context.messages.hide(); // it was about the volume before
   }
   if (scene.volume)
     m_cuts = scene.keep.cuts;

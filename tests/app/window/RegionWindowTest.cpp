@@ -139,6 +139,11 @@ TEST_F(RegionWindow, whereTheBodyIsInDoubtHidingTheTableIsAskedFor) {
   EXPECT_EQ(undo().undoText(), QStringLiteral("body only"));
   undo().undo();
   EXPECT_EQ(scene().keep, Region{});
+
+  ASSERT_TRUE(open(pathTo("doubtful.nrrd")));
+  ASSERT_TRUE(isAsked());
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  EXPECT_FALSE(messages().isVisible() && messages().sentence() == question) << "of the volume before";
 }
 
 TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndEachNoteTakesBackWhatItTells) {
