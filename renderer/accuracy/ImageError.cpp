@@ -46,16 +46,21 @@ struct Channels {
   std::size_t pixelsOverOne = 0;
 };
 
-Channels channelsOf(const PrecisePixels& picture, const PrecisePixels& exact) {
+// Of single or double precision: to copy large pictures into the latter first takes longer than to compare
+// them.
+template <class Picture, class Exact>
+Channels channelsOf(const Picture& picture, const Exact& exact) {
   assert(picture.size() == exact.size());
   Channels channels;
+  channels.levels.reserve(4 * picture.size());
   for (std::size_t i = 0; i < picture.size(); ++i) {
     // Not a number covers: it must not slip through a comparison.
     if (!(std::isnan(picture[i].a) || isCovered(glm::vec4(picture[i])) || isCovered(glm::vec4(exact[i]))))
       continue;
+    const glm::dvec4 difference = glm::dvec4(picture[i]) - glm::dvec4(exact[i]);
     double largest = 0.0;
     for (int c = 0; c < 4; ++c) {
-      channels.levels.push_back(levels(picture[i][c] - exact[i][c]));
+      channels.levels.push_back(levels(difference[c]));
       largest = std::max(largest, channels.levels.back());
     }
     channels.pixelsOverOne += largest > 1.0 ? 1 : 0;
@@ -79,6 +84,13 @@ ImageError withoutPercentile(const Channels& channels) {
   return error;
 }
 
+ImageError errorOf(Channels channels) {
+  ImageError error = withoutPercentile(channels);
+  if (!channels.levels.empty())
+    error.p99_9 = percentile(channels.levels, 0.999);
+  return error;
+}
+
 } // namespace
 
 ErrorMap errorMap(const Image& picture, const PrecisePixels& exact) {
@@ -90,15 +102,11 @@ ErrorMap errorMap(const Image& picture, const PrecisePixels& exact) {
 }
 
 ImageError imageError(const PrecisePixels& picture, const PrecisePixels& exact) {
-  Channels channels = channelsOf(picture, exact);
-  ImageError error = withoutPercentile(channels);
-  if (!channels.levels.empty())
-    error.p99_9 = percentile(channels.levels, 0.999);
-  return error;
+  return errorOf(channelsOf(picture, exact));
 }
 
 ImageError errorByTail(const Image& picture, const PrecisePixels& exact, double tail) {
-  Channels channels = channelsOf(precise(picture), exact);
+  Channels channels = channelsOf(picture.pixels, exact);
   ImageError error = withoutPercentile(channels);
   if (channels.levels.empty())
     return error;
@@ -115,11 +123,11 @@ ImageError errorByTail(const Image& picture, const PrecisePixels& exact, double 
 }
 
 ImageError imageError(const Image& picture, const PrecisePixels& exact) {
-  return imageError(precise(picture), exact);
+  return errorOf(channelsOf(picture.pixels, exact));
 }
 
 ImageError imageError(const Image& picture, const Image& other) {
-  return imageError(precise(picture), precise(other));
+  return errorOf(channelsOf(picture.pixels, other.pixels));
 }
 
 PrecisePixels precise(const Image& image) {
