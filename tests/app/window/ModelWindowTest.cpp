@@ -84,8 +84,10 @@ TEST_F(ModelWindow, physicalLightIsDrawnByTheProcessorWithMorePathsWhileNothingM
   };
   ASSERT_TRUE(test::waitUntil([&] { return paths() >= 8; }));
   EXPECT_EQ(view().pictureState().engine, Engine::cpu);
-  const QString status = window->findChild<PictureStatus*>()->text().line();
-  EXPECT_TRUE(status.contains(QStringLiteral("levels RMS after"))) << status.toStdString();
+  // The error is found over what was followed, beside the event loop.
+  const auto status = [this] { return window->findChild<PictureStatus*>()->text().line(); };
+  EXPECT_TRUE(test::waitUntil([&] { return status().contains(QStringLiteral("levels RMS after")); }))
+      << status().toStdString();
   // A gesture ends what is followed, and another picture begins.
   const Scene before = scene();
   dragAPoint();

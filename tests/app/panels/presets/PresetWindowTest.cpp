@@ -182,7 +182,10 @@ TEST_F(PresetWindow, aPresetIsComparedWithThePictureInEveryLayout) {
   entry->trigger();
   browser().findChild<QMenu*>()->close();
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
-  EXPECT_EQ(view().sceneOfSide(1), scene());
+  // Beside it stands what stood there: the scene, by the model of that picture.
+  Scene beside = scene();
+  beside.shading.model = ShadingModel::enhanced;
+  EXPECT_EQ(view().sceneOfSide(1), beside);
   const TransferFunction lung = view().sceneOfSide(0).transferFunction;
   EXPECT_NE(lung, scene().transferFunction);
   EXPECT_EQ(undo().count(), steps) << "it is no edit";
