@@ -283,8 +283,11 @@ void AccuracyController::findSteps(const Quality& quality, const Gesture& gestur
 void AccuracyController::useSteps(const WithinTolerance& found) {
   setWork(AccuracyWork::none);
   m_context.session.setQuality(found.scene.quality, m_toleranceGesture);
+  if (!m_warned.isEmpty() && m_context.messages.sentence() == m_warned)
+    m_context.messages.hide(); // it was about the tolerance before
+  m_warned = found.holds ? QString() : translated(found.sentence);
   if (!found.holds)
-    m_context.messages.show(MessageBar::Kind::warning, translated(found.sentence));
+    m_context.messages.show(MessageBar::Kind::warning, m_warned);
 }
 
 // The map is of the picture as it stands on screen, refined or not.

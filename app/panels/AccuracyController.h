@@ -112,6 +112,7 @@ private:
   AccuracyMeasurer m_measurer;
   ErrorMapOverlay* m_map;
   std::optional<AccuracyReport> m_measured; ///< as measured: what is saved
+  QString m_warned;                         ///< that a tolerance cannot be kept
   Gesture m_toleranceGesture;               ///< for which steps are looked for
   Scene m_compared;                         ///< of which the map is shown or under way
 };

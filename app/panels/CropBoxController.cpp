@@ -28,7 +28,10 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
   context.view.addAction(m_action);
   for (const PatientPlane plane : patientPlanes)
     context.planes.view(plane)->addAction(m_action);
-  connect(m_action, &QAction::toggled, this, &CropBoxController::show);
+  connect(m_action, &QAction::toggled, this, [this](bool isOn) {
+    m_hidTurned = !isOn && m_context.view.order().comparison.turnedBox;
+    show();
+  });
   connect(m_action, &QAction::triggered, this, &CropBoxController::begin);
   connect(&section, &FoldingSection::foldedByUser, this, [this](bool folded) {
     m_isEdited = !folded;
@@ -41,8 +44,8 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
 // Air and table would lie between its handles and what is seen.
 void CropBoxController::begin(bool isShown) {
   const Scene& scene = m_context.session.scene();
-  if (m_context.view.order().comparison.turnedBox)
-    return; // what shows is another box
+  if (m_hidTurned || m_context.view.order().comparison.turnedBox)
+    return m_begun.reset(); // what shows, or was put away, is another box
   const CropBox around = isShown ? boxAroundBody(scene) : CropBox{};
   if (isShown && scene.crop == CropBox{} && around != CropBox{}) {
     m_begun = Begun{scene.volume, around, nextGestureId()};

@@ -45,7 +45,8 @@ private:
   const CropSection& m_section;
   std::optional<Begun> m_begun;
   QAction* m_action;
-  bool m_isEdited = false; ///< in its section, or in the view since
+  bool m_hidTurned = false; ///< the action, just now
+  bool m_isEdited = false;  ///< in its section, or in the view since
 };
 
 } // namespace limn

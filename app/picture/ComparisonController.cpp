@@ -332,7 +332,8 @@ void ComparisonController::describe(SessionDocument& session) const {
   session.layout = m_wanted; // what gave way comes back with the room
   session.layoutIsAsked = m_isAsked;
   session.leftModel = m_left;
-  session.rightModel = m_look ? m_ownModel.value_or(m_context.session.scene().shading.model) : m_right;
+  session.rightModel = m_right;
+  session.ownModel = m_ownModel;
   session.wipe = m_context.view.wipePosition();
   session.snapshot = m_snapshot;
   session.comparedLook = m_look;
@@ -342,11 +343,8 @@ void ComparisonController::restore(const SessionDocument& session) {
   m_left = session.leftModel;
   m_snapshot = session.snapshot;
   m_look = session.comparedLook;
-  // Of looks it tells how the right one is shown.
-  m_right = m_look ? ShadingModel::enhanced : session.rightModel;
-  m_ownModel.reset();
-  if (m_look && session.rightModel != m_context.session.scene().shading.model)
-    m_ownModel = session.rightModel;
+  m_right = session.rightModel;
+  m_ownModel = m_look ? session.ownModel : std::nullopt;
   if (m_look && !m_look->shading)
     m_look->shading = m_context.session.scene().shading;
   m_context.view.setWipePosition(session.wipe);

@@ -48,6 +48,7 @@ MeasureController::MeasureController(WindowContext& context) : QObject(&context.
       return;
     m_volume = scene.volume;
     m_measured.clear(); // what they said was said of another
+    m_hidden.clear();
     m_inHand.reset();
     m_open.reset();
     m_led.reset();
@@ -73,24 +74,30 @@ void MeasureController::refresh() {
   m_measured = measuredIn(m_volume.get(), m_context.session.measurements(), m_measured);
   if (m_inHand && *m_inHand >= m_measured.size())
     m_inHand.reset();
-  if (m_hidden.size() > m_measured.size()) { // the others have moved up
-    m_hidden.clear();
+  if (std::vector<Measurement> now = placed(); now != m_lookedFor) {
+    if (now.size() != m_lookedFor.size())
+      m_hidden.clear(); // of others
     findHidden();
   }
   show();
 }
 
-// While the picture rests, because each place takes a ray that is followed as exactly as a pixel.
-void MeasureController::findHidden() {
-  m_looking.cancel();
-  const int side = m_context.view.ownSide();
-  if (!m_isAtRest || m_measured.empty() || !m_context.view.scene().volume)
-    return;
+std::vector<Measurement> MeasureController::placed() const {
   std::vector<Measurement> measurements;
   for (const Measured& one : m_measured)
     measurements.push_back(one.measurement);
+  return measurements;
+}
+
+// While the picture rests, because each place takes a ray that is followed as exactly as a pixel.
+void MeasureController::findHidden() {
+  m_looking.cancel();
+  m_lookedFor = placed();
+  const int side = m_context.view.ownSide();
+  if (!m_isAtRest || m_measured.empty() || !m_context.view.scene().volume)
+    return;
   m_looking.start(
-      [this, measurements = std::move(measurements), scene = m_context.view.sceneOfSide(side),
+      [this, measurements = m_lookedFor, scene = m_context.view.sceneOfSide(side),
        scale = m_context.view.input().scaleOfSide(side)](const Effort& effort) -> BackgroundWork::Deliver {
         const auto lies = [&](const glm::dvec3& placeMm) { return isHidden(scene, scale, placeMm); };
         std::vector<bool> hidden;

@@ -44,6 +44,7 @@ private:
   void refresh();
   void show();
   void findHidden();
+  std::vector<Measurement> placed() const;
   void showTool();
   void remove();
   void pick(const Ray& ray, int side);
@@ -67,7 +68,8 @@ private:
   std::optional<Led> m_led;
   bool m_isAtRest = false;    ///< the picture
   std::vector<bool> m_hidden; ///< which of them lay behind what was seen when it came to rest; may be shorter
-  BackgroundWork m_looking;   ///< for them
+  std::vector<Measurement> m_lookedFor;
+  BackgroundWork m_looking; ///< for them
 };
 
 } // namespace limn

@@ -118,7 +118,8 @@ ImageError errorByTail(const Image& picture, const PrecisePixels& exact, double 
       excess += level - least;
       ++count;
     }
-  error.p99_9 = least + (count > 0 ? std::log(tail / 0.001) * excess / count : 0.0);
+  // A tail of a few large errors among none is no exponential: no percentile lies above the largest.
+  error.p99_9 = std::min(error.largest, least + (count > 0 ? std::log(tail / 0.001) * excess / count : 0.0));
   return error;
 }
 

@@ -21,6 +21,7 @@ namespace {
 struct Sample {
   double share;
   double fewest;
+  double most = 1e9;
 };
 constexpr Sample rough{1.0 / 50.0, 72.0 * 72.0};
 constexpr Sample fine{1.0 / 14.0, 128.0 * 128.0};
@@ -49,7 +50,7 @@ constexpr double safetyOfFilter = 2.0;
 
 // What a grid of light adds is compared in so many pixels, because light found for each sample takes long. A
 // handful of them lies beyond the percentile, which is told from the hundredth part that is off most instead.
-constexpr Sample ofLight{1.0 / 20.0, 112.0 * 112.0};
+constexpr Sample ofLight{1.0 / 20.0, 112.0 * 112.0, 192.0 * 192.0};
 constexpr double shareOfTail = 0.01;
 
 // Errors of light fall off a little more slowly than that takes them to: of five volumes in three lights the
@@ -76,7 +77,8 @@ constexpr double wellSpentByCells = 0.9;
 
 glm::ivec2 comparedSize(const glm::ivec2& size, const Sample& sample) {
   const double pixels = static_cast<double>(size.x) * size.y;
-  const double scale = std::min(1.0, std::sqrt(std::max(sample.fewest, sample.share * pixels) / pixels));
+  const double scale =
+      std::min(1.0, std::sqrt(std::clamp(sample.share * pixels, sample.fewest, sample.most) / pixels));
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), glm::ivec2(1));
 }
 
@@ -366,13 +368,14 @@ Message describe(const WithinTolerance& found) {
       .arg(levelsText(found.estimateLevels), steps);
 }
 
-ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits) {
+ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits,
+                         bool isWhole) {
   if (looksUpLight(scene)) {
     Scene sampled = scene;
     sampled.quality.light = LightDetail::sampled;
     const glm::ivec2 compared = comparedSize(size, ofLight);
     const Image looked = draw(scene, compared), exact = draw(sampled, compared);
-    if (compared == size)
+    if (isWhole && compared == size)
       return imageError(looked, exact);
     ImageError error = errorByTail(looked, precise(exact), shareOfTail);
     error.p99_9 *= tailOfLight;

@@ -50,8 +50,10 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
 /// a picture makes of that depends on how steep the function is as much as on the data, so it is measured.
 /// All 0, and nothing drawn, for `mostFilterBits` and where voxels are weighed in floats already. Where light
 /// travels (DEFINITION section 11) and what comes of it is looked up on a grid: what that adds, from the same
-/// picture with light found for each sample.
-ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits);
+/// picture with light found for each sample. `isWhole`: the picture in question is of `size`; else that is a
+/// sample of it already, of which the percentile is a guess.
+ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits,
+                         bool isWhole = true);
 
 /// Whether a scene asks for a tolerance for which nothing has been found yet.
 inline bool needsSteps(const Scene& scene) {

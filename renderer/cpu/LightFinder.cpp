@@ -156,13 +156,13 @@ const LightInBackground::Known* LightInBackground::instead(const Scene& lit) con
   return nearest == m_known.end() ? nullptr : &*nearest;
 }
 
-// What is to be found next: coarse light of all before fine light of any.
+// What is to be found next: coarse light of all, then fine light of what was asked for last. Of another that
+// still shows it is asked for again (isFinding); of one that no longer does nobody waits for it.
 std::optional<Scene> LightInBackground::missing() const {
   if (const std::optional<Scene> coarse = missingCoarse())
     return coarse;
-  for (const Scene& wanted : m_wanted)
-    if (!exactly(wanted))
-      return wanted;
+  if (!m_wanted.empty() && !exactly(m_wanted.front()))
+    return m_wanted.front();
   return std::nullopt;
 }
 

@@ -255,7 +255,7 @@ SavingController::SavingController(WindowContext& context, std::function<Session
   connect(saveAs, &QAction::triggered, this, &SavingController::saveSessionAs);
   connect(scene, &QAction::triggered, this, &SavingController::saveScene);
   connect(&m_drawing, &BackgroundWork::progressed, this, [this](double fraction) {
-    emit drawing(tr("%1: %2 %").arg(m_drawn).arg(static_cast<int>(100.0 * fraction)));
+    emit drawing(tr("%1: %2 %").arg(m_drawn, QString::number(static_cast<int>(100.0 * fraction))));
   });
   connect(&m_drawing, &BackgroundWork::failed, this, [this](const QString& sentence) {
     emit drawing({});
@@ -380,7 +380,7 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
                                    const glm::ivec2& size) {
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
   const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
-  m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name).arg(columns).arg(size.y);
+  m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name, QString::number(columns), QString::number(size.y));
   emit drawing(m_drawn);
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
 /// M of DEFINITION section 11 at several places, trilinear between the eight nodes around each. Codes are
-/// mixed in 16 bits, two to a lane: that loses less than a fortieth of one.
+/// mixed in 16 bits, two to a lane: that loses less than a twenty-eighth of one.
 class GridLight {
 public:
   HWY_INLINE GridLight(const TravelTerms& travel, const V3& index) : m_travel(travel) {

@@ -20,6 +20,8 @@ void readComparison(JsonFields fields, SessionDocument& session) {
   fields.boolean("layout_is_asked", session.layoutIsAsked);
   fields.choice("left", session.leftModel, shadingModels);
   fields.choice("right", session.rightModel, shadingModels);
+  if (fields.has("own_model"))
+    fields.choice("own_model", session.ownModel.emplace(), shadingModels);
   fields.number("wipe", session.wipe, fraction);
   const auto look = [&](const char* key, std::optional<Preset>& preset) {
     if (!fields.has(key))
@@ -134,6 +136,8 @@ std::string sessionToJson(const SessionDocument& session) {
                      {"left", nameOf(session.leftModel)},
                      {"right", nameOf(session.rightModel)},
                      {"wipe", session.wipe}};
+  if (session.ownModel)
+    json["compare"]["own_model"] = nameOf(*session.ownModel);
   if (session.snapshot)
     json["compare"]["snapshot"] = presetJson(*session.snapshot);
   if (session.comparedLook)

@@ -32,6 +32,8 @@ struct SessionDocument {
   bool layoutIsAsked = true; ///< for by somebody: two pictures stay two where they have little room
   ShadingModel leftModel = ShadingModel::classic;
   ShadingModel rightModel = ShadingModel::enhanced;
+  std::optional<ShadingModel>
+      ownModel{};                 ///< of the scene's own look beside a compared one; absent: the scene's
   std::optional<Preset> snapshot; ///< a look that was put by, to compare with
   std::optional<Preset>
       comparedLook;  ///< at the left, compared with the scene's own; absent: models are compared

@@ -258,7 +258,7 @@ TEST_F(Looks, areComparedByTheModelOfThePictureThatNobodyTouched) {
   choose(0, QStringLiteral("CT bone"));
   EXPECT_EQ(models(), (Models{ShadingModel::enhanced, ShadingModel::enhanced}));
   const SessionDocument kept = window->sessionDocument();
-  EXPECT_EQ(kept.rightModel, ShadingModel::enhanced);
+  EXPECT_EQ(kept.ownModel, ShadingModel::enhanced);
   named("compareModels").trigger();
   ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   choose(1, QStringLiteral("CT skin"));

@@ -72,7 +72,7 @@ ErrorProbe::Measured ErrorProbe::measure(DrawingEngine& engine, const Scene& sce
 ImageError ErrorProbe::ofFilter(DrawingEngine& engine, const Scene& scene) {
   return errorOfFilter(
       scene, m_size, [&](const Scene& drawn, const glm::ivec2&) { return draw(engine, drawn); },
-      engine.facts(scene).filterBits);
+      engine.facts(scene).filterBits, false);
 }
 
 Image ErrorProbe::draw(DrawingEngine& engine, const Scene& scene) {

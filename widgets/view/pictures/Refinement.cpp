@@ -175,10 +175,12 @@ void Refinement::measureFilter(DrawingEngine& engine, std::span<SidePicture> sid
     m_sheet->draw(engine, scene, {{0, 0}, size});
     return m_sheet->read();
   };
-  for (std::size_t i = 0; i < sides.size(); ++i)
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const glm::ivec2 size = smallerSize(sides[i].size(), ErrorProbe::longest);
     m_sides[i].ofFilter =
-        errorOfFilter(sides[i].shownScene(), smallerSize(sides[i].size(), ErrorProbe::longest), draw,
-                      engine.facts(sides[i].shownScene()).filterBits);
+        errorOfFilter(sides[i].shownScene(), size, draw, engine.facts(sides[i].shownScene()).filterBits,
+                      size == sides[i].size());
+  }
 }
 
 RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) {

@@ -125,6 +125,7 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
     return;
   if (m_pass == 0) {
     m_completeMs = m_schedule.spentMs();
+    m_gradientScale = engine.gradientScale(); // which the coarse picture of paths leaves as it was
     return;
   }
   std::swap(m_coarse, m_middle);

@@ -327,6 +327,8 @@ VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& file
     const std::string kind = kindOf(files[i]);
     kinds.insert(kind);
     if (files.size() > 1 && !stack.needsNext()) {
+      reportOrStop(progress, static_cast<double>(i) / static_cast<double>(files.size()),
+                   Message::tr("Reading slices"));
       stack.pass();
       continue;
     }
