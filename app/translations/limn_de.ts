@@ -4572,7 +4572,7 @@
     </message>
     <message>
         <source>%1, at %2 × %3 pixels: the standard error of 999 of 1000 colour values is at most %4 levels of 255; that of %5 % of the pixels is more than one.</source>
-        <translation>%1, bei %2 × %3 Bildpunkten: Der Standardfehler von 999 von 1000 Farbwerten ist höchstens %4 Stufen von 255; der von %5 % der Bildpunkte ist größer als eine.</translation>
+        <translation>%1, bei %2 × %3 Bildpunkten: Der Standardfehler von 999 von 1000 Farbwerten ist höchstens %4 Stufen von 255; der von %5&#xa0;% der Bildpunkte ist größer als eine.</translation>
     </message>
 </context>
 <context>
@@ -8388,7 +8388,7 @@
     </message>
     <message>
         <source>From %1 to %2 paths a pixel the error (RMS) falls as their number to the power of −%3; the law of chance is −0.5. A quarter of it, %4 instead of %5 levels, takes 16 times as many paths and as long: %6 paths, %7 s.</source>
-        <translation>Von %1 bis %2 Pfaden je Bildpunkt fällt der Fehler (RMS) mit ihrer Zahl hoch −%3; das Gesetz des Zufalls ist −0,5. Ein Viertel davon, %4 statt %5 Stufen, braucht 16-mal so viele Pfade und so lange: %6 Pfade, %7 s.</translation>
+        <translation>Von %1 bis %2 Pfaden je Bildpunkt fällt der Fehler (RMS) mit ihrer Zahl hoch −%3; das Gesetz des Zufalls ist −0,5. Ein Viertel davon, %4 statt %5 Stufen, braucht 16-mal so viele Pfade und so lange: %6 Pfade, %7&#xa0;s.</translation>
     </message>
     <message>
         <source>The volume is compressed or text, which can only be read from its start: every process reads all of it and keeps its part.</source>
@@ -10553,7 +10553,7 @@
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation>%1: %2 %</translation>
+        <translation>%1: %2&#xa0;%</translation>
     </message>
 </context>
 <context>
@@ -11437,7 +11437,7 @@
     </message>
     <message>
         <source>By the law of chance: %1 paths a pixel, %2 s, within %3 levels. The picture goes on by itself while nothing moves.</source>
-        <translation>Nach dem Gesetz des Zufalls: %1 Pfade je Bildpunkt, %2 s, innerhalb von %3 Stufen. Das Bild geht von selbst weiter, solange sich nichts bewegt.</translation>
+        <translation>Nach dem Gesetz des Zufalls: %1 Pfade je Bildpunkt, %2&#xa0;s, innerhalb von %3 Stufen. Das Bild geht von selbst weiter, solange sich nichts bewegt.</translation>
     </message>
 </context>
 <context>
