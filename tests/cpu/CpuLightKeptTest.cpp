@@ -77,25 +77,13 @@ TEST(CpuLightKept, whatLiesBehindACutFaceMayAsWellBeAir) {
   }
 }
 
-// By how much the picture is darker than without, which has an error of its own at each step.
 TEST(CpuLightKept, stepsChangeNoStrength) {
-  const glm::ivec2 size{44, 44};
-  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced})
-    for (const LightDetail detail : everyDetail) {
-      Scene scene = shadowedHead(4.0, model);
-      scene.quality.preintegrated = Preintegration::automatic;
-      std::optional<double> first;
-      for (const double step : {1.0, 0.5, 0.25}) {
-        scene.quality.stepVoxels = step;
-        const double lit = brightness(pictureIn(scene, detail, size));
-        const double dimmedBy = brightness(pictureIn(withoutTravel(scene), detail, size)) - lit;
-        std::cout << nameOf(model) << ", detail " << static_cast<int>(detail) << ", step " << step
-                  << ": brightness " << lit << ", dimmed by " << dimmedBy << " levels\n";
-        EXPECT_GE(dimmedBy, 3.0);
-        EXPECT_NEAR(dimmedBy, first.value_or(dimmedBy), 0.5);
-        first = first.value_or(dimmedBy);
-      }
-    }
+  for (const LightDetail detail : everyDetail)
+    test::expectStepsToChangeNoStrength(
+        [detail](const Scene& scene) {
+          return pictureIn(scene, detail, {44, 44});
+        },
+        "detail " + std::to_string(static_cast<int>(detail)));
 }
 
 // Strengths of 0, whatever else is told of the light.

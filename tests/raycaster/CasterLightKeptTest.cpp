@@ -58,23 +58,12 @@ TEST_F(CasterLightKept, whatLiesBehindACutFaceMayAsWellBeAir) {
 }
 
 TEST_F(CasterLightKept, stepsChangeNoStrength) {
-  const glm::ivec2 size{72, 72};
-  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced})
-    for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse}) {
-      Scene scene = shadowedHead(4.0, model);
-      scene.quality.preintegrated = Preintegration::automatic;
-      std::optional<double> first;
-      for (const double step : {1.0, 0.5, 0.25}) {
-        scene.quality.stepVoxels = step;
-        const double lit = brightness(castIn(scene, detail, size));
-        const double dimmedBy = brightness(castIn(withoutTravel(scene), detail, size)) - lit;
-        std::cout << nameOf(model) << ", detail " << static_cast<int>(detail) << ", step " << step
-                  << ": brightness " << lit << ", dimmed by " << dimmedBy << " levels\n";
-        EXPECT_GE(dimmedBy, 3.0);
-        EXPECT_NEAR(dimmedBy, first.value_or(dimmedBy), 0.5);
-        first = first.value_or(dimmedBy);
-      }
-    }
+  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse})
+    test::expectStepsToChangeNoStrength(
+        [detail](const Scene& scene) {
+          return castIn(scene, detail, {72, 72});
+        },
+        "detail " + std::to_string(static_cast<int>(detail)));
 }
 
 TEST_F(CasterLightKept, lightOfNoStrengthLeavesNoTrace) {

@@ -6,7 +6,13 @@
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
 
 namespace limn::test {
 
@@ -122,5 +128,26 @@ inline const TravelCase travelCases[] = {
        s.keep = withVariedLooks(cubesRegion(s.volume->grid().dims, 9, {1.0, 1.0, 0.6}), s.transferFunction);
      }},
 };
+
+/// Steps of 1, 1/2 and 1/4 voxel change by half a level at most how much light dims a head as `draw` draws
+/// it. Of each step the picture without is taken off, which has an error of its own. Says what it finds.
+inline void expectStepsToChangeNoStrength(const std::function<Image(const Scene&)>& draw,
+                                          const std::string& what) {
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced}) {
+    Scene scene = shadowedHead(4.0, model);
+    scene.quality.preintegrated = Preintegration::automatic;
+    std::optional<double> first;
+    for (const double step : {1.0, 0.5, 0.25}) {
+      scene.quality.stepVoxels = step;
+      const double lit = brightness(draw(scene));
+      const double dimmedBy = brightness(draw(withoutTravel(scene))) - lit;
+      std::cout << nameOf(model) << ", " << what << ", step " << step << ": brightness " << lit
+                << ", dimmed by " << dimmedBy << " levels\n";
+      EXPECT_GE(dimmedBy, 3.0);
+      EXPECT_NEAR(dimmedBy, first.value_or(dimmedBy), 0.5);
+      first = first.value_or(dimmedBy);
+    }
+  }
+}
 
 } // namespace limn::test

@@ -119,6 +119,12 @@ TEST(LabelGroups, areLabelsOfWhichTheirFileSaysTheSame) {
     labels[n].type = labels[n].category = QStringLiteral("Tissue");
   EXPECT_EQ(groupsOf(labels)[2], (LabelGroup{QStringLiteral("lobe"), {2, 4, 5}}))
       << "what all share tells nothing, and a name is more";
+  // A type and a category may have one name; they are two groups all the same.
+  EXPECT_EQ(
+      groupsOf({kind("a", "Bone", ""), kind("b", "Bone", ""), kind("c", "Bone", ""), kind("d", "", "Bone"),
+                kind("e", "", "Bone"), kind("f", "", "Bone"), kind("g", "Fat", "Fat")}),
+      (std::vector<LabelGroup>{
+          {QStringLiteral("Bone"), {0, 1, 2}, false}, {QStringLiteral("Bone"), {3, 4, 5}, false}, one(6)}));
 }
 
 TEST_F(LabelSectionTest, theLabelsOfOneTypeAreAGroupInTheList) {

@@ -25,13 +25,12 @@ QString firstWord(const QString& name) {
 
 std::vector<LabelGroup> groupsOf(const std::vector<LabelKind>& labels) {
   // What a label shares with others of its group, in lower case, and how it is written there.
+  enum class By { type, name, category };
   struct Shared {
     QString key;
     QString name;
-    bool isByName = true;
-    bool operator<(const Shared& other) const {
-      return std::tie(isByName, key) < std::tie(other.isByName, other.key);
-    }
+    By by = By::name;
+    bool operator<(const Shared& other) const { return std::tie(by, key) < std::tie(other.by, other.key); }
   };
   std::vector<Shared> shared(labels.size());
   const auto join = [&](const auto& sharedOf) {
@@ -44,17 +43,17 @@ std::vector<LabelGroup> groupsOf(const std::vector<LabelKind>& labels) {
     for (std::size_t n = 0; n < labels.size(); ++n) {
       const Shared by = sharedOf(labels[n]);
       // Every name says something; a type and a sort only some may have, of the background none is told.
-      const std::size_t told = labels.size() - (by.isByName ? 0 : all[QString()]);
+      const std::size_t told = labels.size() - (by.by == By::name ? 0 : all[QString()]);
       if (shared[n].key.isEmpty() && !by.key.isEmpty() && left[by.key] >= fewestInGroup && all[by.key] < told)
         shared[n] = by;
     }
   };
-  join([](const LabelKind& label) { return Shared{label.type.toLower(), label.type, false}; });
+  join([](const LabelKind& label) { return Shared{label.type.toLower(), label.type, By::type}; });
   join([](const LabelKind& label) {
     const QString word = firstWord(label.name);
-    return Shared{word, label.name.left(word.size()), true};
+    return Shared{word, label.name.left(word.size()), By::name};
   });
-  join([](const LabelKind& label) { return Shared{label.category.toLower(), label.category, false}; });
+  join([](const LabelKind& label) { return Shared{label.category.toLower(), label.category, By::category}; });
 
   std::vector<LabelGroup> groups;
   std::map<Shared, std::size_t> begun;
@@ -63,7 +62,7 @@ std::vector<LabelGroup> groupsOf(const std::vector<LabelKind>& labels) {
     const auto [known, isNew] =
         isInGroup ? begun.try_emplace(shared[n], groups.size()) : std::pair(begun.end(), true);
     if (isNew)
-      groups.push_back({shared[n].name, {}, shared[n].isByName});
+      groups.push_back({shared[n].name, {}, shared[n].by == By::name});
     groups[isInGroup ? known->second : groups.size() - 1].labels.push_back(static_cast<int>(n));
   }
   return groups;
