@@ -25,9 +25,17 @@ protected:
 
   QImage saved(const char* name, const PictureOptions& options) {
     saving().writePicture(pathTo(name), options);
-    EXPECT_TRUE(test::waitUntil([&] { return isWholePicture(folder.path() / name); }));
+    return written(name);
+  }
+
+  // The picture once it lies in its file and the window knows it, which it does a moment later.
+  QImage written(const char* name) {
+    EXPECT_TRUE(
+        test::waitUntil([&] { return isWholePicture(folder.path() / name) && !stopButton().isVisible(); }));
     return QImage(pathTo(name));
   }
+
+  QToolButton& stopButton() { return *window->findChild<QToolButton*>(QStringLiteral("stopWaiting")); }
 };
 
 TEST_F(SavedPicture, isAsLargeAsAskedFor) {
@@ -92,10 +100,9 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   options.size = PictureOptions::Size::print;
   options.printCm = 40.0; // 4,724 pixels
   saving().writePicture(pathTo("large.png"), options);
-  auto& stop = *window->findChild<QToolButton*>(QStringLiteral("stopWaiting"));
-  ASSERT_TRUE(stop.isVisible());
-  QTest::mouseClick(&stop, Qt::LeftButton);
-  EXPECT_FALSE(stop.isVisible());
+  ASSERT_TRUE(stopButton().isVisible());
+  QTest::mouseClick(&stopButton(), Qt::LeftButton);
+  EXPECT_FALSE(stopButton().isVisible());
   bool isAsked = false;
   onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
     isAsked = true;
@@ -118,8 +125,7 @@ TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
   });
   typeName(pathTo("two.png"));
   action(QStringLiteral("Save &picture…"))->trigger();
-  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "two.png"); }));
-  const QSize size = QImage(pathTo("two.png")).size();
+  const QSize size = written("two.png").size();
   EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
 }
 
@@ -134,8 +140,7 @@ TEST_F(SavedPicture, theAnswersAreRemembered) {
   answer();
   typeName(pathTo("asked.png"));
   action(QStringLiteral("Save &picture…"))->trigger();
-  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "asked.png"); }));
-  EXPECT_EQ(QImage(pathTo("asked.png")).size(), 2 * view().size() * view().devicePixelRatioF());
+  EXPECT_EQ(written("asked.png").size(), 2 * view().size() * view().devicePixelRatioF());
   bool isAsked = false;
   onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
     isAsked = dialog.options().size == PictureOptions::Size::twice &&
