@@ -2,7 +2,6 @@
 #include "app/picture/PictureMenu.h"
 
 #include "app/picture/CameraController.h"
-#include "app/picture/SlicePictures.h"
 #include "app/window/WindowContext.h"
 #include "planes/PlaneGrid.h"
 #include "scene/regions/BodyAndLabels.h"
@@ -82,9 +81,9 @@ void PictureMenu::addSlice(QMenu& menu, PatientPlane plane) {
                                     "measurements, without the crosshair."),
                                  true);
   const QAction* save =
-      addEntry(menu, "saveSlice", tr("Save this slice…"), tr("Saves the same as a picture."), true);
-  connect(copy, &QAction::triggered, this, [this, plane] { copySlice(m_context, plane); });
-  connect(save, &QAction::triggered, this, [this, plane] { saveSlice(m_context, plane); });
+      addEntry(menu, "saveSlice", tr("Save this slice…"), tr("Saves the same as a picture, as large as you like."), true);
+  connect(copy, &QAction::triggered, this, [this, plane] { emit sliceCopyChosen(plane); });
+  connect(save, &QAction::triggered, this, [this, plane] { emit sliceSaveChosen(plane); });
 }
 
 void PictureMenu::addTurns(QMenu& menu, const std::optional<Ray>& ray, int side) {
