@@ -61,7 +61,7 @@ private:
   void save();
   void copy();
   Figure wanted() const;
-  Figure withKnownErrors(Figure figure) const;
+  Figure withWhatIsKnown(Figure figure) const;
 
   std::function<FigureLooks()> m_looks;
   const SavingController& m_saving;
@@ -69,7 +69,8 @@ private:
   PanelList* m_panels;
   FigureOptions* m_options;
   QCheckBox* m_exact;
-  Figure m_drawn;                       ///< whose pictures the preview shows
+  Figure m_drawn; ///< whose pictures the preview shows
+  std::vector<std::optional<glm::dvec3>> m_middles; ///< what is seen in the middle of each, world mm
   std::vector<std::string> m_notes;     ///< on those pictures
   QString m_outcome;                    ///< of the last work, told until something is edited
   std::vector<FigurePanel> m_estimated; ///< panels whose errors are known

@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QTreeView>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -280,6 +281,31 @@ TEST_F(RegionWindow, theCropBoxBeginsAroundTheBodyAndLeavesNoTraceWhereNobodyMov
   EXPECT_EQ(scene().crop, moved) << "what somebody moved stays";
   cropBox.trigger();
   EXPECT_EQ(scene().crop, moved);
+}
+
+// A note that something is cut off is of use only where something is.
+TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  const auto saysCropped = [this] {
+    const std::vector<HiddenNote> notes = hiddenNotesOf({view().order(), view().pictureState()});
+    return std::ranges::any_of(notes, [](const HiddenNote& note) { return note.by == HiddenBy::crop; });
+  };
+  window->findChild<QAction*>(QStringLiteral("cropBox"))->trigger();
+  const CropBox around = scene().crop;
+  ASSERT_NE(around, CropBox{});
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(saysCropped()) << "around the body it takes air alone";
+  CropBox half = around;
+  half.lower.x = 0.5;
+  session().setCrop(half, {nextGestureId(), QStringLiteral("half")});
+  EXPECT_TRUE(test::waitUntil(saysCropped));
+  session().setCrop(around, {nextGestureId(), QStringLiteral("all")});
+  EXPECT_TRUE(test::waitUntil([&] { return !saysCropped(); }));
+  // Everything is shown again: the table lies outside.
+  bodyOnly().trigger();
+  EXPECT_TRUE(test::waitUntil(saysCropped));
 }
 
 TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
