@@ -27,7 +27,7 @@ namespace {
 QString folderOfSingleImage(const Volume& volume, const std::string& path) {
   const QFileInfo file(QString::fromStdString(path));
   return volume.info().format == "DICOM" && volume.grid().dims.z == 1 && file.isFile() ? file.absolutePath()
-                                                                                      : QString();
+                                                                                       : QString();
 }
 
 QStringList filesIn(const QMimeData& data) {

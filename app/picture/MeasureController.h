@@ -63,7 +63,7 @@ private:
   };
 
   WindowContext& m_context;
-  HintBar* m_bar; ///< what to click while a tool that measures is in hand
+  HintBar* m_bar;                         ///< what to click while a tool that measures is in hand
   std::shared_ptr<const Volume> m_volume; ///< of which they are
   std::vector<Measured> m_measured;
   std::optional<std::size_t> m_inHand;

@@ -80,8 +80,8 @@ void PictureMenu::addSlice(QMenu& menu, PatientPlane plane) {
                                  tr("Puts the slice on the clipboard as it is seen, with sides, scale and "
                                     "measurements, without the crosshair."),
                                  true);
-  const QAction* save =
-      addEntry(menu, "saveSlice", tr("Save this slice…"), tr("Saves the same as a picture, as large as you like."), true);
+  const QAction* save = addEntry(menu, "saveSlice", tr("Save this slice…"),
+                                 tr("Saves the same as a picture, as large as you like."), true);
   connect(copy, &QAction::triggered, this, [this, plane] { emit sliceCopyChosen(plane); });
   connect(save, &QAction::triggered, this, [this, plane] { emit sliceSaveChosen(plane); });
 }

@@ -38,7 +38,7 @@ struct FigurePanel {
   std::optional<PanelPaths> paths{}; ///< of physical light, which tells its error itself
   /// What is seen in the middle of its picture, world mm; where known. In perspective its scale holds there.
   std::optional<glm::dvec3> middleMm{};
-  bool isAim = false;                ///< it is what the drawing goes for; what it reached is known afterwards
+  bool isAim = false;    ///< it is what the drawing goes for; what it reached is known afterwards
   bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated
   bool operator==(const FigurePanel&) const = default;
 };

@@ -21,8 +21,8 @@ Note warningOf(const PlaneOverlay& overlay) {
   if (overlay.scale)
     plates.push_back(overlay.scale->plate);
   const QPointF corner = overlay.view.bottomRight() - QPointF(overlayMargin, overlayMargin);
-  Note warning = noteAt(overlay.font, warningText(), corner, Qt::AlignRight,
-                        overlay.view.width() - 2.0 * overlayMargin);
+  Note warning =
+      noteAt(overlay.font, warningText(), corner, Qt::AlignRight, overlay.view.width() - 2.0 * overlayMargin);
   warning.plate.moveBottom(
       clearRowAbove(warning.plate.bottom(), warning.plate.size(), {warning.plate.center().x()}, plates));
   return warning;
@@ -57,9 +57,10 @@ QImage slicePicture(const SeenSlice& slice, const SavedMarks& marks) {
   const PlaneFrame& frame = slice.frame;
   QImage picture(frame.grid.size.x, frame.grid.size.y, QImage::Format_RGB32);
   if (picture.isNull())
-    throw Error(Error::Kind::other,
-                Message::tr("There is not enough memory for a picture of %1 × %2 pixels; choose a smaller one.")
-                    .arg(frame.grid.size.x, frame.grid.size.y));
+    throw Error(
+        Error::Kind::other,
+        Message::tr("There is not enough memory for a picture of %1 × %2 pixels; choose a smaller one.")
+            .arg(frame.grid.size.x, frame.grid.size.y));
   picture.fill(Qt::black);
   PlaneContent content = slice.content;
   content.inHand.reset();

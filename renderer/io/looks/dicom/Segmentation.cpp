@@ -43,9 +43,9 @@ std::vector<std::string> pieceNames(const Region& keep, const std::string& unit)
   std::vector<std::string> names;
   for (const Cut& cut : keep.cuts)
     if (const ConnectedPiece* piece = pieceWithLook(cut))
-      names.push_back(!cut.name.empty() ? cut.name
-                                        : "Piece " + std::to_string(names.size() + 1) + ", " +
-                                              rangeOf(*piece, unit));
+      names.push_back(!cut.name.empty()
+                          ? cut.name
+                          : "Piece " + std::to_string(names.size() + 1) + ", " + rangeOf(*piece, unit));
   return names;
 }
 
