@@ -12,9 +12,11 @@
 #include "widgets/view/overlay/Titles.h"
 #include "widgets/view/panels/CutBar.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -243,9 +245,17 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_EQ(scene().keep, Region{}) << "what is lit is no edit";
   EXPECT_NE(view().scene().keep, scene().keep);
   EXPECT_FALSE(view().order().comparison.preview.empty());
+  // Its range, its volume and the mean in it, as long as it is lit.
+  const QRegularExpression extent(QStringLiteral("^−?\\d+ – −?\\d+.* · \\d+.* ml · mean −?\\d+"));
+  const QString wide = bar().hint().replace(QChar(0xa0), QLatin1Char(' '));
+  EXPECT_TRUE(extent.match(wide).hasMatch()) << wide.toStdString();
+  EXPECT_FALSE(bar().findChild<QLabel*>()->visibleRegion().isEmpty());
   const Camera before = scene().camera;
   turnWheel(2);
   ASSERT_TRUE(ready());
+  const QString narrow = bar().hint().replace(QChar(0xa0), QLatin1Char(' '));
+  EXPECT_NE(narrow, wide);
+  EXPECT_TRUE(extent.match(narrow).hasMatch()) << narrow.toStdString();
   EXPECT_EQ(scene().camera, before);
   ASSERT_TRUE(cutting().hasPiece());
   QTest::mouseClick(&button(QStringLiteral("Hide")), Qt::LeftButton);
