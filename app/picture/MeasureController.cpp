@@ -19,6 +19,7 @@ namespace limn {
 namespace {
 
 constexpr int measureTellsForMs = 6000;
+constexpr int leastHeightForBar = 280; // of the pictures: six times its own, and clear of their middle
 
 // What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
 bool isLedInSlices(const Measurement& measurement) {
@@ -73,6 +74,7 @@ MeasureController::MeasureController(WindowContext& context)
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
   m_bar->setDrawing([this] { return m_open.has_value(); });
+  m_bar->setLeastHeight(leastHeightForBar);
   connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
   connect(input, &ViewInput::measureTaken, this, &MeasureController::take);
   connect(input, &ViewInput::measureLed, this, &MeasureController::lead);
@@ -207,9 +209,12 @@ void MeasureController::showBar() {
       hasSlices ? kindOf(m_context.planes.tool()) : std::nullopt;
   if (!m_volume || (!inPicture && !inSlices))
     return m_bar->putAway();
-  m_bar->showHint(hintFor(inPicture, inSlices),
+  const QString hint = hintFor(inPicture, inSlices);
+  m_bar->showHint(hint,
                   tr("What was measured is led by its ends and goes with Delete; a drag over the picture "
                      "rotates it. Esc takes back what is begun, then lays the tool aside."));
+  if (m_context.view.height() < leastHeightForBar)
+    say(hint);
 }
 
 std::optional<glm::dvec3> MeasureController::placeSeen(const Ray& ray, int side) {

@@ -55,7 +55,7 @@ void HintBar::putAway() {
 }
 
 void HintBar::follow() {
-  setVisible(m_isOut && !m_isAside && !m_isDrawing());
+  setVisible(m_isOut && !m_isAside && parentWidget()->height() >= m_leastHeight && !m_isDrawing());
 }
 
 bool HintBar::eventFilter(QObject* watched, QEvent* event) {

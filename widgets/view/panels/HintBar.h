@@ -30,6 +30,10 @@ public:
   /// While this says so the bar is out of the way: what it lies on may be meant.
   void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
 
+  /// Over a lower view than this, logical pixels, it does not come up: there it would cover what is meant.
+  /// 0 at first.
+  void setLeastHeight(int height) { m_leastHeight = height; }
+
   /// No such tool is in hand.
   void putAway();
 
@@ -52,6 +56,7 @@ private:
   std::array<QHBoxLayout*, 3> m_groups{};
   QLabel* m_text;
   std::function<bool()> m_isDrawing = [] { return false; };
+  int m_leastHeight = 0;
   bool m_stays = true;    ///< the text, where there is little room
   bool m_isOut = false;   ///< a tool is in hand
   bool m_isAside = false; ///< hidden until the button is let go
