@@ -73,6 +73,7 @@ MeasureController::MeasureController(WindowContext& context)
       m_context.view.setTool(ViewTool::rotate);
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
+  context.keepClearOfMessages(*m_bar);
   m_bar->setDrawing([this] { return m_open.has_value(); });
   m_bar->setLeastHeight(leastHeightForBar);
   connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);

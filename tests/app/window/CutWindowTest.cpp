@@ -272,6 +272,24 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_NE(scene().camera, before) << "the wheel zooms again";
 }
 
+// A message that waits for an answer would hide what is said of a piece, and the buttons.
+TEST_F(CutWindow, theBarStandsAboveAMessage) {
+  const auto bottom = [this] { return bar().mapTo(window.get(), QPoint(0, bar().height())).y(); };
+  const auto top = [this] { return messages().mapTo(window.get(), QPoint(0, 0)).y(); };
+  press(Qt::Key_K);
+  ASSERT_TRUE(bar().isVisible());
+  const int alone = bottom();
+  messages().show(MessageBar::Kind::question, QStringLiteral("Is it?"));
+  EXPECT_TRUE(test::waitUntil([&] { return bottom() < alone; }));
+  EXPECT_LT(bottom(), top());
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  EXPECT_TRUE(bar().isVisible());
+  EXPECT_LT(bottom(), top()) << "also with a piece";
+  messages().hide();
+  EXPECT_TRUE(test::waitUntil([&] { return bottom() == alone; }));
+}
+
 TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
   const TransferFunction function = scene().transferFunction;
   press(Qt::Key_K);

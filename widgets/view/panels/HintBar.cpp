@@ -13,6 +13,7 @@ namespace limn {
 namespace {
 
 constexpr int aboveEdge = 44; // logical pixels, over scale and notes
+constexpr int gapAbove = 8;   // what else lies there
 
 } // namespace
 
@@ -56,6 +57,8 @@ void HintBar::putAway() {
 
 void HintBar::follow() {
   setVisible(m_isOut && !m_isAside && parentWidget()->height() >= m_leastHeight && !m_isDrawing());
+  if (isVisible() && m_placedOver != m_coveredBelow())
+    place();
 }
 
 bool HintBar::eventFilter(QObject* watched, QEvent* event) {
@@ -96,8 +99,10 @@ void HintBar::place() {
   if (!fits(true, QBoxLayout::LeftToRight) && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
       !(m_stays ? fitsWithoutText() : fitsInRows()))
     fits(false, QBoxLayout::TopToBottom);
+  m_placedOver = m_coveredBelow();
+  const int below = m_placedOver > 0 ? std::max(aboveEdge, m_placedOver + gapAbove) : aboveEdge;
   const QSize size = sizeHint().boundedTo(view->size());
-  setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - aboveEdge - size.height()),
+  setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - below - size.height()),
               size.width(), size.height());
   raise();
 }

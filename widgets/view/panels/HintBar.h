@@ -34,6 +34,11 @@ public:
   /// 0 at first.
   void setLeastHeight(int height) { m_leastHeight = height; }
 
+  /// How much else covers of the view's lower edge, logical pixels: it stands above that. Nothing at first.
+  void setCoveredBelow(std::function<int()> coveredBelow) { m_coveredBelow = std::move(coveredBelow); }
+  /// What covers it may be another now.
+  void lookAgain() { follow(); }
+
   /// No such tool is in hand.
   void putAway();
 
@@ -56,6 +61,8 @@ private:
   std::array<QHBoxLayout*, 3> m_groups{};
   QLabel* m_text;
   std::function<bool()> m_isDrawing = [] { return false; };
+  std::function<int()> m_coveredBelow = [] { return 0; };
+  int m_placedOver = 0; ///< what covered the lower edge then
   int m_leastHeight = 0;
   bool m_stays = true;    ///< the text, where there is little room
   bool m_isOut = false;   ///< a tool is in hand
