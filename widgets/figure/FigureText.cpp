@@ -56,7 +56,7 @@ QStringList remarksOn(const FigurePanel& panel) {
                ? QStringList{QObject::tr("The line is around what is kept")}
                : QStringList();
   QStringList texts{regionText(panel.scene.keep)};
-  if (panel.scene.crop != CropBox())
+  if (panel.scene.crop != CropBox() && !panel.cropHidesNothing.value_or(false))
     texts << QObject::tr("Cropped");
   if (smoothsNormals(panel.scene))
     texts << QObject::tr("Normals smoothed by %1 mm")

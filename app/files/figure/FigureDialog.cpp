@@ -48,6 +48,7 @@ FigurePanel asDrawn(FigurePanel panel) {
   panel.errorLevels.reset();
   panel.paths.reset();
   panel.middleMm.reset();
+  panel.cropHidesNothing.reset();
   panel.isStated = panel.isAim = false;
   return panel;
 }
@@ -356,9 +357,7 @@ void FigureDialog::drawPreview(double share) {
     const MadeFigure made = drawPanels(figure, size, withEffort(order, effort));
     return [this, figure, made, share] {
       m_drawn = figure;
-      m_middles.clear();
-      for (const FigurePanel& panel : made.figure.panels)
-        m_middles.push_back(panel.middleMm);
+      m_made = made.figure.panels;
       m_notes = made.notes;
       m_preview->setFigure(withWhatIsKnown(askedFigure()));
       m_preview->setPictures(made.pictures);
@@ -392,8 +391,10 @@ Figure FigureDialog::withWhatIsKnown(Figure figure) const {
       continue;
     const auto drawn = std::ranges::find_if(
         m_drawn.panels, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
-    if (const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin()); at < m_middles.size())
-      panel.middleMm = m_middles[at];
+    if (const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin()); at < m_made.size()) {
+      panel.middleMm = m_made[at].middleMm;
+      panel.cropHidesNothing = m_made[at].cropHidesNothing;
+    }
     if (isPhysical(panel.scene))
       continue;
     const auto known = std::ranges::find_if(

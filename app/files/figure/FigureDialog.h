@@ -69,13 +69,13 @@ private:
   PanelList* m_panels;
   FigureOptions* m_options;
   QCheckBox* m_exact;
-  Figure m_drawn;                                   ///< whose pictures the preview shows
-  std::vector<std::optional<glm::dvec3>> m_middles; ///< what is seen in the middle of each, world mm
-  std::vector<std::string> m_notes;                 ///< on those pictures
-  QString m_outcome;                                ///< of the last work, told until something is edited
-  std::vector<FigurePanel> m_estimated;             ///< panels whose errors are known
-  bool m_isStale = false;                           ///< the scene changed while a figure was made
-  QTimer m_soon;                                    ///< until the scene rests
+  Figure m_drawn;                       ///< whose pictures the preview shows
+  std::vector<FigurePanel> m_made;      ///< its panels with what was found out as they were drawn
+  std::vector<std::string> m_notes;     ///< on those pictures
+  QString m_outcome;                    ///< of the last work, told until something is edited
+  std::vector<FigurePanel> m_estimated; ///< panels whose errors are known
+  bool m_isStale = false;               ///< the scene changed while a figure was made
+  QTimer m_soon;                        ///< until the scene rests
 };
 
 } // namespace limn

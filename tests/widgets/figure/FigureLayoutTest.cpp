@@ -215,6 +215,16 @@ TEST(FigureText, tellsARegionThatIsHidden) {
   EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (b). Cropped (b)."));
 }
 
+TEST(FigureText, croppedIsSaidUnlessNothingThatIsSeenIsCutAway) {
+  Figure figure = figureOf(1);
+  figure.panels[0].scene.crop.lower.x = 0.1;
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("Cropped.")));
+  figure.panels[0].cropHidesNothing = false;
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("Cropped.")));
+  figure.panels[0].cropHidesNothing = true;
+  EXPECT_FALSE(notesOf(figure).contains(QStringLiteral("Cropped")));
+}
+
 TEST(PictureMarks, inPerspectiveTheScaleIsThatOfWhatIsSeen) {
   FigurePanel panel = figureOf(1).panels.front();
   const Camera& camera = panel.scene.camera;
