@@ -19,7 +19,7 @@ namespace limn {
 namespace {
 
 constexpr int measureTellsForMs = 6000;
-constexpr int leastHeightForBar = 280; // of the pictures: six times its own, and clear of their middle
+constexpr int leastHeightForBar = 240; // of the pictures, so that it is clear of their middle
 
 // What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
 bool isLedInSlices(const Measurement& measurement) {

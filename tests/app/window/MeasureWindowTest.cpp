@@ -102,7 +102,7 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   EXPECT_FALSE(bar->isVisible());
   EXPECT_EQ(said(), QStringLiteral("In a slice, drag from corner to corner"));
   choose("picture_and_three");
-  EXPECT_TRUE(test::waitUntil([&] { return bar->isVisible(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return bar->isVisible(); })) << view().height();
   EXPECT_EQ(bar->hint(), said());
   press(axial(), Qt::Key_Escape);
   EXPECT_FALSE(bar->isVisible());
