@@ -134,7 +134,10 @@ TEST_F(SavedPicture, theAnswersAreRemembered) {
   answer();
   typeName(pathTo("asked.png"));
   action(QStringLiteral("Save &picture…"))->trigger();
-  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "asked.png"); }));
+  // Written, and known to be: until then no other is asked for.
+  const auto& stop = *window->findChild<QToolButton*>(QStringLiteral("stopWaiting"));
+  ASSERT_TRUE(
+      test::waitUntil([&] { return isWholePicture(folder.path() / "asked.png") && !stop.isVisible(); }));
   EXPECT_EQ(QImage(pathTo("asked.png")).size(), 2 * view().size() * view().devicePixelRatioF());
   bool isAsked = false;
   onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
@@ -143,7 +146,7 @@ TEST_F(SavedPicture, theAnswersAreRemembered) {
     dialog.reject();
   });
   action(QStringLiteral("Save &picture…"))->trigger();
-  EXPECT_TRUE(isAsked);
+  EXPECT_TRUE(isAsked) << messages().sentence().toStdString();
 }
 
 TEST(WrittenOptions, comeBackAsTheyWere) {
