@@ -120,6 +120,8 @@ void MainWindow::connectFiles() {
     else
       openSource(path);
   });
+  connect(&m_picture, &PictureArea::sliceCopyChosen, &m_files.slices(), &SliceSaving::copy);
+  connect(&m_picture, &PictureArea::sliceSaveChosen, &m_files.slices(), &SliceSaving::save);
   connect(&m_picture.comparison(), &ComparisonController::shown, &m_files.safety(),
           &SessionSafety::noteChange);
   connect(&m_picture.comparison(), &ComparisonController::layoutChosen, opening,

@@ -5,8 +5,10 @@
 #include "accuracy/Tolerance.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "planes/GreyWindows.h"
+#include "reference/ProfileAlong.h"
 #include "scene/basics/MemoryBudget.h"
 #include "scene/effects/EffectPlan.h"
+#include "scene/framing/VisibleVoxels.h"
 #include "scene/steps/LocalSteps.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
@@ -73,6 +75,24 @@ Image floatsOf(const QImage& slice) {
       image.at(x, y) = glm::vec4(row[4 * x], row[4 * x + 1], row[4 * x + 2], row[4 * x + 3]) / 255.0f;
   }
   return image;
+}
+
+// As the window finds it for its scale.
+std::optional<glm::dvec3> seenInTheMiddle(const MadePicture& picture) {
+  const Camera& camera = picture.scene.camera;
+  if (!picture.gradientScale || camera.projection == Camera::Projection::orthographic)
+    return std::nullopt;
+  const std::optional<RayProfile> profile =
+      profileAlong(picture.scene, *picture.gradientScale, {camera.position, basisOf(camera).forward});
+  const std::optional<double> depth = profile ? halfLightDepth(*profile) : std::nullopt;
+  return depth ? std::optional(placeAt(*profile, *depth)) : std::nullopt;
+}
+
+// Of those that are cropped, whether that hides anything.
+void judgeCrops(std::vector<FigurePanel>& panels, const Effort& effort) {
+  for (FigurePanel& panel : panels)
+    if (!panel.plane && panel.scene.crop != CropBox() && !panel.cropHidesNothing)
+      panel.cropHidesNothing = cropsOnlyUnseen(panel.scene, {effort.threads, effort.isCancelled, {}});
 }
 
 std::vector<std::size_t> panelsWithScene(const Figure& figure) {
@@ -157,6 +177,7 @@ MadeFigure makeFigure(const Figure& figure, const MakingOptions& order, FigurePi
       if (isPhysical(told.panels[panel].scene))
         told.panels[panel].paths = PanelPaths{mostPaths, wideLevels};
     }
+  judgeCrops(told.panels, order.effort);
   const FigureLayout layout = figureLayout(told);
   MadeFigure made = drawPanels(told, layout.pictureSize(), order, pixels);
   made.figure = withErrors(made.figure, order);
@@ -177,6 +198,7 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
       if (pixels == FigurePixels::floats)
         made.floats[i] = floatsOf(sliceOf(figure.panels[i], size, true));
     }
+  judgeCrops(made.figure.panels, order.effort);
   // Each scene by itself draws the picture that it has here.
   for (FigurePanel& panel : made.figure.panels) {
     panel.scene.image.width = size.width();
@@ -196,6 +218,8 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                                         ? withoutBackground(picture.image)
                                         : overBackground(picture.image, picture.scene.image.background);
              made.figure.panels[panel].scene = picture.scene;
+             if (figure.settings.shows(FigureMark::scaleBar))
+               made.figure.panels[panel].middleMm = seenInTheMiddle(picture);
              if (figure.panels[panel].isStated)
                state(made.figure.panels[panel], picture, order.effort);
              made.engine = picture.engine;

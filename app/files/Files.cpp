@@ -23,6 +23,13 @@
 namespace limn {
 namespace {
 
+// Of one image of a series, which alone shows little; nothing of other volumes.
+QString folderOfSingleImage(const Volume& volume, const std::string& path) {
+  const QFileInfo file(QString::fromStdString(path));
+  return volume.info().format == "DICOM" && volume.grid().dims.z == 1 && file.isFile() ? file.absolutePath()
+                                                                                       : QString();
+}
+
 QStringList filesIn(const QMimeData& data) {
   QStringList paths;
   for (const QUrl& url : data.urls())
@@ -63,9 +70,12 @@ void RemarksController::say() {
                                       }};
   const MessageBar::Action setOrientation{tr("Set orientation…"),
                                           [this] { m_context.actions.find("setOrientation").trigger(); }};
+  const QString folder = folderOfSingleImage(*m_volume, m_context.document.volumePath());
+  const MessageBar::Action openFolder{tr("Open its folder"), [this, folder] { m_opening.open(folder); }};
   const VolumeInfo& info = m_volume->info();
   m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1),
-                          !info.spacingKnown       ? setSpacing
+                          !folder.isEmpty()        ? openFolder
+                          : !info.spacingKnown     ? setSpacing
                           : !info.orientationKnown ? setOrientation
                                                    : MessageBar::Action{});
 }
@@ -205,7 +215,7 @@ void DropController::tell(const QStringList& paths) {
 
 Files::Files(WindowContext& context, FileSources sources)
     : QObject(&context.window), m_context(context), m_sources(std::move(sources)), m_pictures(context),
-      m_saving(context, m_sources.session), m_safety(context, m_sources.session),
+      m_saving(context, m_sources.session), m_slices(context), m_safety(context, m_sources.session),
       m_opening(context, [this] { return m_safety.savingOfNow(); }), m_remarks(context, m_opening),
       m_drops(context.window) {
   const QAction* close = context.actions.add(QStringLiteral("closeVolume"), {.text = tr("&Close volume"),

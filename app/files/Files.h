@@ -6,6 +6,7 @@
 #include "app/files/opening/OpeningController.h"
 #include "app/files/saving/SavingController.h"
 #include "app/files/saving/SessionSafety.h"
+#include "app/files/saving/SliceSaving.h"
 
 #include <QObject>
 #include <QStringList>
@@ -101,6 +102,7 @@ public:
   const OpeningController& opening() const { return m_opening; }
   DropController& drops() { return m_drops; }
   SavingController& saving() { return m_saving; }
+  SliceSaving& slices() { return m_slices; }
   SessionSafety& safety() { return m_safety; }
 
   /// Says what there is to say of what was opened, keeps it from being lost, and remembers where it lies.
@@ -114,6 +116,7 @@ private:
   FileSources m_sources;
   PictureSaving m_pictures;
   SavingController m_saving;
+  SliceSaving m_slices;
   SessionSafety m_safety;
   OpeningController m_opening;
   RemarksController m_remarks;

@@ -2,12 +2,15 @@
 #include "app/panels/CropBoxController.h"
 
 #include "app/window/WindowContext.h"
+#include "scene/framing/VisibleVoxels.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneView.h"
 #include "widgets/properties/CropSection.h"
 #include "widgets/view/CompareView.h"
 
 #include <QApplication>
+
+#include <algorithm>
 
 namespace limn {
 
@@ -37,6 +40,10 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
     m_isEdited = !folded;
     show();
   });
+  connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
+    if (news.state.resting)
+      judge();
+  });
   connect(qApp, &QApplication::focusChanged, this,
           [this](const QWidget*, const QWidget* now) { followFocus(now); });
 }
@@ -49,6 +56,7 @@ void CropBoxController::begin(bool isShown) {
   const CropBox around = isShown ? boxAroundBody(scene) : CropBox{};
   if (isShown && scene.crop == CropBox{} && around != CropBox{}) {
     m_begun = Begun{scene.volume, around, nextGestureId()};
+    m_context.view.setCropHidesNothing(true); // of the body alone; what lies beside it is hidden already
     m_context.session.setCrop(around, {m_begun->gesture, tr("crop box around the body")});
   } else if (!isShown && m_begun && m_begun->volume == scene.volume && m_begun->crop == scene.crop) {
     // The same gesture: undo sees that nothing is left of it.
@@ -56,6 +64,32 @@ void CropBoxController::begin(bool isShown) {
   }
   if (!isShown)
     m_begun.reset();
+}
+
+// Cameras and light change nothing of it.
+void CropBoxController::judge() {
+  std::vector<Scene> sides = m_context.view.scenesOfSides();
+  for (Scene& side : sides) {
+    Scene seen;
+    seen.volume = side.volume;
+    seen.transferFunction = side.transferFunction;
+    seen.keep = side.keep;
+    seen.crop = side.crop;
+    seen.projection = side.projection;
+    seen.isovalue = side.isovalue;
+    side = seen;
+  }
+  if (sides == m_judged)
+    return;
+  m_judged = sides;
+  m_judging.cancel();
+  if (sides.empty() || !sides.front().volume || sides.front().crop == CropBox{})
+    return m_context.view.setCropHidesNothing(false);
+  m_judging.start([this, sides](const Effort& effort) -> BackgroundWork::Deliver {
+    const bool hidesNothing =
+        std::ranges::all_of(sides, [&](const Scene& side) { return cropsOnlyUnseen(side, effort); });
+    return [this, hidesNothing] { m_context.view.setCropHidesNothing(hidesNothing); };
+  });
 }
 
 bool CropBoxController::isShown() const {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QAction;
 class QWidget;
@@ -19,7 +21,8 @@ struct WindowContext;
 
 /// Shows the crop box in the picture while its action is checked, and while the crop section is used: on
 /// while one goes from there to its handles in the view. Where nothing is cropped yet and the body is known
-/// the action puts the box around that, and takes it back where nobody has moved it since.
+/// the action puts the box around that, and takes it back where nobody has moved it since. Once the picture
+/// rests it finds out, beside the event loop, whether what the box takes away would be seen.
 class CropBoxController : public QObject {
   Q_OBJECT
 
@@ -39,11 +42,14 @@ private:
 
   void show();
   void begin(bool isShown);
+  void judge();
   void followFocus(const QWidget* now);
 
   WindowContext& m_context;
   const CropSection& m_section;
   std::optional<Begun> m_begun;
+  std::vector<Scene> m_judged; ///< the sides of which it is known, or being found, what the crop hides
+  BackgroundWork m_judging;
   QAction* m_action;
   bool m_hidTurned = false; ///< the action, just now
   bool m_isEdited = false;  ///< in its section, or in the view since

@@ -8,6 +8,7 @@
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
+#include "widgets/view/panels/HintBar.h"
 
 #include <QStatusBar>
 
@@ -18,19 +19,63 @@ namespace limn {
 namespace {
 
 constexpr int measureTellsForMs = 6000;
+constexpr int leastHeightForBar = 240; // of the pictures, so that it is clear of their middle
 
 // What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
 bool isLedInSlices(const Measurement& measurement) {
   return measurement.plane && measurement.kind != Measurement::Kind::mark;
 }
 
+// What to do in the picture with its tool, in slices with theirs, or in both.
+QString hintFor(std::optional<Measurement::Kind> inPicture, std::optional<Measurement::Kind> inSlices) {
+  using Kind = Measurement::Kind;
+  const bool isBoth = inPicture && inPicture == inSlices;
+  if (inPicture)
+    switch (*inPicture) {
+    case Kind::distance:
+      return isBoth ? MeasureController::tr("Click both ends; in a slice, drag")
+                    : MeasureController::tr("Click both ends");
+    case Kind::angle:
+      return isBoth ? MeasureController::tr("Click end, corner, end; in a slice, drag a leg")
+                    : MeasureController::tr("Click end, corner and end");
+    case Kind::mark:
+      return MeasureController::tr("Click the place to mark");
+    case Kind::ellipse:
+      break; // which no picture has
+    }
+  switch (inSlices.value_or(Kind::ellipse)) {
+  case Kind::distance:
+    return MeasureController::tr("In a slice, drag from end to end");
+  case Kind::angle:
+    return MeasureController::tr("In a slice, drag a leg, click an end");
+  case Kind::mark:
+    return MeasureController::tr("In a slice, click the place");
+  case Kind::ellipse:
+    break;
+  }
+  return MeasureController::tr("In a slice, drag from corner to corner");
+}
+
 } // namespace
 
-MeasureController::MeasureController(WindowContext& context) : QObject(&context.window), m_context(context) {
+MeasureController::MeasureController(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_bar(new HintBar(tr("Measuring"), &context.view)) {
   const ViewInput* input = &context.view.input();
   connect(&context.planes, &PlaneDeck::measurementsEdited, this, &MeasureController::edit);
   connect(&context.session, &Session::measurementsChanged, this, &MeasureController::refresh);
   connect(&context.view, &CompareView::toolChanged, this, &MeasureController::showTool);
+  connect(&context.planes, &PlaneDeck::toolChanged, this, &MeasureController::showBar);
+  connect(&context.session, &Session::planesChanged, this, &MeasureController::showBar);
+  connect(m_bar, &HintBar::closeRequested, this, [this] {
+    if (kindOf(m_context.planes.tool()))
+      m_context.planes.setTool(PlaneTool::crosshair);
+    if (kindOf(m_context.view.tool()))
+      m_context.view.setTool(ViewTool::rotate);
+    m_context.view.setFocus(); // the button that had the keyboard is gone
+  });
+  context.keepClearOfMessages(*m_bar);
+  m_bar->setDrawing([this] { return m_open.has_value(); });
+  m_bar->setLeastHeight(leastHeightForBar);
   connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
   connect(input, &ViewInput::measureTaken, this, &MeasureController::take);
   connect(input, &ViewInput::measureLed, this, &MeasureController::lead);
@@ -53,6 +98,7 @@ MeasureController::MeasureController(WindowContext& context) : QObject(&context.
     m_open.reset();
     m_led.reset();
     refresh();
+    showBar();
   });
 }
 
@@ -154,11 +200,22 @@ void MeasureController::remove() {
 void MeasureController::showTool() {
   m_open.reset();
   show();
-  if (const auto kind = kindOf(m_context.view.tool()))
-    say(*kind == Measurement::Kind::mark ? tr("Click the place to mark.")
-        : *kind == Measurement::Kind::angle
-            ? tr("Click one end, the corner and the other end; a drag rotates the picture.")
-            : tr("Click both ends; a drag rotates the picture."));
+  showBar();
+}
+
+void MeasureController::showBar() {
+  const bool hasSlices = m_context.session.planes().layout != PlaneLayout::pictureOnly;
+  const std::optional<Measurement::Kind> inPicture = kindOf(m_context.view.tool());
+  const std::optional<Measurement::Kind> inSlices =
+      hasSlices ? kindOf(m_context.planes.tool()) : std::nullopt;
+  if (!m_volume || (!inPicture && !inSlices))
+    return m_bar->putAway();
+  const QString hint = hintFor(inPicture, inSlices);
+  m_bar->showHint(hint,
+                  tr("What was measured is led by its ends and goes with Delete; a drag over the picture "
+                     "rotates it. Esc takes back what is begun, then lays the tool aside."));
+  if (m_context.view.height() < leastHeightForBar)
+    say(hint);
 }
 
 std::optional<glm::dvec3> MeasureController::placeSeen(const Ray& ray, int side) {

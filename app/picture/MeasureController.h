@@ -14,6 +14,7 @@
 
 namespace limn {
 
+class HintBar;
 struct Ray;
 struct WindowContext;
 enum class PlaneTool;
@@ -46,6 +47,7 @@ private:
   void findHidden();
   std::vector<Measurement> placed() const;
   void showTool();
+  void showBar();
   void remove();
   void pick(const Ray& ray, int side);
   void take(const MeasureHandle& handle, std::uint64_t gesture);
@@ -61,6 +63,7 @@ private:
   };
 
   WindowContext& m_context;
+  HintBar* m_bar;                         ///< what to click while a tool that measures is in hand
   std::shared_ptr<const Volume> m_volume; ///< of which they are
   std::vector<Measured> m_measured;
   std::optional<std::size_t> m_inHand;

@@ -101,6 +101,8 @@ PictureArea::PictureArea(WindowContext& context)
   connect(&m_menu, &PictureMenu::pieceChosen, &m_cuts, &CutController::pick);
   connect(&m_menu, &PictureMenu::pieceInSliceChosen, &m_cuts, &CutController::pickAt);
   connect(&m_menu, &PictureMenu::labelChosen, this, &PictureArea::labelChosen);
+  connect(&m_menu, &PictureMenu::sliceCopyChosen, this, &PictureArea::sliceCopyChosen);
+  connect(&m_menu, &PictureMenu::sliceSaveChosen, this, &PictureArea::sliceSaveChosen);
   connect(&m_cuts, &CutController::stoodOut, &m_planes, &PlaneController::setLit);
   connect(&m_cuts, &CutController::cutWanted, &m_regions, &RegionController::addCut);
   context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {

@@ -66,6 +66,9 @@ public:
 signals:
   /// The label at this place in the list shall be in hand.
   void labelChosen(std::size_t place);
+  /// The slice in a plane shall be a picture, on the clipboard or in a file.
+  void sliceCopyChosen(limn::PatientPlane plane);
+  void sliceSaveChosen(limn::PatientPlane plane);
 
 private:
   void addTools();

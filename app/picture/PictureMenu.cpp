@@ -2,7 +2,6 @@
 #include "app/picture/PictureMenu.h"
 
 #include "app/picture/CameraController.h"
-#include "app/picture/SlicePictures.h"
 #include "app/window/WindowContext.h"
 #include "planes/PlaneGrid.h"
 #include "scene/regions/BodyAndLabels.h"
@@ -81,10 +80,10 @@ void PictureMenu::addSlice(QMenu& menu, PatientPlane plane) {
                                  tr("Puts the slice on the clipboard as it is seen, with sides, scale and "
                                     "measurements, without the crosshair."),
                                  true);
-  const QAction* save =
-      addEntry(menu, "saveSlice", tr("Save this slice…"), tr("Saves the same as a picture."), true);
-  connect(copy, &QAction::triggered, this, [this, plane] { copySlice(m_context, plane); });
-  connect(save, &QAction::triggered, this, [this, plane] { saveSlice(m_context, plane); });
+  const QAction* save = addEntry(menu, "saveSlice", tr("Save this slice…"),
+                                 tr("Saves the same as a picture, as large as you like."), true);
+  connect(copy, &QAction::triggered, this, [this, plane] { emit sliceCopyChosen(plane); });
+  connect(save, &QAction::triggered, this, [this, plane] { emit sliceSaveChosen(plane); });
 }
 
 void PictureMenu::addTurns(QMenu& menu, const std::optional<Ray>& ray, int side) {

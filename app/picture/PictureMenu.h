@@ -36,6 +36,9 @@ signals:
   /// What hangs together with a place of a slice.
   void pieceInSliceChosen(const glm::dvec3& worldMm);
   void placeChosen(const glm::dvec3& worldMm);
+  /// The slice in a plane as a picture, on the clipboard or in a file.
+  void sliceCopyChosen(limn::PatientPlane plane);
+  void sliceSaveChosen(limn::PatientPlane plane);
   /// The label at this place in the list.
   void labelChosen(std::size_t place);
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -71,7 +72,9 @@ Cut sideCut(const TurnedBox& box, const Side& side) {
         corner.x * size[across] * grid.direction[across] + corner.y * size[up] * grid.direction[up];
     scissors.polygon.emplace_back(glm::dot(place, basis.right) / beyond, glm::dot(place, basis.up) / beyond);
   }
-  return {scissors, true, TurnedBoxController::tr("Turned box").toStdString()};
+  const QString name = along == foreAndAft.along ? TurnedBoxController::tr("Turned box, front and back")
+                                                 : TurnedBoxController::tr("Turned box, four sides");
+  return {scissors, true, name.toStdString()};
 }
 
 // The axes of the box that a line would say a side of.
@@ -225,10 +228,14 @@ void TurnedBoxController::cropTo(const CropBox& crop, const Gesture& gesture) {
 }
 
 // Once the list of cuts is another (one step back, edited), the box is the one that it says now, or the
-// crop's again.
+// crop's again. While the crop's is shown, a list that ends in a turned box shows that one.
 void TurnedBoxController::showScene(const Scene& scene) {
-  if (!m_turned)
+  const bool isOther = std::exchange(m_seen, scene.keep.cuts) != scene.keep.cuts;
+  if (!m_turned) {
+    if (isOther && m_context.actions.find("cropBox").isChecked())
+      takeUp(scene);
     return;
+  }
   if (scene.keep.cuts == m_turned->asked)
     m_turned->made = m_turned->asked;
   if (scene.volume == m_turned->volume && scene.keep.cuts == m_turned->made)

@@ -38,7 +38,7 @@ std::optional<FoundBox> boxAtTheEnd(const std::vector<Cut>& cuts, const Grid& vo
 
 /// The crop box turned as the picture is seen: its faces are dragged as those of the crop box, and what they
 /// take away are cuts at the end of the list. As long as these are the last, the box that is shown is the
-/// turned one, also of a session that is opened again.
+/// turned one, also after undo and redo and of a session that is opened again.
 class TurnedBoxController : public QObject {
   Q_OBJECT
 
@@ -71,6 +71,7 @@ private:
 
   WindowContext& m_context;
   std::optional<Turned> m_turned;
+  std::vector<Cut> m_seen; ///< the list of the scene that was shown last
 };
 
 } // namespace limn

@@ -8,10 +8,13 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/panels/HintBar.h"
 
 #include <QFileInfo>
 #include <QStatusBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace limn {
 namespace {
@@ -88,6 +91,19 @@ MakingOptions WindowContext::drawnLikeTheView() const {
   MakingOptions order;
   order.engine = view.engine();
   return order;
+}
+
+void WindowContext::keepClearOfMessages(HintBar& bar) const {
+  const std::array<MessageBar*, 5> bars{&recovery, &unsafe, &patient, &tour, &messages};
+  bar.setCoveredBelow([&seen = view, bars] {
+    int covered = 0;
+    for (const MessageBar* message : bars)
+      if (message->isVisible())
+        covered = std::max(covered, seen.height() - seen.mapFromGlobal(message->mapToGlobal(QPoint())).y());
+    return covered;
+  });
+  for (const MessageBar* message : bars)
+    QObject::connect(message, &MessageBar::wanted, &bar, &HintBar::lookAgain, Qt::QueuedConnection);
 }
 
 void WindowContext::showError(const QString& sentence) const {

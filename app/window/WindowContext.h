@@ -25,6 +25,7 @@ class QVBoxLayout;
 namespace limn {
 
 class CompareView;
+class HintBar;
 class MessageBar;
 class PlaneDeck;
 
@@ -80,6 +81,9 @@ struct WindowContext {
 
   /// Pictures for files are drawn by whoever draws the window.
   MakingOptions drawnLikeTheView() const;
+
+  /// Has a bar of the view stand above the messages over its lower edge.
+  void keepClearOfMessages(HintBar& bar) const;
 
   /// Says what went wrong in the bar above the picture.
   void showError(const QString& sentence) const;

@@ -66,6 +66,51 @@ TEST(VisibleBox, followsTheCrop) {
   expectBox(scene, {14.5, -0.5, -0.5}, {29.5, 19.5, 15.5});
 }
 
+TEST(CropsOnlyUnseen, tellsAirFromWhatIsSeenHoweverFaint) {
+  const Scene whole = sceneWithBox({30, 20, 16}, {5, 6, 7}, {12, 9, 8});
+  EXPECT_TRUE(cropsOnlyUnseen(whole)) << "nothing is cropped";
+  const glm::dvec3 dims(30.0, 20.0, 16.0);
+  // One voxel beside what is seen on each side: half of it is what its outermost voxels are interpolated to.
+  const CropBox around{glm::dvec3(4, 5, 6) / dims, glm::dvec3(13, 10, 9) / dims};
+  Scene cropped = whole;
+  cropped.crop = around;
+  EXPECT_TRUE(cropsOnlyUnseen(cropped));
+  cropped.transferFunction.points = {{49.0, glm::dvec3(1.0), 0.0}, {50.0, glm::dvec3(1.0), 0.001}};
+  EXPECT_TRUE(cropsOnlyUnseen(cropped));
+  // Each face that comes nearer takes a part of it, also of what is too faint to be framed on.
+  for (const double opacity : {0.5, 0.001})
+    for (int axis = 0; axis < 3; ++axis)
+      for (const bool isUpper : {false, true}) {
+        cropped = whole;
+        cropped.transferFunction.points[1].opacity = opacity;
+        cropped.crop = around;
+        (isUpper ? cropped.crop.upper : cropped.crop.lower)[axis] += (isUpper ? -1.0 : 1.0) / dims[axis];
+        EXPECT_FALSE(cropsOnlyUnseen(cropped)) << axis << isUpper << " at " << opacity;
+      }
+}
+
+TEST(CropsOnlyUnseen, knowsWhatIsHiddenAlreadyAndWhereAirCounts) {
+  Scene scene = sceneWithBox({30, 20, 16}, {5, 6, 7}, {12, 9, 8});
+  scene.crop.lower.x = 0.5; // behind all of the box
+  EXPECT_FALSE(cropsOnlyUnseen(scene));
+  std::vector<std::uint8_t> places(30 * 20 * 16, 0);
+  places[voxelOffset({30, 20, 16}, 20, 7, 7)] = 1;
+  scene.keep = bodyRegion({30, 20, 16}, places);
+  EXPECT_TRUE(cropsOnlyUnseen(scene)) << "the kept region leaves nothing there";
+  for (const Projection projection : {Projection::minip, Projection::average}) {
+    scene.projection = projection;
+    EXPECT_FALSE(cropsOnlyUnseen(scene));
+  }
+  // A surface is seen by its value, whatever the curve makes of it.
+  scene.keep = {};
+  scene.projection = Projection::isosurface;
+  scene.transferFunction.points.clear();
+  scene.isovalue = 50.0;
+  EXPECT_FALSE(cropsOnlyUnseen(scene));
+  scene.isovalue = 101.0;
+  EXPECT_TRUE(cropsOnlyUnseen(scene));
+}
+
 TEST(VisibleBox, followsTheKeptRegion) {
   Scene scene = sceneWithBox({30, 20, 16}, {5, 6, 7}, {12, 9, 8});
   std::vector<std::uint8_t> places(30 * 20 * 16, 0);

@@ -36,7 +36,11 @@ struct FigurePanel {
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
   std::optional<PanelPaths> paths{}; ///< of physical light, which tells its error itself
-  bool isAim = false;                ///< it is what the drawing goes for; what it reached is known afterwards
+  /// What is seen in the middle of its picture, world mm; where known. In perspective its scale holds there.
+  std::optional<glm::dvec3> middleMm{};
+  /// Whether the crop takes nothing away that would be seen, so that no note tells of it; where known.
+  std::optional<bool> cropHidesNothing{};
+  bool isAim = false;    ///< it is what the drawing goes for; what it reached is known afterwards
   bool isStated = false; ///< pixels drawn at random and integrated exactly say so; otherwise it is estimated
   bool operator==(const FigurePanel&) const = default;
 };

@@ -56,7 +56,7 @@ QStringList remarksOn(const FigurePanel& panel) {
                ? QStringList{QObject::tr("The line is around what is kept")}
                : QStringList();
   QStringList texts{regionText(panel.scene.keep)};
-  if (panel.scene.crop != CropBox())
+  if (panel.scene.crop != CropBox() && !panel.cropHidesNothing.value_or(false))
     texts << QObject::tr("Cropped");
   if (smoothsNormals(panel.scene))
     texts << QObject::tr("Normals smoothed by %1 mm")
@@ -126,7 +126,7 @@ PlaneFrame planeFrameOf(const FigurePanel& panel, const QSize& pixels) {
 
 double mmPerPixelOf(const FigurePanel& panel, const QSize& pixels) {
   return panel.plane ? mmPerLogicalPixel(planeFrameOf(panel, pixels))
-                     : mmPerPixel(panel.scene.camera, pixels.height());
+                     : mmPerPixel(panel.scene.camera, pixels.height(), panel.middleMm);
 }
 
 std::optional<OrientationLetters> lettersOfPanel(const FigurePanel& panel) {

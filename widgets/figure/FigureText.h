@@ -25,7 +25,8 @@ PlaneContent planeContentOf(const FigurePanel& panel);
 /// The plane of such a panel in a picture of so many pixels: the whole volume.
 PlaneFrame planeFrameOf(const FigurePanel& panel, const QSize& pixels);
 
-/// Millimetres per pixel of a panel's picture; in perspective at the depth of the camera's target.
+/// Millimetres per pixel of a panel's picture; in perspective at the depth of what is seen in its middle, or
+/// of the camera's target where that is not known.
 double mmPerPixelOf(const FigurePanel& panel, const QSize& pixels);
 
 /// The directions at the edges of a panel's picture; none where the file says nothing of sides.

@@ -71,6 +71,22 @@ PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& th
   return frame;
 }
 
+PlaneFrame scaledBy(PlaneFrame frame, double scale) {
+  if (scale == 1.0)
+    return frame; // to the bit
+  PlaneGrid& grid = frame.grid;
+  const auto place = [&grid](const glm::dvec2& pixel) {
+    return grid.originMm + grid.spacingMm * (pixel.x * grid.axes.right + pixel.y * grid.axes.down);
+  };
+  const glm::dvec3 middle = place((glm::dvec2(grid.size) - 1.0) / 2.0);
+  grid.size = glm::max(glm::ivec2(glm::round(glm::dvec2(grid.size) * scale)), 1);
+  grid.spacingMm /= scale;
+  frame.pixelRatio *= scale;
+  const glm::dvec2 half = (glm::dvec2(grid.size) - 1.0) / 2.0;
+  grid.originMm = middle - grid.spacingMm * (half.x * grid.axes.right + half.y * grid.axes.down);
+  return frame;
+}
+
 QPointF pointOf(const PlaneFrame& frame, const glm::dvec3& worldMm) {
   const glm::dvec2 point = (worldToPixel(frame.grid, worldMm) + 0.5) / frame.pixelRatio;
   return {point.x, point.y};

@@ -32,6 +32,9 @@ struct PlaneFrame {
 PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& throughMm, const QSizeF& size,
                       double pixelRatio, const std::optional<PlaneZoom>& zoom);
 
+/// The same of a picture that has `scale` > 0 times as many pixels each way.
+PlaneFrame scaledBy(PlaneFrame frame, double scale);
+
 /// Between the world and points of the view, logical pixels. What is seen at a point lies in the plane.
 QPointF pointOf(const PlaneFrame& frame, const glm::dvec3& worldMm);
 glm::dvec3 worldAt(const PlaneFrame& frame, const QPointF& point);

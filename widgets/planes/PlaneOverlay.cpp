@@ -140,19 +140,15 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   const bool isOutsideCrop =
       content.settings.outlinesRegion && content.crop != CropBox{} && overlay.crop.empty();
   overlay.notes = notesOf(content, plane, isOutsideCrop, overlay.view, font);
+  overlay.title = overlay.notes.front().text;
+  if (overlay.notes.size() > 1)
+    overlay.window = overlay.notes.back().text;
   overlay.scale = scaleOf(content, frame, overlay.view, font);
   if (overlay.scale && overlay.scale->plate.intersects(overlay.notes.back().plate))
     overlay.scale.reset();
   addLetters(overlay, content, frame.grid.axes);
   overlay.measures =
       placedMeasures(measureShapes(content, plane, frame), font, overlay.view, platesOf(overlay));
-  return overlay;
-}
-
-PlaneOverlay withoutCrosshair(PlaneOverlay overlay) {
-  overlay.hasCrosshair = false;
-  if (overlay.view.height() >= leastHeightForNotes)
-    overlay.notes.erase(overlay.notes.begin() + 1);
   return overlay;
 }
 

@@ -21,7 +21,8 @@ struct PlaneOverlay {
   QPointF crosshair;
   bool hasCrosshair = true; ///< and its value among the notes
   QPolygonF crop;           ///< where the crop box is cut; empty: nowhere
-  std::vector<Note> notes;  ///< title and place first, then the value under the crosshair
+  QString title, window;    ///< plane and place, and the window of grey values, as they stand among the notes
+  std::vector<Note> notes;  ///< with the value under the crosshair
   std::optional<ScaleMark> scale;
   std::optional<LetterMarks> letters; ///< none where sides are unknown
   std::vector<MeasureMark> measures;  ///< what was measured in it
@@ -30,9 +31,6 @@ struct PlaneOverlay {
 /// Of a slice in a view of this size.
 PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const PlaneFrame& frame,
                           const QSizeF& size, const QFont& font);
-
-/// The same for a picture that is kept: without the crosshair and what is said of it.
-PlaneOverlay withoutCrosshair(PlaneOverlay overlay);
 
 /// Paints it in the logical pixels of the view.
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay);

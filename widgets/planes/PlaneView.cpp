@@ -151,19 +151,6 @@ void PlaneView::paintEvent(QPaintEvent*) {
     paintCutLine(painter, *m_line);
 }
 
-QImage PlaneView::picture() const {
-  PlaneContent shown = m_content;
-  shown.inHand.reset();
-  const PlaneFrame all = frame();
-  QImage picture(all.grid.size.x, all.grid.size.y, QImage::Format_RGB32);
-  picture.fill(Qt::black);
-  QPainter painter(&picture);
-  painter.drawImage(0, 0, PlanePictures().picture(shown, all.grid, static_cast<int>(all.pixelRatio + 0.5)));
-  painter.scale(all.pixelRatio, all.pixelRatio);
-  paintPlaneOverlay(painter, withoutCrosshair(planeOverlay(shown, m_plane, all, size(), font())));
-  return picture;
-}
-
 void PlaneView::mousePressEvent(QMouseEvent* event) {
   if (pressCut(*event))
     return;

@@ -38,9 +38,6 @@ public:
   /// Whether the wheel widens and narrows a piece that was picked; else it leads through the slices.
   void setWheelIsForPiece(bool isForPiece) { m_wheelIsForPiece = isForPiece; }
 
-  /// The slice with its marks, but without the crosshair and what is in hand, in device pixels; there is a
-  /// volume.
-  QImage picture() const;
   /// The line that is being drawn to cut along.
   const std::optional<CutLine>& cutLine() const { return m_line; }
 

@@ -108,6 +108,8 @@ public:
   /// target.
   void setMiddle(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.middleMm, worldMm); }
 
+  /// Whether the crop is known to hide nothing that would be seen, so that no note tells of it.
+  void setCropHidesNothing(bool hides) { set(m_order.comparison.cropHidesNothing, hides); }
   /// Draws what was measured over the pictures; nothing at first.
   void setMeasures(const std::vector<SeenMeasure>& measures) { set(m_order.comparison.measures, measures); }
 

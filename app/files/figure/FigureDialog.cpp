@@ -47,6 +47,8 @@ FigurePanel asDrawn(FigurePanel panel) {
   panel.name.clear();
   panel.errorLevels.reset();
   panel.paths.reset();
+  panel.middleMm.reset();
+  panel.cropHidesNothing.reset();
   panel.isStated = panel.isAim = false;
   return panel;
 }
@@ -330,7 +332,7 @@ void FigureDialog::refreshSources() {
 void FigureDialog::refreshPreview() {
   if (isWorking())
     return;
-  m_preview->setFigure(withKnownErrors(askedFigure()));
+  m_preview->setFigure(withWhatIsKnown(askedFigure()));
   sayWhatItIs();
   const std::optional<Figure> shown = m_preview->asShown();
   if (!shown)
@@ -355,7 +357,9 @@ void FigureDialog::drawPreview(double share) {
     const MadeFigure made = drawPanels(figure, size, withEffort(order, effort));
     return [this, figure, made, share] {
       m_drawn = figure;
+      m_made = made.figure.panels;
       m_notes = made.notes;
+      m_preview->setFigure(withWhatIsKnown(askedFigure()));
       m_preview->setPictures(made.pictures);
       sayWhatItIs();
       share < 1.0 ? drawPreview(1.0) : estimatePreview(figure);
@@ -365,7 +369,7 @@ void FigureDialog::drawPreview(double share) {
 
 // The last that is found out; until then the figure says nothing of it.
 void FigureDialog::estimatePreview(const Figure& figure) {
-  const Figure known = withKnownErrors(figure);
+  const Figure known = withWhatIsKnown(figure);
   const auto isKnown = [](const FigurePanel& panel) {
     return panel.plane || panel.errorLevels || isPhysical(panel.scene);
   };
@@ -376,14 +380,22 @@ void FigureDialog::estimatePreview(const Figure& figure) {
         const Figure estimated = withErrors(figure, withEffort(order, effort));
         return [this, estimated] {
           m_estimated = estimated.panels;
-          m_preview->setFigure(withKnownErrors(askedFigure()));
+          m_preview->setFigure(withWhatIsKnown(askedFigure()));
         };
       });
 }
 
-Figure FigureDialog::withKnownErrors(Figure figure) const {
+Figure FigureDialog::withWhatIsKnown(Figure figure) const {
   for (FigurePanel& panel : figure.panels) {
-    if (panel.plane || isPhysical(panel.scene))
+    if (panel.plane)
+      continue;
+    const auto drawn = std::ranges::find_if(
+        m_drawn.panels, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
+    if (const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin()); at < m_made.size()) {
+      panel.middleMm = m_made[at].middleMm;
+      panel.cropHidesNothing = m_made[at].cropHidesNothing;
+    }
+    if (isPhysical(panel.scene))
       continue;
     const auto known = std::ranges::find_if(
         m_estimated, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });

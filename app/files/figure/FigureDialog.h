@@ -61,7 +61,7 @@ private:
   void save();
   void copy();
   Figure wanted() const;
-  Figure withKnownErrors(Figure figure) const;
+  Figure withWhatIsKnown(Figure figure) const;
 
   std::function<FigureLooks()> m_looks;
   const SavingController& m_saving;
@@ -70,6 +70,7 @@ private:
   FigureOptions* m_options;
   QCheckBox* m_exact;
   Figure m_drawn;                       ///< whose pictures the preview shows
+  std::vector<FigurePanel> m_made;      ///< its panels with what was found out as they were drawn
   std::vector<std::string> m_notes;     ///< on those pictures
   QString m_outcome;                    ///< of the last work, told until something is edited
   std::vector<FigurePanel> m_estimated; ///< panels whose errors are known

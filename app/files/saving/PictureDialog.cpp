@@ -68,12 +68,13 @@ PictureOptions readOptions(const QString& text) {
   return options;
 }
 
-PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent)
+PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,
+                             PictureKind kind)
     : QDialog(parent), m_screen(screen), m_size(new QComboBox(this)),
       m_cm(new NumberField(narrowestCm, widestCm, 1, this)), m_ground(new QComboBox(this)),
       m_pixels(new QLabel(this)) {
   setObjectName(QStringLiteral("pictureDialog"));
-  setWindowTitle(tr("Save the picture"));
+  setWindowTitle(kind == PictureKind::slice ? tr("Save the slice") : tr("Save the picture"));
   m_size->setObjectName(QStringLiteral("pictureSize"));
   m_pixels->setObjectName(QStringLiteral("picturePixels"));
   m_size->addItems(
@@ -93,10 +94,13 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   form->addRow(tr("&Width"), m_cm);
   form->addRow(QString(), m_pixels);
   form->addRow(tr("&Ground"), m_ground);
+  form->setRowVisible(m_ground, kind == PictureKind::view);
   auto* marks = new QVBoxLayout;
   form->addRow(tr("With it"), marks);
   const SavedMarks& on = options.marks;
-  addMark("pictureNames", tr("&Names, and what is hidden"), on.names);
+  addMark("pictureNames",
+          kind == PictureKind::slice ? tr("&Names: plane, place, window") : tr("&Names, and what is hidden"),
+          on.names);
   addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
   addMark("pictureScale", tr("&Scale bar"), on.scale);
   addMark("pictureWarning", tr("\"Not for &diagnosis\""), on.warning);
@@ -151,8 +155,9 @@ void PictureDialog::tellSize() {
     save->setEnabled(fits);
 }
 
-std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent) {
-  PictureDialog dialog(readOptions(settings.pictureOptions()), screen, parent);
+std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent,
+                                           PictureKind kind) {
+  PictureDialog dialog(readOptions(settings.pictureOptions()), screen, parent, kind);
   if (dialog.exec() != QDialog::Accepted)
     return std::nullopt;
   settings.setPictureOptions(writtenOptions(dialog.options()));

@@ -41,13 +41,17 @@ double scaleOf(const PictureOptions& options, int screenWidth);
 QString writtenOptions(const PictureOptions& options);
 PictureOptions readOptions(const QString& text);
 
+/// Of the 3D view, or a slice, which has no ground of its own.
+enum class PictureKind { view, slice };
+
 /// Asks how large a picture is saved, on which ground, and which marks go with it; remembers the answer.
 class PictureDialog : public QDialog {
   Q_OBJECT
 
 public:
   /// `screen` is the size of the picture on screen, device pixels.
-  PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent);
+  PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,
+                PictureKind kind = PictureKind::view);
 
   PictureOptions options() const;
 
@@ -64,6 +68,7 @@ private:
 };
 
 /// Asks so; nothing where it is cancelled.
-std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent);
+std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent,
+                                           PictureKind kind = PictureKind::view);
 
 } // namespace limn

@@ -466,6 +466,36 @@ IndexBox visibleBox(const Scene& scene, const Effort& effort) {
           glm::min(glm::dvec3(found.upper) + 0.5 - centre, cropped.upper)};
 }
 
+bool cropsOnlyUnseen(const Scene& scene, const Effort& effort) {
+  const Grid& grid = scene.volume->grid();
+  if (scene.projection == Projection::minip || scene.projection == Projection::average ||
+      scene.volume->part())
+    return false;
+  Scene whole = scene;
+  whole.crop = {};
+  // However little of it shows: what is too faint to frame on adds up along a ray.
+  const auto makeOpaque = [](TransferFunction& function) {
+    for (ControlPoint& point : function.points)
+      point.opacity = point.opacity > 0.0 ? 1.0 : 0.0;
+  };
+  makeOpaque(whole.transferFunction);
+  std::ranges::for_each(whole.keep.looks, makeOpaque);
+  const VoxelBox left = croppedVoxels(grid, scene.crop);
+  VoxelBox rest = allVoxels(grid);
+  // Slab by slab off each face, so that no voxel is looked at twice.
+  for (int axis = 0; axis < 3; ++axis) {
+    const int lower = scene.crop.lower[axis] > 0.0 ? left.lower[axis] + 1 : 0;
+    const int upper = scene.crop.upper[axis] < 1.0 ? left.upper[axis] - 1 : grid.dims[axis];
+    VoxelBox below = rest, above = rest;
+    rest.lower[axis] = below.upper[axis] = std::min(lower, rest.upper[axis]);
+    rest.upper[axis] = above.lower[axis] = std::max(upper, rest.lower[axis]);
+    for (const VoxelBox& slab : {below, above})
+      if (visibleWithin(whole, slab, unitVoxelsFor(slab), effort).voxels > 0)
+        return false;
+  }
+  return true;
+}
+
 VoxelBox intersection(const VoxelBox& a, const VoxelBox& b) {
   const glm::ivec3 lower = glm::max(a.lower, b.lower);
   return {lower, glm::max(lower, glm::min(a.upper, b.upper))};

@@ -63,6 +63,11 @@ VisibleVoxels allVoxelsOf(const Grid& grid, const CropBox& crop);
 /// that the crop leaves where nothing is. Throws Cancelled.
 IndexBox visibleBox(const Scene& scene, const Effort& effort = {});
 
+/// Whether the crop takes nothing away that would be seen, be it as faint as the curve makes it: that lies a
+/// voxel and more within the faces that cut. False of projections to which what is transparent adds as well
+/// (minimum, average), and of a part of a volume. Throws Cancelled.
+bool cropsOnlyUnseen(const Scene& scene, const Effort& effort = {});
+
 /// Voxels of both boxes; an empty box where there is none.
 VoxelBox intersection(const VoxelBox& a, const VoxelBox& b);
 

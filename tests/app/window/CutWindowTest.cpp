@@ -12,9 +12,11 @@
 #include "widgets/view/overlay/Titles.h"
 #include "widgets/view/panels/CutBar.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -243,9 +245,17 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_EQ(scene().keep, Region{}) << "what is lit is no edit";
   EXPECT_NE(view().scene().keep, scene().keep);
   EXPECT_FALSE(view().order().comparison.preview.empty());
+  // Its range, its volume and the mean in it, as long as it is lit.
+  const QRegularExpression extent(QStringLiteral("^−?\\d+ – −?\\d+.* · \\d+.* ml · mean −?\\d+"));
+  const QString wide = bar().hint().replace(QChar(0xa0), QLatin1Char(' '));
+  EXPECT_TRUE(extent.match(wide).hasMatch()) << wide.toStdString();
+  EXPECT_FALSE(bar().findChild<QLabel*>()->visibleRegion().isEmpty());
   const Camera before = scene().camera;
   turnWheel(2);
   ASSERT_TRUE(ready());
+  const QString narrow = bar().hint().replace(QChar(0xa0), QLatin1Char(' '));
+  EXPECT_NE(narrow, wide);
+  EXPECT_TRUE(extent.match(narrow).hasMatch()) << narrow.toStdString();
   EXPECT_EQ(scene().camera, before);
   ASSERT_TRUE(cutting().hasPiece());
   QTest::mouseClick(&button(QStringLiteral("Hide")), Qt::LeftButton);
@@ -260,6 +270,24 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_EQ(undo().undoText(), QStringLiteral("hide a piece"));
   turnWheel(1);
   EXPECT_NE(scene().camera, before) << "the wheel zooms again";
+}
+
+// A message that waits for an answer would hide what is said of a piece, and the buttons.
+TEST_F(CutWindow, theBarStandsAboveAMessage) {
+  const auto bottom = [this] { return bar().mapTo(window.get(), QPoint(0, bar().height())).y(); };
+  const auto top = [this] { return messages().mapTo(window.get(), QPoint(0, 0)).y(); };
+  press(Qt::Key_K);
+  ASSERT_TRUE(bar().isVisible());
+  const int alone = bottom();
+  messages().show(MessageBar::Kind::question, QStringLiteral("Is it?"));
+  EXPECT_TRUE(test::waitUntil([&] { return bottom() < alone; }));
+  EXPECT_LT(bottom(), top());
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  EXPECT_TRUE(bar().isVisible());
+  EXPECT_LT(bottom(), top()) << "also with a piece";
+  messages().hide();
+  EXPECT_TRUE(test::waitUntil([&] { return bottom() == alone; }));
 }
 
 TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {

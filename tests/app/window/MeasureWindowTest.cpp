@@ -7,8 +7,10 @@
 #include "widgets/properties/MeasureSection.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/panels/HintBar.h"
 
 #include <QPainterPath>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTreeWidget>
 
@@ -85,6 +87,47 @@ TEST_F(MeasureWindow, aDistanceIsOneDragOnceItsToolIsChosen) {
   EXPECT_EQ(undo().count(), 1) << "one step, however it was dragged";
   EXPECT_TRUE(test::waitUntil([&] { return !list().visibleRegion().isEmpty(); }))
       << "the panel shows the list of what was measured";
+}
+
+// As the tools that cut do: what to click, and how to end it.
+TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
+  HintBar* bar = nullptr;
+  for (HintBar* one : view().findChildren<HintBar*>())
+    if (one->accessibleName() == QStringLiteral("Measuring"))
+      bar = one;
+  ASSERT_NE(bar, nullptr);
+  EXPECT_FALSE(bar->isVisible());
+  // Beside a large slice the picture has no room for it.
+  press(axial(), Qt::Key_E);
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_EQ(said(), QStringLiteral("In a slice, drag from corner to corner"));
+  choose("picture_and_three");
+  EXPECT_TRUE(test::waitUntil([&] { return bar->isVisible(); })) << view().height();
+  EXPECT_EQ(bar->hint(), said());
+  press(axial(), Qt::Key_Escape);
+  EXPECT_FALSE(bar->isVisible());
+  choose("picture");
+  ASSERT_TRUE(rest());
+  press(view(), Qt::Key_D);
+  EXPECT_TRUE(bar->isVisible());
+  EXPECT_EQ(bar->hint(), QStringLiteral("Click both ends"));
+  // Out of the way as long as one end is missing: the other may lie below it.
+  click(inPicture({-20, 0}));
+  EXPECT_TRUE(test::waitUntil([&] { return !bar->isVisible(); }));
+  click(inPicture({20, 0}));
+  EXPECT_TRUE(test::waitUntil([&] { return bar->isVisible(); }));
+  EXPECT_EQ(measurements().size(), 1u);
+  for (QPushButton* button : bar->findChildren<QPushButton*>())
+    if (button->isVisible())
+      QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(view().tool(), ViewTool::rotate);
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_TRUE(view().hasFocus());
+  // Where both measure alike it speaks of both.
+  choose("picture_and_three");
+  window->findChild<MeasureController*>()->useTool(Kind::angle);
+  EXPECT_EQ(bar->hint(), QStringLiteral("Click end, corner, end; in a slice, drag a leg"));
+  EXPECT_TRUE(bar->isVisible());
 }
 
 TEST_F(MeasureWindow, threeDistancesStayAndUndoTakesThemBackOneByOne) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/picture/RegionController.h"
+#include "app/picture/TurnedBoxController.h"
 #include "support/ShortVolume.h"
 #include "widgets/properties/LabelSection.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
@@ -10,6 +11,7 @@
 #include <QMimeData>
 #include <QTreeView>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -281,6 +283,31 @@ TEST_F(RegionWindow, theCropBoxBeginsAroundTheBodyAndLeavesNoTraceWhereNobodyMov
   EXPECT_EQ(scene().crop, moved);
 }
 
+// A note that something is cut off is of use only where something is.
+TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  const auto saysCropped = [this] {
+    const std::vector<HiddenNote> notes = hiddenNotesOf({view().order(), view().pictureState()});
+    return std::ranges::any_of(notes, [](const HiddenNote& note) { return note.by == HiddenBy::crop; });
+  };
+  window->findChild<QAction*>(QStringLiteral("cropBox"))->trigger();
+  const CropBox around = scene().crop;
+  ASSERT_NE(around, CropBox{});
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(saysCropped()) << "around the body it takes air alone";
+  CropBox half = around;
+  half.lower.x = 0.5;
+  session().setCrop(half, {nextGestureId(), QStringLiteral("half")});
+  EXPECT_TRUE(test::waitUntil(saysCropped));
+  session().setCrop(around, {nextGestureId(), QStringLiteral("all")});
+  EXPECT_TRUE(test::waitUntil([&] { return !saysCropped(); }));
+  // Everything is shown again: the table lies outside.
+  bodyOnly().trigger();
+  EXPECT_TRUE(test::waitUntil(saysCropped));
+}
+
 TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   setLayout(CompareLayout::single);
@@ -302,7 +329,7 @@ TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   ASSERT_TRUE(ready());
   ASSERT_TRUE(turned);
   ASSERT_EQ(scene().keep.cuts.size(), 1u) << "one line says what one face cuts";
-  EXPECT_EQ(scene().keep.cuts[0].name, "Turned box");
+  EXPECT_EQ(scene().keep.cuts[0].name, "Turned box, four sides");
   EXPECT_EQ(undo().count(), steps + 1) << "one drag";
   EXPECT_LT(turned->crop.upper.z, 1.0);
   const Grid& grid = scene().volume->grid();
@@ -327,6 +354,47 @@ TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   undo().undo();
   EXPECT_TRUE(scene().keep.cuts.empty());
   EXPECT_FALSE(turned) << "the box is the crop's again";
+}
+
+TEST_F(RegionWindow, aTurnedBoxThatUndoHasEndedComesBackWithRedo) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  bodyOnly().trigger();
+  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3));
+  ASSERT_TRUE(rest());
+  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
+  const auto& turned = view().order().comparison.turnedBox;
+  dragFace({2, true}, {0, 60});
+  ASSERT_TRUE(ready());
+  const TurnedBox cut = turned.value();
+  undo().undo();
+  ASSERT_TRUE(ready());
+  ASSERT_FALSE(turned) << "the box is the crop's again";
+  undo().redo();
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(turned);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(turned->crop.lower[axis], cut.crop.lower[axis], 1e-9); // of a box found again
+    EXPECT_NEAR(turned->crop.upper[axis], cut.crop.upper[axis], 1e-9);
+  }
+  // Put away it stays so.
+  window->findChild<QAction*>(QStringLiteral("cropBox"))->trigger();
+  undo().undo();
+  undo().redo();
+  ASSERT_TRUE(ready());
+  EXPECT_FALSE(turned);
+  EXPECT_FALSE(view().cropBoxIsVisible());
+}
+
+TEST_F(RegionWindow, theLinesOfATurnedBoxAreToldApartInTheList) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  TurnedBox box = boxTurnedTo(orbited(scene().camera, 0.5, 0.4), scene());
+  box.crop = {glm::dvec3(0.4), glm::dvec3(0.6)}; // within the body
+  window->findChild<RegionController*>()->setCuts(cutsOf(box), QStringLiteral("box"));
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(scene().keep.cuts.size(), 2u);
+  EXPECT_EQ(scene().keep.cuts[0].name, "Turned box, four sides");
+  EXPECT_EQ(scene().keep.cuts[1].name, "Turned box, front and back");
 }
 
 // It is kept as lines, so it is found again in them: by undo, once it was put away, in a session.

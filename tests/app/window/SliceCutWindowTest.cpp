@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/picture/CutController.h"
+#include "app/picture/PictureArea.h"
 #include "app/picture/RegionController.h"
 #include "io/ImageFile.h"
 #include "widgets/planes/PlaneDeck.h"
+#include "widgets/planes/PlaneOverlay.h"
+#include "widgets/planes/PlanePictures.h"
 #include "widgets/planes/PlaneView.h"
+#include "widgets/planes/SlicePicture.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/panels/CutBar.h"
 
 #include <QClipboard>
+#include <QComboBox>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -288,9 +293,10 @@ TEST_F(SliceCutWindow, aSliceIsCopiedAndSavedWithItsMarksAndWithoutTheCrosshair)
   const double mm = mmPerLogicalPixel(axial().frame());
   EXPECT_GT(white, 0.5 * 160.0 / mm) << "a line of 160 mm, less what its number covers";
 
+  onceAsked<PictureDialog>([](PictureDialog& dialog) { dialog.accept(); });
   typeName(pathTo("slice"));
   choose("saveSlice");
-  ASSERT_TRUE(test::waitUntil([this] { return std::filesystem::exists(folder.path() / "slice.png"); }));
+  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "slice.png"); }));
   const BytePicture saved = readBytes(folder.path() / "slice.png");
   ASSERT_EQ(saved.size, glm::ivec2(copied.width(), copied.height()));
   int others = 0;
@@ -299,6 +305,48 @@ TEST_F(SliceCutWindow, aSliceIsCopiedAndSavedWithItsMarksAndWithoutTheCrosshair)
       others += saved.bytes[static_cast<std::size_t>(row) * 3 * copied.width() + column] !=
                 copied.constScanLine(row)[column];
   EXPECT_EQ(others, 0);
+}
+
+TEST_F(SliceCutWindow, aSliceIsSavedAsLargeAsAskedForAndSaysThatItIsNotForDiagnosis) {
+  const SeenSlice seen{axial().content(), PatientPlane::axial, axial().frame(), axial().size(),
+                       axial().font()};
+  SavedMarks bare;
+  bare.warning = false;
+  const QImage without = slicePicture(seen, bare), with = slicePicture(seen, {});
+  QRect warning;
+  for (int y = 0; y < with.height(); ++y)
+    for (int x = 0; x < with.width(); ++x)
+      if (with.pixel(x, y) != without.pixel(x, y))
+        warning |= QRect(x, y, 1, 1);
+  ASSERT_FALSE(warning.isEmpty());
+  EXPECT_GT(warning.center().x(), with.width() / 2);
+  EXPECT_GT(warning.center().y(), with.height() / 2);
+  for (const Note& note : planeOverlay(seen.content, seen.plane, seen.frame, seen.size, seen.font).notes)
+    EXPECT_TRUE(note.text == crosshairText(seen.content) || !note.plate.intersects(QRectF(warning)))
+        << note.text.toStdString();
+  EXPECT_EQ(slicePicture(seen, noMarks),
+            PlanePictures().picture(seen.content, seen.frame.grid, 1).convertToFormat(QImage::Format_RGB32))
+      << "no marks: the slice alone";
+
+  // Through the menu: twice as large, with twice as many pixels of the volume below the same marks.
+  bool isAsked = false;
+  onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
+    isAsked = true;
+    EXPECT_EQ(dialog.windowTitle(), QStringLiteral("Save the slice"));
+    EXPECT_FALSE(dialog.findChild<QComboBox*>(QStringLiteral("pictureGround"))->isVisible());
+    dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(1);
+    dialog.accept();
+  });
+  typeName(pathTo("large"));
+  window->findChild<PictureArea*>()->sliceSaveChosen(PatientPlane::axial);
+  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "large.png"); }));
+  EXPECT_TRUE(isAsked);
+  const QImage large(pathTo("large.png"));
+  EXPECT_EQ(large.size(), 2 * with.size());
+  const PlaneFrame twice = scaledBy(seen.frame, 2.0);
+  EXPECT_NEAR(mmPerLogicalPixel(twice), mmPerLogicalPixel(seen.frame), 1e-12);
+  const glm::dvec3 middle = crosshairOf(seen.content);
+  EXPECT_NEAR(QLineF(pointOf(twice, middle), pointOf(seen.frame, middle)).length(), 0.0, 1e-9);
 }
 
 TEST_F(SliceCutWindow, aDistanceOfASliceStandsInThePictureAndIsLedInTheSlice) {

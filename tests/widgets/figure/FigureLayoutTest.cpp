@@ -215,6 +215,25 @@ TEST(FigureText, tellsARegionThatIsHidden) {
   EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (b). Cropped (b)."));
 }
 
+TEST(FigureText, croppedIsSaidUnlessNothingThatIsSeenIsCutAway) {
+  Figure figure = figureOf(1);
+  figure.panels[0].scene.crop.lower.x = 0.1;
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("Cropped.")));
+  figure.panels[0].cropHidesNothing = false;
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("Cropped.")));
+  figure.panels[0].cropHidesNothing = true;
+  EXPECT_FALSE(notesOf(figure).contains(QStringLiteral("Cropped")));
+}
+
+TEST(PictureMarks, inPerspectiveTheScaleIsThatOfWhatIsSeen) {
+  FigurePanel panel = figureOf(1).panels.front();
+  const Camera& camera = panel.scene.camera;
+  ASSERT_EQ(camera.projection, Camera::Projection::perspective);
+  const double atTarget = mmPerPixelOf(panel, {200, 200});
+  panel.middleMm = 0.5 * (camera.position + camera.target);
+  EXPECT_NEAR(mmPerPixelOf(panel, {200, 200}), 0.5 * atTarget, 1e-12 * atTarget);
+}
+
 TEST(PictureMarks, scaleBarIsAsLongAsItSays) {
   Figure figure = figureOf(1);
   Camera& camera = figure.panels[0].scene.camera;

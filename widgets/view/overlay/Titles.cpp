@@ -97,11 +97,12 @@ struct HiddenWords {
   QString underPointer;
 };
 
-std::vector<HiddenWords> hiddenWords(const Scene& scene) {
+std::vector<HiddenWords> hiddenWords(const Comparison& comparison) {
+  const Scene& scene = comparison.scene;
   std::vector<HiddenWords> words;
   if (const QString region = regionText(scene.keep); !region.isEmpty())
     words.push_back({HiddenBy::region, region, QObject::tr("Show everything")});
-  if (scene.crop != CropBox{})
+  if (scene.crop != CropBox{} && !comparison.cropHidesNothing)
     words.push_back({HiddenBy::crop, QObject::tr("Cropped"), QObject::tr("Reset crop")});
   return words;
 }
@@ -232,7 +233,7 @@ std::vector<HiddenNote> hiddenNotesOf(const OverlaySource& source, int position)
     return noteAt(source.font, words, {above.left(), 0.0}, Qt::AlignLeft, room);
   };
   std::vector<HiddenNote> notes;
-  for (const HiddenWords& words : hiddenWords(source.comparison.scene)) {
+  for (const HiddenWords& words : hiddenWords(source.comparison)) {
     const Note atRest = noteWith(words.atRest);
     const Note underPointer = noteWith(words.underPointer);
     Note note = source.hovered.hidden == HiddenPlace{position, words.by} ? underPointer : atRest;

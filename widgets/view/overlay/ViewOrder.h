@@ -60,6 +60,7 @@ struct Comparison {
   std::optional<glm::dvec3> turnsAboutMm; ///< about which turns go, world; absent: the camera's target
   std::vector<SeenMeasure> measures;      ///< drawn over the pictures
   std::optional<TurnedBox> turnedBox;     ///< in the place of the crop's, as long as there is one
+  bool cropHidesNothing = false;          ///< that would be seen: then no note tells of the crop
   std::string preview;                    ///< the preset that the scene is a preview of; empty: none
   bool operator==(const Comparison&) const = default;
 };

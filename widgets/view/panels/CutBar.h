@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/view/panels/ViewPanels.h"
+#include "widgets/view/panels/HintBar.h"
 
-#include <functional>
-#include <utility>
-
-class QBoxLayout;
-class QLabel;
 class QPushButton;
 
 namespace limn {
 
-/// Lies over the lower edge of the pictures while a tool that cuts is in hand: what to do next, and how it is
-/// done. Stays in the middle of its parent's width.
-class CutBar : public PicturePanel {
+/// The bar of the tools that cut: what to do next, and how it is done.
+class CutBar : public HintBar {
   Q_OBJECT
 
 public:
@@ -24,11 +18,6 @@ public:
   void showScissors(bool removesInside, bool onlySeen);
   /// For pieces: `text` says which piece lies ready, or what to do; only one that does can be hidden.
   void showPiece(const QString& text, bool isPicked);
-  /// While this says so the bar is out of the way: what it lies on may be drawn around.
-  void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
-
-  /// No tool that cuts is in hand.
-  void putAway();
 
 signals:
   void insideChosen(bool removesInside);
@@ -36,18 +25,10 @@ signals:
   void hideRequested();
   void aloneRequested();
   void lookRequested();
-  void closeRequested();
-
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-  void showEvent(QShowEvent* event) override;
 
 private:
-  void place();
-  void follow();
+  void showButtons(bool ofScissors, bool ofPieces);
 
-  QBoxLayout* m_rows = nullptr;
-  QLabel* m_text;
   QPushButton* m_inside;
   QPushButton* m_outside;
   QPushButton* m_through;
@@ -55,10 +36,6 @@ private:
   QPushButton* m_hide;
   QPushButton* m_alone;
   QPushButton* m_look;
-  std::function<bool()> m_isDrawing = [] { return false; };
-  bool m_tellsPiece = false; ///< the text, which no tip does
-  bool m_isOut = false;      ///< a tool is in hand
-  bool m_isAside = false;    ///< hidden until the button is let go
 };
 
 } // namespace limn

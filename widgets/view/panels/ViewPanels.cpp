@@ -22,7 +22,7 @@ namespace {
 const QString panelStyle = QStringLiteral(R"(
 limn--EmptyPanel, limn--MessagePanel { background: @ground; }
 limn--LoadingPanel { background: @ground; }
-limn--CutBar { background: @ground; border: 1px solid @line; border-radius: 6px; }
+limn--HintBar { background: @ground; border: 1px solid @line; border-radius: 6px; }
 QLabel { color: @text; background: transparent; }
 QLabel#heading { color: @strong; }
 QPushButton { color: @strong; background: @button; border: 1px solid @line; border-radius: 4px;

@@ -207,7 +207,7 @@ std::string segmentsFile(const Scene& scene, const DicomWriting& writing, DcmIte
   putSubject(object, image, subjectOf(writing));
   putOrigin(object, UID_SegmentationStorage, "SEG", "Limn segments", identity, writing.version);
   putText(object, DCM_SeriesNumber, "1"); // of which a segmentation has one
-  putSegmentNames(object, scene.keep);
+  putSegmentNames(object, scene.keep, scene.volume->info().unit);
   return bytesOf(file);
 }
 

@@ -2,6 +2,7 @@
 #include "io/looks/dicom/Segmentation.h"
 
 #include "io/dicom/DicomSegmentation.h"
+#include "scene/basics/Message.h"
 #include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/VolumePart.h"
 
@@ -30,18 +31,77 @@ struct Written {
   glm::dvec3 color{1.0};
 };
 
-std::vector<Written> writtenOf(const Region& keep) {
+std::string rangeOf(const ConnectedPiece& piece, const std::string& unit) {
+  constexpr int digits = 4;
+  const std::string range = Message::rounded(piece.range.x, digits).english() + " to " +
+                            Message::rounded(piece.range.y, digits).english();
+  return unit.empty() ? range : range + " " + unit;
+}
+
+// The names of the pieces that have a look, in their order: as a person called them, or by their ranges.
+std::vector<std::string> pieceNames(const Region& keep, const std::string& unit) {
+  std::vector<std::string> names;
+  for (const Cut& cut : keep.cuts)
+    if (const ConnectedPiece* piece = pieceWithLook(cut))
+      names.push_back(!cut.name.empty()
+                          ? cut.name
+                          : "Piece " + std::to_string(names.size() + 1) + ", " + rangeOf(*piece, unit));
+  return names;
+}
+
+// What went, by the names of the cuts that took it; lines that have none are only counted, beside others.
+std::string removedName(const Region& keep, const std::string& unit) {
+  std::string names;
+  const auto add = [&names](const std::string& name) { names += (names.empty() ? "" : "; ") + name; };
+  int lines = 0;
+  for (const Cut& cut : keep.cuts) {
+    const auto* piece = std::get_if<ConnectedPiece>(&cut.how);
+    if (!takesAway(cut))
+      continue;
+    if (piece && piece->fate == ConnectedPiece::Fate::alone)
+      add("all but " + (cut.name.empty() ? "piece " + rangeOf(*piece, unit) : cut.name));
+    else if (!cut.name.empty())
+      add(cut.name);
+    else if (piece)
+      add("piece " + rangeOf(*piece, unit));
+    else
+      ++lines;
+  }
+  if (lines > 0 && !names.empty())
+    add(lines == 1 ? "1 line" : std::to_string(lines) + " lines");
+  return names.empty() ? "Cut away" : "Cut away: " + names;
+}
+
+// What a piece that was kept alone leaves of everything, or of the body; otherwise what that is called.
+std::string keptName(const Region& keep, const std::string& unit, const std::string& otherwise) {
+  std::string name = otherwise;
+  for (const Cut& cut : keep.cuts)
+    if (const auto* piece = std::get_if<ConnectedPiece>(&cut.how);
+        piece && cut.isOn && piece->fate == ConnectedPiece::Fate::alone)
+      name = cut.name.empty() ? "Kept: piece " + rangeOf(*piece, unit) : cut.name;
+  return name;
+}
+
+std::vector<Written> writtenOf(const Region& keep, const std::string& unit = {}) {
   std::vector<Written> written;
   if (!keep.labels)
     return written;
   const std::vector<Label>& labels = keep.labels->labels();
+  const std::vector<std::string> pieces = pieceNames(keep, unit);
+  const std::size_t own = ownLabels(keep);
   for (std::size_t place = 0; place < labels.size(); ++place) {
     const bool isBackground = keep.kind == Region::Kind::labels &&
                               (labels[place].value == 0 || labels[place].value == tableLabelValue);
     if (isBackground || isEmpty(keep.labels->boxAround(place)))
       continue;
-    const bool isEverything = keep.kind == Region::Kind::all && place == 0;
-    written.push_back({place, isEverything ? "Kept" : labels[place].name, labels[place].color});
+    std::string name = labels[place].name;
+    if (place >= own)
+      name = place - own < pieces.size() ? pieces[place - own] : removedName(keep, unit);
+    else if (keep.kind == Region::Kind::all)
+      name = keptName(keep, unit, "Kept");
+    else if (keep.kind == Region::Kind::body && place == 1)
+      name = keptName(keep, unit, name);
+    written.push_back({place, name, labels[place].color});
   }
   return written;
 }
@@ -201,10 +261,10 @@ void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmI
   putCommonReferences(object, series.series, series.images);
 }
 
-void putSegmentNames(DcmItem& object, const Region& keep) {
+void putSegmentNames(DcmItem& object, const Region& keep, const std::string& unit) {
   require(object.convertToUTF8().good(), DCM_SpecificCharacterSet);
   putText(object, DCM_SpecificCharacterSet, "ISO_IR 192");
-  const std::vector<Written> written = writtenOf(keep);
+  const std::vector<Written> written = writtenOf(keep, unit);
   const std::vector<DcmItem*> segments = itemsIn(object, DCM_SegmentSequence);
   for (std::size_t n = 0; n < written.size(); ++n)
     if (!written[n].name.empty())

@@ -17,14 +17,15 @@ namespace limn::dicom {
 bool hasSegments(const Region& keep);
 
 /// Fills in a segmentation with a segment for each label that some voxel has, but for the background of a
-/// label map; where there are no labels what stays is called "Kept". Frames are the slices of the grid along
+/// label map. Frames are the slices of the grid along
 /// its third axis in which a segment has a voxel. `image` is one of the series, with the UIDs of study and
 /// frame; patient, study and whose object it is are not filled in. Throws Error (other).
 void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmItem& image,
                      const SeriesImages& series, const std::string& organisation, const std::string& version);
 
 /// Gives the segments their names, once patient and study are filled in: in UTF-8, in which the object then
-/// is.
-void putSegmentNames(DcmItem& object, const Region& keep);
+/// is. Labels are called as in their file; what cuts and pieces made as a person called those, or by the
+/// ranges of the pieces in `unit` (of the scalars; may be empty).
+void putSegmentNames(DcmItem& object, const Region& keep, const std::string& unit);
 
 } // namespace limn::dicom

@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QToolButton>
 
 // Picture and look of a series, saved and opened again in the program's window.
 
@@ -123,6 +124,21 @@ TEST_F(DicomWindow, itsSentencesFollowTheScene) {
   some.mode = Fog::Mode::exp;
   session().setFog(some, {});
   EXPECT_TRUE(test::waitUntil([&] { return losses->findItems(fog, Qt::MatchExactly).size() == 1; }));
+}
+
+TEST_F(DicomWindow, aSingleImageOffersItsFolder) {
+  const int slices = scene().volume->grid().dims.z;
+  ASSERT_GT(slices, 1);
+  const fs::path image = *fs::directory_iterator(folder.path() / "series");
+  ASSERT_TRUE(open(QString::fromStdString(image.string())));
+  ASSERT_EQ(scene().volume->grid().dims.z, 1);
+  QToolButton* offered = nullptr;
+  for (QToolButton* button : messages().findChildren<QToolButton*>())
+    if (button->isVisible() && button->text() == QStringLiteral("Open its folder"))
+      offered = button;
+  ASSERT_NE(offered, nullptr) << messages().sentence().toStdString();
+  QTest::mouseClick(offered, Qt::LeftButton);
+  EXPECT_TRUE(test::waitUntil([&] { return scene().volume && scene().volume->grid().dims.z == slices; }));
 }
 
 TEST_F(DicomWindow, closesWithEsc) {

@@ -103,6 +103,23 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
   }
 }
 
+// As in the window: what is seen lies nearer than the middle of the head, where the camera looks.
+TEST_F(FigureWindow, theScaleHoldsForWhatIsSeenInTheMiddle) {
+  ASSERT_EQ(scene().camera.projection, Camera::Projection::perspective);
+  ASSERT_TRUE(test::waitUntil([this] { return view().order().comparison.middleMm.has_value(); }));
+  const glm::dvec3 inWindow = *view().order().comparison.middleMm;
+  ASSERT_TRUE(ask());
+  const FigurePanel& panel = dialog().preview().figure().panels.front();
+  ASSERT_TRUE(panel.middleMm);
+  // Their steps differ, and with them where half of the light is gathered.
+  EXPECT_LT(glm::distance(*panel.middleMm, inWindow), smallestSpacingMm(scene().volume->grid()));
+  const Camera& camera = scene().camera;
+  EXPECT_LT(glm::distance(camera.position, *panel.middleMm),
+            glm::distance(camera.position, camera.target) - 10.0);
+  const MadeFigure made = makeFigure({dialog().preview().figure().settings, {panel}}, {});
+  EXPECT_TRUE(made.figure.panels.front().middleMm) << "and in the file";
+}
+
 TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {
   ASSERT_TRUE(ask());
   check("figureExact");

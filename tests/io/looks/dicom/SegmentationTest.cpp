@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 
 // What is kept and cut away, written as a segmentation and read again by the program's own reader, which
 // knows nothing of the writer.
@@ -100,10 +101,53 @@ TEST_F(WrittenSegmentation, hasWhatIsLeftOfTheCutsThePiecesAndWhatWent) {
   for (const std::string& name : namesOf(read))
     ++voxels[name];
   EXPECT_EQ(voxels["Cut away"], cut.taken[0]);
-  EXPECT_EQ(voxels["Piece 1"], cut.taken[1]);
-  EXPECT_EQ(voxels["Kept"] + voxels["Cut away"] + voxels["Piece 1"], 13u * 10 * 7);
+  EXPECT_EQ(voxels["Piece 1, 0 to 2"], cut.taken[1]);
+  EXPECT_EQ(voxels["Kept"] + voxels["Cut away"] + voxels["Piece 1, 0 to 2"], 13u * 10 * 7);
   EXPECT_FALSE(hasSegments(whole));
   EXPECT_TRUE(test::objectsOf(whole).segments.empty());
+}
+
+// Those who read it know no cuts: what a person called them says more than a number, a range more than
+// nothing.
+TEST_F(WrittenSegmentation, callsItsSegmentsAsCutsWereCalledOrByTheirRanges) {
+  const Scene whole = sceneOf({});
+  const Grid& grid = whole.volume->grid();
+  const auto slab = [&](double left, double right, const std::string& name) {
+    Scissors scissors;
+    scissors.camera.projection = Camera::Projection::orthographic;
+    scissors.camera.target = indexToWorld(grid, {6.0, 5.0, 3.0});
+    scissors.camera.position = scissors.camera.target - 100.0 * grid.direction[2];
+    scissors.camera.up = grid.direction[1];
+    scissors.camera.heightMm = 40.0;
+    scissors.polygon = {{left, -1.0}, {right, -1.0}, {right, 1.0}, {left, 1.0}};
+    return Cut{scissors, true, name};
+  };
+  const auto piece = [&](double i, ConnectedPiece::Fate fate, const std::string& name) {
+    return Cut{ConnectedPiece{
+                   indexToWorld(grid, {i, 5.0, 3.0}), {0.5, 1500.0}, 0, fate, {1.0, {{0.0, {1, 0, 0}, 0.5}}}},
+               true, name};
+  };
+  using Fate = ConnectedPiece::Fate;
+  const auto namesAfter = [&](const std::vector<Cut>& cuts, const std::string& unit) {
+    Scene scene = sceneOf(cutRegion(*whole.volume, {}, cuts).region);
+    VolumeInfo info;
+    info.unit = unit;
+    scene.volume = std::make_shared<const Volume>(grid, std::vector<float>(13 * 10 * 7, 1.0f), Rescale{},
+                                                  std::nullopt, info);
+    std::set<std::string> names;
+    for (const std::string& name : namesOf(readBack(test::objectsOf(scene).segments, grid)))
+      names.insert(name);
+    return names;
+  };
+  using Names = std::set<std::string>;
+  EXPECT_EQ(namesAfter({slab(-0.1, 0.1, "Jaw"), piece(0.0, Fate::ownLook, "Left ear")}, "HU"),
+            (Names{"Cut away: Jaw", "Kept", "Left ear"}));
+  EXPECT_EQ(namesAfter({slab(-0.1, 0.1, "Kiefer"), slab(0.2, 0.25, ""), piece(0.0, Fate::hidden, "")}, "HU"),
+            (Names{"Cut away: Kiefer; piece 0.5 to 1500 HU; 1 line", "Kept"}));
+  EXPECT_EQ(namesAfter({slab(-0.1, 0.1, ""), piece(0.0, Fate::alone, "")}, ""),
+            (Names{"Cut away: all but piece 0.5 to 1500; 1 line", "Kept: piece 0.5 to 1500"}));
+  EXPECT_EQ(namesAfter({slab(-0.1, 0.1, ""), piece(0.0, Fate::alone, "Heart")}, "HU"),
+            (Names{"Cut away: all but Heart; 1 line", "Heart"}));
 }
 
 TEST_F(WrittenSegmentation, namesThePatientUnlessThatIsLeftOut) {

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/panels/HintBar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr int aboveEdge = 44; // logical pixels, over scale and notes
+constexpr int gapAbove = 8;   // what else lies there
+
+} // namespace
+
+HintBar::HintBar(const QString& name, QWidget* parent)
+    : PicturePanel(parent), m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this)), m_text(new QLabel(this)) {
+  auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
+  close->setToolTip(tr("Lays the tool aside (Esc)."));
+  m_rows->setContentsMargins(12, 6, 6, 6);
+  m_rows->setSpacing(6);
+  for (QHBoxLayout*& group : m_groups) {
+    group = new QHBoxLayout;
+    group->setSpacing(6);
+    m_rows->addLayout(group);
+  }
+  m_groups.front()->addWidget(m_text);
+  m_groups.front()->addSpacing(6);
+  m_groups.back()->addWidget(close);
+  connect(close, &QPushButton::clicked, this, &HintBar::closeRequested);
+  parent->installEventFilter(this);
+  setAccessibleName(name);
+  hide();
+}
+
+void HintBar::showHint(const QString& text, const QString& tip, bool stays) {
+  m_text->setText(text);
+  m_text->setToolTip(tip);
+  m_stays = stays;
+  m_isOut = true;
+  follow();
+  place();
+}
+
+QString HintBar::hint() const {
+  return m_text->text();
+}
+
+void HintBar::putAway() {
+  m_isOut = m_isAside = false;
+  hide();
+}
+
+void HintBar::follow() {
+  setVisible(m_isOut && !m_isAside && parentWidget()->height() >= m_leastHeight && !m_isDrawing());
+  if (isVisible() && m_placedOver != m_coveredBelow())
+    place();
+}
+
+bool HintBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != parent())
+    return PicturePanel::eventFilter(watched, event);
+  if (event->type() == QEvent::Resize && isVisible())
+    place();
+  // While something is drawn the picture is seen whole; the view has to know first what an event is to it.
+  if (m_isOut)
+    QMetaObject::invokeMethod(this, &HintBar::follow, Qt::QueuedConnection);
+  const auto* mouse = dynamic_cast<const QMouseEvent*>(event);
+  if (event->type() == QEvent::MouseMove && isVisible() && mouse->buttons().testFlag(Qt::LeftButton)) {
+    m_isAside = true;
+    hide();
+  } else if (event->type() == QEvent::MouseButtonRelease) {
+    m_isAside = false;
+  }
+  return PicturePanel::eventFilter(watched, event);
+}
+
+void HintBar::showEvent(QShowEvent* event) {
+  PicturePanel::showEvent(event);
+  place();
+}
+
+// In a narrow view words that the tool's tip says, too, give way; the others take a row first. Beside slices
+// the view may have no room for all buttons either: then they stand in three rows.
+void HintBar::place() {
+  const QWidget* view = parentWidget();
+  const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
+    m_text->setVisible(hasText);
+    m_rows->setDirection(direction);
+    layout()->activate();
+    return sizeHint().width() <= view->width() - 16;
+  };
+  const auto fitsInRows = [&] { return fits(true, QBoxLayout::TopToBottom); };
+  const auto fitsWithoutText = [&] { return fits(false, QBoxLayout::LeftToRight); };
+  if (!fits(true, QBoxLayout::LeftToRight) && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
+      !(m_stays ? fitsWithoutText() : fitsInRows()))
+    fits(false, QBoxLayout::TopToBottom);
+  m_placedOver = m_coveredBelow();
+  const int below = m_placedOver > 0 ? std::max(aboveEdge, m_placedOver + gapAbove) : aboveEdge;
+  const QSize size = sizeHint().boundedTo(view->size());
+  setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - below - size.height()),
+              size.width(), size.height());
+  raise();
+}
+
+} // namespace limn

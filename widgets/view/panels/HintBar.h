@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view/panels/ViewPanels.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+class QBoxLayout;
+class QHBoxLayout;
+class QLabel;
+
+namespace limn {
+
+/// Lies over the lower edge of the pictures while a tool is in hand that takes more than a drag: what to do
+/// next, and a button that lays the tool aside. Stays in the middle of its parent's width.
+class HintBar : public PicturePanel {
+  Q_OBJECT
+
+public:
+  /// `name` is what assistive technology calls it.
+  HintBar(const QString& name, QWidget* parent);
+
+  /// What to do next, in a few words; `tip` says the rest. Where there is little room, words that do not
+  /// `stay` give way to the buttons, the others take a row.
+  void showHint(const QString& text, const QString& tip, bool stays = true);
+  QString hint() const;
+  /// While this says so the bar is out of the way: what it lies on may be meant.
+  void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
+
+  /// Over a lower view than this, logical pixels, it does not come up: there it would cover what is meant.
+  /// 0 at first.
+  void setLeastHeight(int height) { m_leastHeight = height; }
+
+  /// How much else covers of the view's lower edge, logical pixels: it stands above that. Nothing at first.
+  void setCoveredBelow(std::function<int()> coveredBelow) { m_coveredBelow = std::move(coveredBelow); }
+  /// What covers it may be another now.
+  void lookAgain() { follow(); }
+
+  /// No such tool is in hand.
+  void putAway();
+
+signals:
+  void closeRequested();
+
+protected:
+  /// The groups that stand beside each other, or below: the first begins with the words, the last ends with
+  /// the button.
+  QHBoxLayout* group(std::size_t number) const { return m_groups[number]; }
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void place();
+  void follow();
+
+  QBoxLayout* m_rows;
+  std::array<QHBoxLayout*, 3> m_groups{};
+  QLabel* m_text;
+  std::function<bool()> m_isDrawing = [] { return false; };
+  std::function<int()> m_coveredBelow = [] { return 0; };
+  int m_placedOver = 0; ///< what covered the lower edge then
+  int m_leastHeight = 0;
+  bool m_stays = true;    ///< the text, where there is little room
+  bool m_isOut = false;   ///< a tool is in hand
+  bool m_isAside = false; ///< hidden until the button is let go
+};
+
+} // namespace limn
