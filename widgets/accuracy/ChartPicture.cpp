@@ -249,13 +249,15 @@ void paintChance(QPainter& painter, const ChartPicture& picture, const PlotTrans
     const QRectF row(plot.plot.left(), rightEnd.y() - 0.5 * height, rightEnd.x() - plot.plot.left(), height);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, text);
   };
-  write(line.back() - QPointF(0.7 * unit, 0.0), QObject::tr("a quarter of the error: %1 paths, %2 s")
-                                                    .arg(quarter.paths)
-                                                    .arg(digitsNumber(1e-3 * quarter.ms, 2)));
+  const double seconds = 1e-3 * quarter.ms;
+  write(line.back() - QPointF(0.7 * unit, 0.0),
+        QObject::tr("a quarter of the error: %1 paths, %2 s")
+            .arg(quarter.paths)
+            .arg(seconds < 10.0 ? digitsNumber(seconds, 2) : plainNumber(seconds, 0)));
   // Along the part that nobody measured, which is two thirds of a decade of errors high.
   const ChartMark& last = picture.curves.front().marks.back();
   const QPointF middle = 0.5 * (placeOf(plot, last) + line.back());
-  write(middle - QPointF(0.8 * unit, 0.0), QObject::tr("law of chance, 1/√n"));
+  write(middle + QPointF(-0.8 * unit, 0.4 * unit), QObject::tr("law of chance, 1/√n"));
 }
 
 // A whisker from the least to the most time, where it reaches beyond the mark.

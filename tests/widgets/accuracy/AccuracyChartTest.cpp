@@ -121,10 +121,13 @@ TEST(AccuracyChart, drawsTheLawOfChanceOfPathsToAQuarterOfTheError) {
   // than ground and grid all the way.
   const QPointF last = *positionOf(shown.picture, report.points.size() - 1);
   const QPointF middle = 0.4 * last + 0.6 * end;
-  const QColor line = chartColors(shown.picture.style).secondaryText;
+  const ChartColors colors = chartColors(shown.picture.style);
+  const int ground = qGray(colors.background.rgb());
+  const int contrast = std::abs(qGray(colors.secondaryText.rgb()) - ground);
+  // A line one pixel wide shares two rows at most; the grid is fainter.
   const auto isLine = [&](const QImage& drawn, const QPointF& place) {
     for (int dy = -1; dy <= 1; ++dy)
-      if (std::abs(qGray(drawn.pixel(place.toPoint() + QPoint(0, dy))) - qGray(line.rgb())) < 60)
+      if (10 * std::abs(qGray(drawn.pixel(place.toPoint() + QPoint(0, dy))) - ground) > 4 * contrast)
         return true;
     return false;
   };
