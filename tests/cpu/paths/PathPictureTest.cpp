@@ -135,7 +135,8 @@ TEST(PathPictures, goOnAfterADragThatDrewManyCoarseOnes) {
 // Where there is room for little, a drag drops its own coarse pictures and not the whole ones it began from.
 TEST(PathPictures, letCoarseOnesGoFirst) {
   constexpr glm::ivec2 whole{40, 30}, half{20, 15}, coarse{5, 4};
-  Scene left = physicalHead(1), right = physicalHead(1);
+  const Scene left = physicalHead(1);
+  Scene right = left; // of one volume
   right.camera = orbited(right.camera, 1.0, 0.0);
   const std::size_t ofWhole = cpu::PathPicture(left, whole).bytes();
   // Of two wholes, two halves of their width and one coarse.
