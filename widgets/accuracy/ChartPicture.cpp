@@ -250,10 +250,16 @@ void paintChance(QPainter& painter, const ChartPicture& picture, const PlotTrans
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, text);
   };
   const double seconds = 1e-3 * quarter.ms;
-  write(line.back() - QPointF(0.7 * unit, 0.0),
-        QObject::tr("a quarter of the error: %1 paths, %2 s")
-            .arg(quarter.paths)
-            .arg(seconds < 10.0 ? digitsNumber(seconds, 2) : plainNumber(seconds, 0)));
+  const QString time = seconds < 10.0 ? digitsNumber(seconds, 2) : plainNumber(seconds, 0);
+  const QPointF leftOfEnd = line.back() - QPointF(0.7 * unit, 0.0);
+  // Where a panel is narrow a shorter one has room.
+  for (const QString& text :
+       {QObject::tr("a quarter of the error: %1 paths, %2 s"), QObject::tr("%1 paths, %2 s")})
+    if (const QString whole = text.arg(quarter.paths).arg(time);
+        QFontMetricsF(painter.font()).horizontalAdvance(whole) <= leftOfEnd.x() - plot.plot.left()) {
+      write(leftOfEnd, whole);
+      break;
+    }
   // Along the part that nobody measured, which is two thirds of a decade of errors high.
   const ChartMark& last = picture.curves.front().marks.back();
   const QPointF middle = 0.5 * (placeOf(plot, last) + line.back());
