@@ -69,6 +69,7 @@ void MainWindow::connectPictureAndPanels() {
   const PropertiesPanel* properties = &m_panels.properties();
   const TransferFunctionEditor* curve = m_panels.curve().valueEditor();
   connect(properties, &PropertiesPanel::modelChosen, comparison, &ComparisonController::setSideModel);
+  connect(properties, &PropertiesPanel::lightChosen, comparison, &ComparisonController::followLight);
   connect(comparison, &ComparisonController::modelsShown, properties, &PropertiesPanel::setModelsShown);
   connect(comparison, &ComparisonController::shown, &m_panels.accuracy(), &AccuracyController::showScene);
   connect(comparison, &ComparisonController::shown, &m_panels.ray(), &RayController::show);

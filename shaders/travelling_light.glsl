@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What share of its light comes to a sample (DEFINITION section 11), as the CPU engine finds it (cpu/simd/NearLight):
-// nodes of a grid tell what comes from afar, and looks from the sample what stands near towards the light.
+// nodes of a grid tell what comes from afar, and looks from the sample what stands near towards the light. What moves
+// looks at nodes alone; as a software driver goes both ways of a branch, it has a program that can do no more.
 
 uniform sampler3D u_directLight; // codes of scene/light/LightGrid.h
 uniform sampler3D u_ambientLight;
 uniform vec3 u_nodesScale; // texture coordinates per voxel
 uniform vec3 u_nodesOffset; // of the box's centre
 uniform float u_lightFrom; // from here on light is stopped, lengths
+#ifndef NODES_ALONE
 uniform float u_looksNear; // 1: what stands nearer towards the light is looked at; 0: nodes alone tell
+#endif
 uniform float u_shadow; // strengths
 uniform float u_occlusion;
 uniform float u_directAway; // so far towards the light nodes are asked, lengths
@@ -18,6 +21,7 @@ vec4 nodesAt(sampler3D nodes, vec3 centredIndex) {
 }
 
 #ifdef EFFECT_SHADOW
+#ifndef NODES_ALONE
 // The extinction per length at a place; of a surface, and behind it, more than anything shines through.
 float extinctionAt(vec3 centredIndex) {
   if (any(lessThan(centredIndex, u_boxLower)) || any(greaterThanEqual(centredIndex, u_boxUpper)))
@@ -63,11 +67,16 @@ float nearTransmittance(vec3 centredIndex, vec3 perLength) {
   return exp(-part * (before + behind));
 #endif
 }
+#endif
 
 float directLight(vec3 centredIndex) {
   vec3 perLength = u_lightDirection / u_spacing;
   float far = (nodesAt(u_directLight, centredIndex + u_directAway * perLength).r - 1.0) / 254.0;
+#ifdef NODES_ALONE
+  return far;
+#else
   return u_looksNear > 0.5 ? far * nearTransmittance(centredIndex, perLength) : far;
+#endif
 }
 #endif
 

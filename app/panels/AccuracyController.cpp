@@ -141,7 +141,7 @@ void AccuracyMeasurer::compare(const Scene& scene, const glm::ivec2& size) {
       ComparedPicture compared;
       compared.point.paths = scene.quality.paths.value_or(pathsOf(scene.shading.physical.until));
       compared.reference.converged = compared.reference.isByChance = true;
-      PathErrors errors = pathErrors(scene, size, job.effort());
+      PathErrors errors = pathErrors(scene, size, job.effort(), job.progress(0.0, 1.0));
       compared.error = errors.error;
       compared.map = std::move(errors.map);
       return [this, compared = std::move(compared)] { emit this->compared(compared); };
@@ -313,7 +313,7 @@ void AccuracyController::takeMapBack() {
 void AccuracyController::showCompared(const ComparedPicture& picture) {
   setWork(AccuracyWork::none);
   m_panel.setCompared(picture);
-  if (picture.reference.converged)
+  if (picture.error)
     m_map->showMap(picture.map, m_context.view.logicalRect(measuredSide()));
 }
 

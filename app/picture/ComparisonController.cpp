@@ -12,6 +12,7 @@
 
 #include <array>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace limn {
@@ -109,6 +110,7 @@ ComparisonController::ComparisonController(WindowContext& context)
   addModels();
   addSnapshot();
   context.view.installEventFilter(this);
+  context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { followModel(scene); });
   connect(&context.session, &Session::planesChanged, this, &ComparisonController::noteSlices);
 }
 
@@ -219,7 +221,7 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
 void ComparisonController::setSideModel(int side, ShadingModel model) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
   if (!isSingle && m_look && side == 1 && m_ownModel) {
-    m_ownModel = model;
+    m_ownModel->choose(model);
     return show();
   }
   if (isSingle || (m_look && side == 1)) {
@@ -230,19 +232,53 @@ void ComparisonController::setSideModel(int side, ShadingModel model) {
   }
   if (m_look)
     m_look->shading->model = model;
+  else if (side == 0)
+    m_left = model;
   else
-    (side == 0 ? m_left : m_right) = model;
+    m_right.choose(model);
   show();
+}
+
+void ComparisonController::RightModel::choose(ShadingModel model) {
+  if (model == ShadingModel::physical && shown != ShadingModel::physical)
+    before = shown;
+  shown = model;
+}
+
+// Of a volume that is opened a comparison has models of its own. What changed shows once the view has the
+// scene.
+void ComparisonController::followModel(const Scene& scene) {
+  const bool had = std::exchange(m_hasPhysical, scene.shading.model == ShadingModel::physical);
+  if (had == m_hasPhysical || !haveSameVoxels(m_volume.get(), scene.volume.get()))
+    return;
+  setRightPhysical(m_hasPhysical);
+}
+
+void ComparisonController::followLight(LightPreset light) {
+  setRightPhysical(light == LightPreset::physical);
+  show();
+}
+
+void ComparisonController::setRightPhysical(bool is) {
+  for (RightModel* right : {&m_right, m_ownModel ? &*m_ownModel : nullptr})
+    if (right)
+      is ? right->choose(ShadingModel::physical) : right->leavePhysical();
+}
+
+std::optional<ShadingModel> ComparisonController::ownModel() const {
+  return m_ownModel ? std::optional(m_ownModel->shown) : std::nullopt;
 }
 
 void ComparisonController::compareWith(const Preset& look, int keptSide) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
   if (!m_look || isSingle)
-    m_ownModel = isSingle ? std::nullopt : std::optional(keptSide == 0 ? m_left : m_right);
+    m_ownModel = isSingle        ? std::nullopt
+                 : keptSide == 0 ? std::optional(RightModel{.shown = m_left})
+                                 : std::optional(m_right);
   m_look = look;
   if (!m_look->shading)
     m_look->shading = m_context.session.scene().shading;
-  m_look->shading->model = m_ownModel.value_or(m_look->shading->model);
+  m_look->shading->model = ownModel().value_or(m_look->shading->model);
   if (isSingle)
     setLayout(CompareLayout::sideBySide);
   else
@@ -261,7 +297,7 @@ void ComparisonController::takeSnapshot() {
   m_snapshot->note = ownName().toStdString();
   if (isCompared) {
     m_look = m_snapshot;
-    m_look->shading->model = m_ownModel.value_or(m_look->shading->model);
+    m_look->shading->model = ownModel().value_or(m_look->shading->model);
   }
   const QString name = ownName();
   m_context.window.statusBar()->showMessage(
@@ -290,7 +326,7 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
     left = left.isEmpty() ? tr("Before") : left == right ? tr("%1, before", "a preset").arg(left) : left;
   ComparedLook compared{*m_look, {left.toStdString(), (right.isEmpty() ? tr("Now") : right).toStdString()}};
   compared.shown.isWhole = m_look->isWhole || isBefore;
-  compared.ownModel = m_ownModel;
+  compared.ownModel = ownModel();
   return compared;
 }
 
@@ -317,14 +353,14 @@ void ComparisonController::show() {
   }
   m_volume = scene.volume;
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
-  m_context.view.setSides({m_left, m_right}, comparedLook());
+  m_context.view.setSides({m_left, m_right.shown}, comparedLook());
   m_compareSnapshot->setEnabled(m_snapshot.has_value());
   m_compareSnapshot->setChecked(m_look && m_look->name == snapshotName && !isSingle);
   m_compareModels->setEnabled(m_look && !isSingle);
-  const ShadingModel own = isSingle ? scene.shading.model : m_ownModel.value_or(scene.shading.model);
+  const ShadingModel own = isSingle ? scene.shading.model : ownModel().value_or(scene.shading.model);
   emit modelsShown(isSingle ? std::vector{own}
                    : m_look ? std::vector{m_look->shading->model, own}
-                            : std::vector{m_left, m_right});
+                            : std::vector{m_left, m_right.shown});
   emit shown();
 }
 
@@ -332,8 +368,8 @@ void ComparisonController::describe(SessionDocument& session) const {
   session.layout = m_wanted; // what gave way comes back with the room
   session.layoutIsAsked = m_isAsked;
   session.leftModel = m_left;
-  session.rightModel = m_right;
-  session.ownModel = m_ownModel;
+  session.rightModel = m_right.shown;
+  session.ownModel = ownModel();
   session.wipe = m_context.view.wipePosition();
   session.snapshot = m_snapshot;
   session.comparedLook = m_look;
@@ -343,8 +379,10 @@ void ComparisonController::restore(const SessionDocument& session) {
   m_left = session.leftModel;
   m_snapshot = session.snapshot;
   m_look = session.comparedLook;
-  m_right = session.rightModel;
-  m_ownModel = m_look ? session.ownModel : std::nullopt;
+  m_right = {.shown = session.rightModel};
+  m_ownModel.reset();
+  if (m_look && session.ownModel)
+    m_ownModel = {.shown = *session.ownModel};
   if (m_look && !m_look->shading)
     m_look->shading = m_context.session.scene().shading;
   m_context.view.setWipePosition(session.wipe);

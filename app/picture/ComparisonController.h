@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scenefile/SessionFile.h"
+#include "scene/light/LightPresets.h"
 
 #include <QObject>
 
@@ -37,6 +38,9 @@ public:
   /// where no other shows it, the scene's.
   void setSideModel(int side, ShadingModel model);
 
+  /// A whole light was chosen. Any but *Physical* leaves physical light at the right, whoever chose that.
+  void followLight(LightPreset light);
+
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
   /// Where two models were compared, both are shown by that of the picture on `keptSide`, which nobody has
   /// touched.
@@ -71,6 +75,18 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  /// The model at the right of a comparison. Physical light comes and goes with the scene's, so that undo
+  /// brings back what was there before it.
+  struct RightModel {
+    ShadingModel shown = ShadingModel::enhanced;
+    ShadingModel before = ShadingModel::enhanced; ///< physical light
+    void choose(ShadingModel model);
+    void leavePhysical() { shown = shown == ShadingModel::physical ? before : shown; }
+  };
+
+  void followModel(const Scene& scene);
+  void setRightPhysical(bool is);
+  std::optional<ShadingModel> ownModel() const;
   QString ownName() const; ///< of the preset in use; empty where there is none
   CompareLayout layoutWithRoom() const;
   void fitLayout();
@@ -89,10 +105,11 @@ private:
   QAction* m_compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* m_compareModels = nullptr;   ///< enabled while looks are compared
   ShadingModel m_left = ShadingModel::classic;
-  ShadingModel m_right = ShadingModel::enhanced;
+  RightModel m_right;
   std::optional<Preset> m_snapshot;
   std::optional<Preset> m_look;           ///< at the left
-  std::optional<ShadingModel> m_ownModel; ///< of the right then, where it is not the scene's
+  std::optional<RightModel> m_ownModel;   ///< of the right then, where it is not the scene's
+  bool m_hasPhysical = false;             ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
   /// What was wanted, and whether somebody asked for it, while an image is shown alone.
   std::optional<std::pair<CompareLayout, bool>> m_beforeImage;

@@ -226,7 +226,7 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_voxels.reset();
   m_volume.reset(); // should the new one be refused
   m_empty = {};
-  m_gradients = {};
+  m_gradients = GradientField();
   m_gradientScale = {};
   m_light = {}; // keeps its volume
   m_voxels.emplace(scene.volume, part, effort, m_roundsPlaces);

@@ -65,13 +65,14 @@ EffectCosts::EffectCosts(const Scene& scene, const glm::ivec2& size, const std::
       variant.scene.crop = {};
     if (row.name == "isosurface")
       variant.scene.projection = Projection::composite;
+    m_comparesLight = m_comparesLight || variant.leftOut.hasAny(travellingLight);
     m_variants.push_back(variant);
   }
 }
 
 int EffectCosts::frameCount() const {
   const int rows = static_cast<int>(m_variants.size()) - 1;
-  return rows + 1 + m_frames * (rows > 0 ? 2 * rows : 1);
+  return firstVariant() + rows + m_frames * (rows > 0 ? 2 * rows : 1);
 }
 
 // The whole picture comes first in one round and second in the next: neither gains from its place.
@@ -88,9 +89,12 @@ EffectCosts::Turn EffectCosts::turnAt(int measured) const {
 bool EffectCosts::step(CostedDrawing& drawing) {
   if (isComplete())
     return false;
-  const int count = static_cast<int>(m_variants.size());
+  const int count = firstVariant() + static_cast<int>(m_variants.size()) - 1;
   const bool isMeasured = m_next >= count;
-  const Turn turn = isMeasured ? turnAt(m_next - count) : Turn{static_cast<std::size_t>(m_next), false};
+  const Turn turn = isMeasured ? turnAt(m_next - count)
+                    : m_next < firstVariant()
+                        ? Turn{}
+                        : Turn{static_cast<std::size_t>(m_next - firstVariant() + 1), false};
   Variant& variant = m_variants[turn.variant];
   const Variant& drawn = turn.isWhole ? m_variants.front() : variant;
   const auto draw = [&] { drawing.draw(drawn.scene, drawn.leftOut, m_size, {{0, 0}, m_size}); };
@@ -100,16 +104,12 @@ bool EffectCosts::step(CostedDrawing& drawing) {
     drawing.calibrate(draw);
   else if (isMeasured)
     (turn.isWhole ? variant.wholeMs : variant.ms).push_back(drawing.measureMs(draw));
+  else if (m_next < firstVariant())
+    m_whole = drawing.picture(drawn.scene, drawn.leftOut, m_size);
   else if (variant.leftOut.hasAny(travellingLight))
-    compare(drawing, variant);
+    variant.brought = changeBetween(*m_whole, drawing.picture(drawn.scene, drawn.leftOut, m_size));
   ++m_next;
   return !isComplete();
-}
-
-void EffectCosts::compare(CostedDrawing& drawing, Variant& variant) {
-  if (!m_whole)
-    m_whole = drawing.picture(m_variants.front().scene, {}, m_size);
-  variant.brought = changeBetween(*m_whole, drawing.picture(variant.scene, variant.leftOut, m_size));
 }
 
 double EffectCosts::fraction() const {

@@ -38,15 +38,16 @@ public:
 
 /// Measures what each effect of a picture costs by leaving it out: a whole picture and one without a row's
 /// effects are drawn one after the other, in turn for all rows, after one pixel each that compiles and
-/// uploads. So what else the machine does weighs on both sides of a difference alike. A frame at a time, so
-/// that a window stays awake. Of shadows and occlusion it tells what they bring to the picture, too.
+/// uploads. So what else the machine does weighs on both sides of a difference alike. One whole picture at
+/// a time, so that a window stays awake. Of shadows and occlusion it tells what they bring to the picture,
+/// too.
 class EffectCosts {
 public:
   /// `rows` are those of the scene's plan; what is off costs nothing and is not measured. A crop box is
   /// measured against the whole volume, a surface against the composite.
   EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows, int frames = 7);
 
-  /// Draws the next frame, with the same drawing each time. False when none is left.
+  /// Draws the next frame, one whole picture, with the same drawing each time. False when none is left.
   bool step(CostedDrawing& drawing);
 
   bool isComplete() const { return m_next == frameCount(); }
@@ -76,12 +77,13 @@ private:
     bool isWhole = true;
   };
   int frameCount() const;
-  void compare(CostedDrawing& drawing, Variant& variant);
+  int firstVariant() const { return m_comparesLight ? 2 : 1; }
   Turn turnAt(int measured) const;
 
   std::vector<Variant> m_variants;         ///< the whole picture first
   std::vector<std::size_t> m_variantOfRow; ///< 0: not measured
-  std::optional<Image> m_whole;            ///< once a variant is compared with it
+  bool m_comparesLight = false;            ///< the second frame is the whole picture, to be compared with
+  std::optional<Image> m_whole;            ///< that
   glm::ivec2 m_size{0};
   int m_frames = 0;
   int m_next = 0;

@@ -57,6 +57,14 @@ void LightTextures::update(const LightVolumes& light) {
   m_light = light;
 }
 
+LightLook LightTextures::lookOn(const Grid& grid, bool isFine) const {
+  return m_light.nodes.count.x > 0 ? lightLook(m_light.nodes, grid, isFine && m_light.isFine) : LightLook();
+}
+
+bool LightTextures::looksNear(const Grid& grid, bool isFine) const {
+  return lookOn(grid, isFine).looksNear;
+}
+
 void LightTextures::apply(const ShaderProgram& program, const Grid& grid, bool isFine) const {
   if (!m_direct)
     return;
@@ -67,7 +75,7 @@ void LightTextures::apply(const ShaderProgram& program, const Grid& grid, bool i
   const glm::dvec3 perVoxel = isKnown ? 1.0 / (nodes.stride * count) : glm::dvec3(0.0);
   program.set("u_nodesScale", glm::vec3(perVoxel));
   program.set("u_nodesOffset", glm::vec3(0.5 / count - nodes.first * perVoxel));
-  const LightLook look = isKnown ? lightLook(nodes, grid, isFine && m_light.isFine) : LightLook();
+  const LightLook look = lookOn(grid, isFine);
   program.set("u_directAway", static_cast<float>(look.directAway));
   program.set("u_ambientAway", static_cast<float>(look.ambientAway));
   program.set("u_looksNear", look.looksNear ? 1.0f : 0.0f);

@@ -21,10 +21,15 @@ public:
   /// fine picture where one is asked for and the nodes are.
   void apply(const ShaderProgram& program, const Grid& grid, bool isFine) const;
 
+  /// Whether samples of such a picture look at what stands near them, beside the nodes.
+  bool looksNear(const Grid& grid, bool isFine) const;
+
   /// What they take on the card.
   std::size_t bytes() const;
 
 private:
+  LightLook lookOn(const Grid& grid, bool isFine) const;
+
   LightVolumes m_light;
   std::optional<GlTexture> m_direct, m_ambient; ///< absent: nothing was drawn with such light yet
 };

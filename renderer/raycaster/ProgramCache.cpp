@@ -18,6 +18,11 @@ ProgramCache::Held* ProgramCache::standInFor(EffectSet effects) {
   return smallest;
 }
 
+bool ProgramCache::isAtHand(EffectSet effects) {
+  const auto known = m_programs.find(effects);
+  return (known != m_programs.end() && known->second.program.isLinked()) || standInFor(effects) != nullptr;
+}
+
 const ShaderProgram& ProgramCache::used(Held& held) {
   held.lastUse = ++m_uses;
   return held.program;

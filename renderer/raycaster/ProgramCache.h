@@ -41,6 +41,9 @@ public:
   /// Whether `programFor` would compile nothing.
   bool canDraw(EffectSet effects) { return has(effects) || standInFor(effects) != nullptr; }
 
+  /// Whether `programFor` has one at hand that is linked.
+  bool isAtHand(EffectSet effects);
+
   /// Lets the driver compile a program in the background, where it can.
   void start(EffectSet effects);
 

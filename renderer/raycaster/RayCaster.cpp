@@ -44,6 +44,7 @@ struct RayCaster::Parts {
   KnowLight knowLight;
   std::optional<LightVolumes> heldLight;
   ProgramCache programs;
+  ProgramCache nodePrograms; ///< of shadows that nodes alone tell
   FilterBits filter;
   GlBuffer corners;
   GlVertexArray vertexArray;
@@ -63,11 +64,16 @@ struct RayCaster::Parts {
   void noteStepLimit(const Scene& scene);
   LightVolumes lightOf(const Scene& scene);
   void updateLight(const Scene& scene, EffectSet effects);
-  void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
+  const ShaderProgram& programOf(EffectSet effects, const Scene& scene);
+  void tryOut(ProgramCache& cache, EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
 RayCaster::Parts::Parts(const Decisions& chosen, const VolumeRoom& room)
-    : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen), filter(chosen) {
+    : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen),
+      nodePrograms(
+          chosen,
+          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, ShadowLooks::nodesAlone); }),
+      filter(chosen) {
   const SavedState saved;
   const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
   glBindVertexArray(vertexArray.name());
@@ -138,8 +144,18 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
       size);
   measure(scene, needed.effects);
   updateLight(scene, needed.effects);
-  const bool isMeasured = leftOut || compilesAllEffects;
-  drawWith(isMeasured ? programs.exactly(effects) : programs.programFor(effects), scene, size);
+  drawWith(programOf(effects, scene), scene, size);
+}
+
+// While something moves nodes alone tell of shadows. The program for that serves from when there was time to
+// compile it: the other draws the same.
+const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene& scene) {
+  if (leftOut || compilesAllEffects)
+    return programs.exactly(effects);
+  const bool isOfNodes = effects.has(Effect::shadow) &&
+                         !light.looksNear(scene.volume->grid(), scene.quality.light == LightDetail::fine) &&
+                         nodePrograms.isAtHand(effects);
+  return isOfNodes ? nodePrograms.programFor(effects) : programs.programFor(effects);
 }
 
 // The box outside which all pixels are empty.
@@ -184,12 +200,13 @@ Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::i
 }
 
 // Some drivers compile only when something is drawn: one pixel is enough.
-void RayCaster::Parts::tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size) {
+void RayCaster::Parts::tryOut(ProgramCache& cache, EffectSet effects, const Scene& scene,
+                              const glm::ivec2& size) {
   glViewport(0, 0, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);
   glScissor(size.x / 2, size.y / 2, 1, 1);
   measure(scene, effects);
-  drawWith(programs.exactly(effects), scene, size);
+  drawWith(cache.exactly(effects), scene, size);
 }
 
 RayCaster::RayCaster(EmptySpace emptySpace, Programs programs, const Decisions& decisions,
@@ -277,14 +294,18 @@ bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
   if (!needed.isVisible)
     return false;
   if (!m_parts->programs.has(needed.effects)) {
-    m_parts->tryOut(needed.effects, scene, size);
+    m_parts->tryOut(m_parts->programs, needed.effects, scene, size);
+    return true;
+  }
+  if (needed.effects.has(Effect::shadow) && !m_parts->nodePrograms.has(needed.effects)) {
+    m_parts->tryOut(m_parts->nodePrograms, needed.effects, scene, size);
     return true;
   }
   for (const Scene& neighbour : neighbours(scene)) {
     const EffectSet wanted = m_parts->plan(neighbour).effects;
     if (m_parts->programs.canDraw(wanted))
       continue;
-    m_parts->tryOut(withAllNeutral(wanted), neighbour, size);
+    m_parts->tryOut(m_parts->programs, withAllNeutral(wanted), neighbour, size);
     return true;
   }
   return false;
@@ -303,7 +324,7 @@ DrawingFacts RayCaster::facts(const Scene& scene) {
 }
 
 int RayCaster::compiledPrograms() const {
-  return m_parts->programs.compiled();
+  return m_parts->programs.compiled() + m_parts->nodePrograms.compiled();
 }
 
 int RayCaster::filterBits() {

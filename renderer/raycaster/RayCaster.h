@@ -66,11 +66,12 @@ public:
   /// What the scene calls for and why. Uploads the scene if it is not the one drawn last.
   EffectPlan plan(const Scene& scene);
 
-  /// Compiles one of the programs that the scene may soon want and has not yet: its own, then for each of the
-  /// `neighbours` of the scene one with every effect that has a neutral value, which can stand in when a
-  /// slider leaves or crosses that value. Measures of the volume what those need. Draws one pixel in the
-  /// middle of a picture of `size` into the bound framebuffer. For when there is time, over a picture of no
-  /// account; false when nothing is left to do.
+  /// Compiles one of the programs that the scene may soon want and has not yet: its own, of one with
+  /// shadows that of its pictures while something moves, then for each of the `neighbours` of the scene one
+  /// with every effect that has a neutral value, which can stand in when a slider leaves or crosses that
+  /// value. Measures of the volume what those need. Draws one pixel in the middle of a picture of `size` into
+  /// the bound framebuffer. For when there is time, over a picture of no account; false when nothing is left
+  /// to do.
   bool warmUp(const Scene& scene, const glm::ivec2& size);
 
   /// Uploads a piece of what the scene needs of its volume, some ten ms long, where it is not there yet; the

@@ -6,6 +6,7 @@
 #include "reference/LightPaths.h"
 #include "reference/RaySamples.h"
 #include "reference/SampleLighting.h"
+#include "scene/light/Boundary.h"
 #include "scene/steps/BlockWalk.h"
 
 namespace limn {
@@ -120,8 +121,8 @@ private:
     const glm::dvec4& gradient = steepness.gradient;
     glm::dvec3 normal = gradient.w > flat ? -glm::dvec3(gradient) : glm::dvec3(0.0);
     if (m_terms.isCut && terms.usesNormal())
-      normal = normalNearCut(m_terms.cut, m_terms.grid.spacingMm, m_terms.smallestMm, m_ray.centredAt(place),
-                             m_ray.ray().direction, normal);
+      normal = normalNearCut(m_terms.cut.lower, m_terms.cut.upper, m_terms.grid.spacingMm, m_terms.smallestMm,
+                             m_ray.centredAt(place), m_ray.ray().direction, normal);
     const glm::dvec3 color =
         lit(terms, material, m_light, normal, steepness.ratio, reachingAt(m_ray.centredAt(place), normal));
     const double f = fogFactor(m_terms.scene.fog, m_ray.tAt(place) - m_ray.ray().eye);

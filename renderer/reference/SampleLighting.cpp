@@ -77,23 +77,4 @@ double fogFactor(const Fog& fog, double z) {
   return 1.0;
 }
 
-glm::dvec3 normalNearCut(const CutPlanes& cut, const glm::dvec3& spacingMm, double depthMm,
-                         const glm::dvec3& centredIndex, const glm::dvec3& direction,
-                         const glm::dvec3& normal) {
-  double nearest = depthMm;
-  glm::dvec3 chosen = normal;
-  for (int axis = 2; axis >= 0; --axis) {
-    const double fromLower = (centredIndex[axis] - cut.lower[axis]) * spacingMm[axis];
-    const double fromUpper = (cut.upper[axis] - centredIndex[axis]) * spacingMm[axis];
-    if (std::min(fromLower, fromUpper) > nearest)
-      continue;
-    nearest = std::min(fromLower, fromUpper);
-    chosen = glm::dvec3(0.0);
-    const bool isTie = std::abs(fromUpper - fromLower) <= 1e-3 * depthMm;
-    const bool isLower = isTie ? direction[axis] > 0.0 : fromLower < fromUpper;
-    chosen[axis] = isLower ? -1.0 : 1.0;
-  }
-  return chosen;
-}
-
 } // namespace limn

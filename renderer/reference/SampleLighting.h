@@ -30,11 +30,4 @@ glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const Ray
 /// The factor on the colour of an object at `z` mm from the eye (DEFINITION section 6).
 double fogFactor(const Fog& fog, double z);
 
-/// The outward normal of the cut face within `depthMm` of a position, otherwise `normal` (section 7). Of two
-/// opposite faces that are as near as rounding can tell, the one through which a ray along `direction`
-/// enters.
-glm::dvec3 normalNearCut(const CutPlanes& cut, const glm::dvec3& spacingMm, double depthMm,
-                         const glm::dvec3& centredIndex, const glm::dvec3& direction,
-                         const glm::dvec3& normal);
-
 } // namespace limn

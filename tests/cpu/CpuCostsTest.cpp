@@ -87,6 +87,41 @@ TEST(CpuCosts, lightOnItsWayTellsWhatItBroughtToThePicture) {
             "changes nothing in this picture that could be seen");
 }
 
+// Counts the whole pictures that are asked for.
+class CountedCosts : public CpuCosts {
+public:
+  using CpuCosts::CpuCosts;
+  void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override {
+    wholes += tile.size == size ? 1 : 0;
+    CpuCosts::draw(scene, leftOut, size, tile);
+  }
+  Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override {
+    ++wholes;
+    return CpuCosts::picture(scene, leftOut, size);
+  }
+  int wholes = 0;
+};
+
+// A window draws a step in a turn of its event loop.
+TEST(CpuCosts, noStepDrawsMoreThanOneWholePicture) {
+  const Scene scene = test::shadowedHead(8.0);
+  CpuRenderer renderer(1);
+  const std::vector<EffectRow> rows = effectRows(scene, renderer.plan(scene));
+  CountedCosts drawing(renderer);
+  EffectCosts costs(scene, costSize, rows, 3);
+  int steps = 0;
+  bool goesOn = true;
+  while (goesOn) {
+    drawing.wholes = 0;
+    goesOn = costs.step(drawing);
+    EXPECT_LE(drawing.wholes, 1) << steps;
+    ++steps;
+  }
+  // One that is timed, one to compare with, one without each effect, then three pairs for each.
+  const auto measured = static_cast<int>(std::ranges::count_if(rows, &EffectRow::isOn));
+  EXPECT_EQ(steps, 2 + measured + 3 * 2 * measured);
+}
+
 TEST(CpuCosts, noLightIsFoundWhileEffectsAreMeasured) {
   Scene scene = test::shadowedHead(6.0, ShadingModel::enhanced);
   scene.crop.lower.y = 0.3; // without which the light is another, as it is without O

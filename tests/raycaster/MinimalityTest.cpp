@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -25,7 +26,11 @@ std::string preprocessed(const std::string& text) {
     std::string directive;
     std::string name;
     words >> directive >> name;
-    if (directive == "#ifdef")
+    if (directive == "#if") // of defined(…) || defined(…) alone
+      active.push_back(active.back() && std::ranges::any_of(defined, [&line](const std::string& one) {
+                         return line.find("defined(" + one + ")") != std::string::npos;
+                       }));
+    else if (directive == "#ifdef")
       active.push_back(active.back() && defined.contains(name));
     else if (directive == "#ifndef")
       active.push_back(active.back() && !defined.contains(name));
@@ -123,6 +128,19 @@ TEST(Minimality, aPreintegratedStepFetchesOneScalarMoreInAll) {
   EXPECT_EQ(volumeFetches(functions, "findVisible"), 2);
   EXPECT_EQ(volumeFetches(functions, "gather"), 5);
   EXPECT_EQ(volumeFetches(functions, "addMaterial"), 0);
+}
+
+// Around the sample two places are looked at; of what moves none.
+TEST(Minimality, aShadowThatNodesAloneTellFetchesTheVolumeNoMoreThanNone) {
+  for (const EffectSet& changes : {EffectSet{}, EffectSet{Effect::opacityMap}}) {
+    const EffectSet shadowed =
+        canonical(lit.with({Effect::fixedLight, Effect::shadow, Effect::occlusion}).with(changes));
+    const auto nearby = functionsOf(preprocessed(fragmentSource(shadowed).text));
+    EXPECT_EQ(volumeFetches(nearby, "addMaterial"), 6 + 2 * (changes.isEmpty() ? 1 : 7));
+    const auto nodes = functionsOf(preprocessed(fragmentSource(shadowed, {}, ShadowLooks::nodesAlone).text));
+    EXPECT_EQ(volumeFetches(nodes, "addMaterial"), 6);
+    EXPECT_FALSE(nodes.contains("extinctionAt"));
+  }
 }
 
 TEST(Minimality, projectionsOfOneScalarHaveNoShadingAtAll) {

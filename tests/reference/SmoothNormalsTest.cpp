@@ -4,6 +4,7 @@
 #include "reference/ProfileAlong.h"
 #include "reference/ReferenceIntegrator.h"
 #include "reference/SmoothedField.h"
+#include "scene/basics/Error.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/Gradient.h"
 #include "scene/light/GradientField.h"
@@ -178,6 +179,36 @@ TEST(SmoothNormals, picturesSideBySideKeepTheirOwnField) {
   EXPECT_NE(field.smoothed(), one);
   field.update(volume, 0.0);
   EXPECT_EQ(field.smoothed(), nullptr);
+}
+
+// Memory for one field alone: pictures side by side smooth anew at each turn. Memory for none is said.
+TEST(SmoothNormals, takeTheMemoryThereIsOrSayThatThereIsNone) {
+  const std::shared_ptr<const Volume> volume = smoothHead(ShadingModel::classic, 6.0).volume;
+  const std::uint64_t each = volume->voxelCount() * sizeof(float);
+  std::uint64_t all = each;
+  GradientField field([&]() -> std::optional<std::uint64_t> { return all - field.ownBytes(); });
+  field.update(volume, 6.0);
+  const std::shared_ptr<const Volume> one = field.smoothed();
+  ASSERT_NE(one, nullptr);
+  field.update(volume, 3.0);
+  EXPECT_EQ(field.ownBytes(), each);
+  field.update(volume, 6.0);
+  EXPECT_EQ(field.ownBytes(), each);
+  EXPECT_TRUE(field.smoothed()->stored() == one->stored()) << "as before";
+  all = 2 * each;
+  field.update(volume, 3.0);
+  EXPECT_EQ(field.ownBytes(), 2 * each) << "again there is room for both";
+  all = each - 1;
+  GradientField another([&]() -> std::optional<std::uint64_t> { return all; });
+  try {
+    another.update(volume, 6.0);
+    FAIL() << "made without memory";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("close other programs"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(another.ownBytes(), 0u);
+  EXPECT_EQ(another.smoothed(), nullptr);
+  another.update(volume, 0.0); // as the field is they need none
 }
 
 } // namespace

@@ -130,10 +130,10 @@ TEST(PhysicalPanel, numbersThatPhysicalLightReadsAreOffered) {
                    ->isEnabledTo(rowNamed<ValueSlider>(panel, "Shadows")->parentWidget()));
 }
 
-// In a comparison, which has models of its own, the right picture shows it.
+// It is told beside the edit, too: a comparison has models of its own, which follow it.
 TEST(PhysicalPanel, theLightCalledPhysicalBringsItsModel) {
   PropertiesPanel panel;
-  QSignalSpy models(&panel, &PropertiesPanel::modelChosen);
+  QSignalSpy lights(&panel, &PropertiesPanel::lightChosen);
   Shading shading;
   QObject::connect(&panel, &PropertiesPanel::shadingEdited, &panel,
                    [&](const Shading& edited) { shading = edited; });
@@ -145,17 +145,14 @@ TEST(PhysicalPanel, theLightCalledPhysicalBringsItsModel) {
   panel.setModelsShown({ShadingModel::classic});
   choose(4);
   EXPECT_EQ(shading.model, ShadingModel::physical);
-  EXPECT_TRUE(models.isEmpty()) << "one picture has the scene's own";
   choose(0);
   EXPECT_EQ(shading.model, Shading().model);
-  panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
-  choose(4);
-  ASSERT_EQ(models.size(), 1);
-  EXPECT_EQ(models[0][0].toInt(), 1);
-  EXPECT_EQ(models[0][1].value<ShadingModel>(), ShadingModel::physical);
-  choose(1);
-  ASSERT_EQ(models.size(), 2);
-  EXPECT_EQ(models[1][1].value<ShadingModel>(), ShadingModel::enhanced);
+  ASSERT_EQ(lights.size(), 2);
+  EXPECT_EQ(lights[0][0].value<LightPreset>(), LightPreset::physical);
+  EXPECT_EQ(lights[1][0].value<LightPreset>(), LightPreset::headlight);
+  auto* diffuse = rowNamed<ValueSlider>(panel, "Diffuse (kd)")->findChild<TrackSlider*>();
+  QTest::keyClick(diffuse, Qt::Key_End);
+  EXPECT_EQ(lights.size(), 2) << "a strength is no whole light";
 }
 
 } // namespace

@@ -57,6 +57,10 @@ void setRanges(PlotTransform& plot, const ChartPicture& picture) {
       ms = {std::min(ms.lowest, mark.leastMs), std::max(ms.highest, mark.mostMs)};
       levels = {std::min(levels.lowest, mark.error), std::max(levels.highest, mark.error)};
     }
+  if (const std::optional<QuarterError> quarter = quarterError(picture)) {
+    ms.highest = std::max(ms.highest, quarter->ms);
+    levels.lowest = std::min(levels.lowest, quarter->error);
+  }
   const double leastMs = std::max(ms.lowest, leastShownMs);
   plot.acrossScale = plot.upScale = AxisScale::logarithmic;
   plot.visible = logarithmicRange(leastMs, std::max(ms.highest, leastMs));
@@ -112,6 +116,16 @@ QPolygonF lineOf(const PlotTransform& plot, const ChartCurve& curve) {
   for (const ChartMark& mark : curve.marks)
     line << placeOf(plot, mark);
   return line;
+}
+
+// The law of chance, from where the fewest paths lie to a quarter of the error of the most.
+QPolygonF lineOfChance(const ChartPicture& picture, const PlotTransform& plot) {
+  const std::optional<QuarterError> quarter = quarterError(picture);
+  if (!quarter)
+    return {};
+  const double least = picture.curves.front().marks.front().ms;
+  return {placeOf(plot, least, quarter->error * std::sqrt(quarter->ms / std::max(least, leastShownMs))),
+          placeOf(plot, quarter->ms, quarter->error)};
 }
 
 // From fast to slow. What is best by the 99.9th percentile need not be so by the mean.
@@ -188,10 +202,11 @@ std::optional<QPointF> freeCorner(const ChartPicture& picture, const PlotTransfo
                                   const QSizeF& size, double y) {
   const QRectF& plot = transform.plot;
   const double text = picture.textSize;
+  const QPolygonF ofChance = lineOfChance(picture, transform);
   const auto isFree = [&](const QRectF& place) {
-    return std::ranges::none_of(picture.curves, [&](const ChartCurve& curve) {
-      return runsThrough(lineOf(transform, curve),
-                         place.adjusted(-0.6 * text, -0.2 * text, 0.6 * text, 0.2 * text));
+    const QRectF room = place.adjusted(-0.6 * text, -0.2 * text, 0.6 * text, 0.2 * text);
+    return !runsThrough(ofChance, room) && std::ranges::none_of(picture.curves, [&](const ChartCurve& curve) {
+      return runsThrough(lineOf(transform, curve), room);
     });
   };
   for (double x = plot.right() - size.width() - 6.0; x > plot.left() + 6.0; x -= 0.5 * text)
@@ -214,6 +229,41 @@ void paintOneLevel(QPainter& painter, const ChartPicture& picture, const PlotTra
     if (corner)
       return painter.drawText(QRectF(*corner, size), Qt::AlignCenter, text);
   }
+}
+
+// A thin line through the point of most paths, and hollow where it ends; what it says stands to the left,
+// below it, where no curve runs.
+void paintChance(QPainter& painter, const ChartPicture& picture, const PlotTransform& plot) {
+  const QPolygonF line = lineOfChance(picture, plot);
+  if (line.isEmpty())
+    return;
+  const QuarterError quarter = *quarterError(picture);
+  const double unit = picture.textSize;
+  const ChartColors colors = chartColors(picture.style);
+  painter.setPen(QPen(colors.secondaryText, std::max(1.0, 0.06 * unit)));
+  painter.drawPolyline(line);
+  painter.setBrush(colors.background);
+  paintMark(painter, MarkShape::circle, line.back(), 0.7 * markSize * unit);
+  const double height = QFontMetricsF(painter.font()).height();
+  const auto write = [&](const QPointF& rightEnd, const QString& text) {
+    const QRectF row(plot.plot.left(), rightEnd.y() - 0.5 * height, rightEnd.x() - plot.plot.left(), height);
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, text);
+  };
+  const double seconds = 1e-3 * quarter.ms;
+  const QString time = seconds < 10.0 ? digitsNumber(seconds, 2) : plainNumber(seconds, 0);
+  const QPointF leftOfEnd = line.back() - QPointF(0.7 * unit, 0.0);
+  // Where a panel is narrow a shorter one has room.
+  for (const QString& text :
+       {QObject::tr("a quarter of the error: %1 paths, %2 s"), QObject::tr("%1 paths, %2 s")})
+    if (const QString whole = text.arg(quarter.paths).arg(time);
+        QFontMetricsF(painter.font()).horizontalAdvance(whole) <= leftOfEnd.x() - plot.plot.left()) {
+      write(leftOfEnd, whole);
+      break;
+    }
+  // Along the part that nobody measured, which is two thirds of a decade of errors high.
+  const ChartMark& last = picture.curves.front().marks.back();
+  const QPointF middle = 0.5 * (placeOf(plot, last) + line.back());
+  write(middle + QPointF(-0.8 * unit, 0.4 * unit), QObject::tr("law of chance, 1/√n"));
 }
 
 // A whisker from the least to the most time, where it reaches beyond the mark.
@@ -303,6 +353,16 @@ std::vector<ChartCurve> chartCurves(const AccuracyReport& report, ErrorMeasure m
   return curves;
 }
 
+std::optional<QuarterError> quarterError(const ChartPicture& picture) {
+  if (!picture.report.reference.isByChance || picture.curves.empty())
+    return std::nullopt;
+  const ChartMark& most = picture.curves.front().marks.back();
+  const std::optional<int> paths = picture.report.points[most.index].point.paths;
+  if (!paths || most.isBelowFloor)
+    return std::nullopt;
+  return QuarterError{16 * *paths, 16.0 * most.ms, most.error / 4.0};
+}
+
 PlotTransform chartPlot(const ChartPicture& picture) {
   return layoutOf(picture).plot;
 }
@@ -356,6 +416,7 @@ void paintChart(QPainter& painter, const ChartPicture& picture) {
   painter.save();
   painter.setClipRect(plot.plot);
   paintTradeOffs(painter, picture, plot);
+  paintChance(painter, picture, plot);
   for (std::size_t i = 0; i < picture.curves.size(); ++i)
     paintCurve(painter, picture, plot, picture.curves[i], curveLook(picture.style, static_cast<int>(i)));
   paintRings(painter, picture, plot);

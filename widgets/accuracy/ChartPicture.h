@@ -38,7 +38,8 @@ struct ChartCurve {
 std::vector<ChartCurve> chartCurves(const AccuracyReport& report, ErrorMeasure measure);
 
 /// A chart of error against time, both logarithmic, as one value: a curve per family of operating points, the
-/// best trade-offs ringed, a line at one level ("accurate to the screen").
+/// best trade-offs ringed, a line at one level ("accurate to the screen"); of random paths a thin one of the
+/// law of chance as well, down to a quarter of the least error and what that takes.
 struct ChartPicture {
   AccuracyReport report;
   std::vector<ChartCurve> curves; ///< of the report (chartCurves)
@@ -56,6 +57,15 @@ struct ChartPicture {
   std::optional<std::size_t> hovered =
       std::nullopt; ///< the point under the pointer, or the one that keys walked to
 };
+
+/// Where the law of chance (1/√n) leads from the point of most paths: to a quarter of its error.
+struct QuarterError {
+  int paths = 0;
+  double ms = 0.0;
+  double error = 0.0; ///< 8-bit levels
+};
+/// Absent where no paths were measured.
+std::optional<QuarterError> quarterError(const ChartPicture& picture);
 
 /// Where the plot lies in the chart and how ms and levels do in it; there are curves.
 PlotTransform chartPlot(const ChartPicture& picture);

@@ -19,6 +19,11 @@ QString sentenceOf(const ComparedPicture& compared) {
     return MapSection::tr("Not converged: the exact picture still changes with finer steps, so there is "
                           "nothing to compare with.");
   const QString name = pointText(compared.point);
+  if (!compared.error)
+    return MapSection::tr(
+               "%1: the error is not known, because only what two paths or more differ by tells it.")
+        .arg(name);
+  const ImageError& error = *compared.error;
   if (compared.reference.isByChance)
     return MapSection::tr(
                "%1, at %2 × %3 pixels: the standard error of 999 of 1000 colour values is at most %4 "
@@ -26,15 +31,15 @@ QString sentenceOf(const ComparedPicture& compared) {
         .arg(name)
         .arg(compared.map.size.x)
         .arg(compared.map.size.y)
-        .arg(promisedLevels(compared.error.p99_9),
-             plainNumber(100.0 * compared.error.shareOverOne, compared.error.shareOverOne < 0.1 ? 2 : 0));
+        .arg(promisedLevels(error.p99_9),
+             plainNumber(100.0 * error.shareOverOne, error.shareOverOne < 0.1 ? 2 : 0));
   return MapSection::tr("%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of "
                         "255; %5 % of the pixels are off by more than one.")
       .arg(name.left(1).toUpper() + name.mid(1))
       .arg(compared.map.size.x)
       .arg(compared.map.size.y)
-      .arg(promisedLevels(std::max(compared.error.p99_9, leastP99_9(compared.reference))))
-      .arg(plainNumber(100.0 * compared.error.shareOverOne, compared.error.shareOverOne < 0.1 ? 2 : 0));
+      .arg(promisedLevels(std::max(error.p99_9, leastP99_9(compared.reference))))
+      .arg(plainNumber(100.0 * error.shareOverOne, error.shareOverOne < 0.1 ? 2 : 0));
 }
 
 } // namespace
@@ -65,7 +70,7 @@ void MapSection::setUnavailable(const QString& reason) {
 }
 
 void MapSection::setCompared(const ComparedPicture* compared) {
-  m_check->setChecked(compared && compared->reference.converged);
+  m_check->setChecked(compared && compared->error);
   m_sentence->setText(compared ? sentenceOf(*compared) : QString());
   m_sentence->setVisible(compared);
 }

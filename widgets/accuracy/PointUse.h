@@ -57,8 +57,8 @@ std::optional<std::size_t> indexOf(const OperatingPoint& point, const std::vecto
 struct ComparedPicture {
   OperatingPoint point; ///< of the picture
   ReferenceFacts reference;
-  ImageError error;
-  ErrorMap map; ///< empty where the exact picture has not converged
+  std::optional<ImageError> error; ///< where it is known: the exact picture has converged, two paths meet
+  ErrorMap map;                    ///< empty where the exact picture has not converged
 };
 
 /// What a point's error is known to be: "0.66 levels", "less than 0.012 levels", "unknown".

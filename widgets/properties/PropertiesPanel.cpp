@@ -111,14 +111,12 @@ PropertiesPanel::PropertiesPanel(QWidget* parent)
 void PropertiesPanel::connectSections() {
   for (ShadingSection* section : m_sections)
     connect(section, &ShadingSection::shadingEdited, this,
-            [this, section](const Shading& shading, const Gesture& gesture) {
-              const ShadingModel before = m_scene.shading.model;
+            [this](const Shading& shading, const Gesture& gesture) {
               m_scene.shading = shading;
               setShading(shading);
               emit shadingEdited(shading, gesture);
-              if (shading.model != before && section == m_light)
-                chooseModelOfSide(shading.model);
             });
+  connect(m_light, &LightSection::presetChosen, this, &PropertiesPanel::lightChosen);
   connect(m_model, &ModelSection::sideModelChosen, this, &PropertiesPanel::modelChosen);
   connect(m_quality, &QualitySection::qualityEdited, this, &PropertiesPanel::qualityEdited);
   connect(m_projection, &ProjectionSection::projectionEdited, this, &PropertiesPanel::projectionEdited);
@@ -131,12 +129,6 @@ void PropertiesPanel::connectSections() {
       m_measures, &MeasureSection::begun, this, [this] { ensureWidgetVisible(m_measures); },
       Qt::QueuedConnection);
   connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);
-}
-
-// A light that comes with its model shows at the right of a comparison, which has models of its own.
-void PropertiesPanel::chooseModelOfSide(ShadingModel model) {
-  if (m_models.size() == 2)
-    emit modelChosen(1, model == ShadingModel::physical ? model : ShadingModel::enhanced);
 }
 
 void PropertiesPanel::setScene(const Scene& scene) {

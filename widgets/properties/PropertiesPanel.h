@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/light/LightPresets.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/FoldingSection.h"
 
@@ -76,6 +77,8 @@ signals:
   void shadingEdited(const limn::Shading& shading, const limn::Gesture& gesture);
   /// Another model for a side of a comparison, 0 left, 1 right.
   void modelChosen(int side, limn::ShadingModel model);
+  /// A whole light in one go, after its edit.
+  void lightChosen(limn::LightPreset light);
   void qualityEdited(const limn::Quality& quality, const limn::Gesture& gesture);
   void projectionEdited(limn::Projection projection, const limn::Gesture& gesture);
   void isovalueEdited(double isovalue, const limn::Gesture& gesture);
@@ -84,7 +87,6 @@ signals:
 
 private:
   void connectSections();
-  void chooseModelOfSide(ShadingModel model);
   void showModels();
   void setUnused(std::size_t section, const QString& reason);
 

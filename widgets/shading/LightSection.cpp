@@ -94,7 +94,9 @@ void LightSection::addPresets() {
   model->item(static_cast<int>(lightPresets.size()))->setEnabled(false);
   contents()->addWidget(m_preset);
   connect(m_preset, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    editAll(withLight(shading(), lightPresets.at(static_cast<std::size_t>(index))), gesture);
+    const LightPreset preset = lightPresets.at(static_cast<std::size_t>(index));
+    editAll(withLight(shading(), preset), gesture);
+    emit presetChosen(preset);
   });
 }
 

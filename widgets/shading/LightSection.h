@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/light/LightPresets.h"
 #include "scene/view/Camera.h"
 #include "widgets/shading/ShadingSection.h"
 
@@ -36,6 +37,10 @@ public:
 
   /// From where the pictures are seen.
   void setCamera(const Camera& camera);
+
+signals:
+  /// A whole light was chosen, after it was reported as an edit.
+  void presetChosen(limn::LightPreset preset);
 
 protected:
   void showShading() override;

@@ -34,21 +34,6 @@ double wayTo(const Until& until, const PathFigures& figures, double seconds) {
   return figures.rmsLevels ? std::min(1.0, std::pow(wanted / std::max(*figures.rmsLevels, 1e-9), 2.0)) : 0.0;
 }
 
-// Beside the picture itself.
-void requireMemoryForPaths(const glm::ivec2& size) {
-  const double needed = double(size.x) * size.y * sizeof(cpu::PixelPaths);
-  const std::optional<std::uint64_t> free = freeMemory();
-  if (!free || needed <= static_cast<double>(*free))
-    return;
-  throw Error(
-      Error::Kind::other,
-      Message::tr("A picture of physical light of %1 × %2 pixels keeps %3 GB of what its paths find, and "
-                  "%4 GB of memory are free; choose a smaller one or close other programs.")
-          .arg(size.x)
-          .arg(size.y)
-          .arg(Message::fixed(1e-9 * needed, 1), Message::fixed(1e-9 * static_cast<double>(*free), 1)));
-}
-
 Message levelsOfError(double levels) {
   return levels < 10.0 ? Message::rounded(levels, 2) : Message::fixed(levels, 0);
 }
@@ -70,6 +55,20 @@ int nextPaths(const Until& until, const PathFigures& figures, double seconds) {
   const double ratio = *figures.rmsLevels / std::get<UntilLevels>(until).levels;
   // A little more than the law says, or chance would ask for one pass more.
   return ratio <= 1.0 || paths >= mostPaths ? paths : pathsGrownTo(1.02 * ratio * ratio * paths, paths);
+}
+
+void requireMemoryForPaths(const glm::ivec2& size) {
+  const double needed = double(size.x) * size.y * sizeof(cpu::PixelPaths);
+  const std::optional<std::uint64_t> free = freeMemory();
+  if (!free || needed <= static_cast<double>(*free))
+    return;
+  throw Error(
+      Error::Kind::other,
+      Message::tr("A picture of physical light of %1 × %2 pixels keeps %3 GB of what its paths find, and "
+                  "%4 GB of memory are free; choose a smaller one or close other programs.")
+          .arg(size.x)
+          .arg(size.y)
+          .arg(Message::fixed(1e-9 * needed, 1), Message::fixed(1e-9 * static_cast<double>(*free), 1)));
 }
 
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,

@@ -32,6 +32,10 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
 /// same number where it is complete.
 int nextPaths(const Until& until, const PathFigures& figures, double seconds);
 
+/// Throws Error where the memory that is free does not hold what the paths of so many pixels find, beside the
+/// picture itself.
+void requireMemoryForPaths(const glm::ivec2& size);
+
 /// How many paths a picture has and its standard error, one sentence.
 Message sentenceOf(const PathFigures& figures);
 

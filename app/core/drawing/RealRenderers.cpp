@@ -225,15 +225,21 @@ Image RealRenderers::render(const Scene& scene, const glm::ivec2& size) {
   return m_parts->whole(scene, size);
 }
 
-AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
-                               const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
-                               RealRenderers& renderers, const ReportProgress& progress) {
+AccuracyReport reportOn(const std::string& name, const std::string& renderer, const Scene& scene,
+                        const glm::ivec2& size) {
   AccuracyReport report;
   report.scene = name;
-  report.renderer = renderers.name();
+  report.renderer = renderer;
   report.machine = machineName();
   report.size = size;
   report.smallestSpacingMm = smallestSpacingMm(scene.volume->grid());
+  return report;
+}
+
+AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
+                               const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
+                               RealRenderers& renderers, const ReportProgress& progress) {
+  AccuracyReport report = reportOn(name, renderers.name(), scene, size);
   report.reference = converged.facts;
   std::vector<OperatingPoint> drawable;
   std::ranges::copy_if(points, std::back_inserter(drawable),

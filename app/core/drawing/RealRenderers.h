@@ -48,6 +48,10 @@ private:
   std::unique_ptr<Parts> m_parts;
 };
 
+/// A report on a scene with nothing in it yet: what it is called, who draws, on which machine, how large.
+AccuracyReport reportOn(const std::string& name, const std::string& renderer, const Scene& scene,
+                        const glm::ivec2& size);
+
 /// Measures error and time of those points of a scene that the renderers can draw against its converged
 /// picture, which is known already;
 /// everything else of the report but the decisions is filled in. Where the picture did not converge the

@@ -207,8 +207,8 @@ PathPicture& PathPictures::of(const Scene& scene, const glm::ivec2& size) {
     picture = std::make_unique<PathPicture>(scene, size);
   }
   m_pictures.push_front(std::move(picture));
-  while (m_pictures.size() > mostKept || (m_pictures.size() > alwaysKept && bytes() > mostBytes))
-    m_pictures.erase(bytes() > mostBytes ? m_pictures.end() - 1 : leastWorth());
+  while (m_pictures.size() > mostKept || (m_pictures.size() > alwaysKept && bytes() > m_mostBytes))
+    m_pictures.erase(leastWorth());
   return *m_pictures.front();
 }
 

@@ -56,10 +56,13 @@ private:
   std::vector<PixelPaths> m_pixels;
 };
 
-/// The pictures drawn last, the newest first: two sides, and beside them those before, as long as all are
-/// small, coarse ones of a drag no longer than others.
+/// The pictures drawn last, the newest first: two sides, and beside them those before, as long as there is
+/// room. Where there is none the smallest goes first: coarse ones of a drag, of which there are many, before
+/// the whole picture from which it began.
 class PathPictures {
 public:
+  explicit PathPictures(std::size_t mostBytes = usualBytes) : m_mostBytes(mostBytes) {}
+
   PathPicture& of(const Scene& scene, const glm::ivec2& size);
   const PathPicture* find(const Scene& scene, const glm::ivec2& size) const;
   std::size_t bytes() const;
@@ -70,7 +73,9 @@ private:
 
   static constexpr std::size_t alwaysKept = 2;
   static constexpr std::size_t mostKept = 6;
-  static constexpr std::size_t mostBytes = std::size_t{128} << 20; // of seven pictures of 512²
+  // Of two sides of 1600 × 1000 whole, and of half the width, with what is coarser.
+  static constexpr std::size_t usualBytes = std::size_t{256} << 20;
+  std::size_t m_mostBytes;
   Kept m_pictures;
 };
 

@@ -48,8 +48,7 @@ void setSurfaces(const Scene& scene, const PictureTerms& terms, PathTerms& paths
   paths.gradientScale = terms.gradientScale;
   paths.flatModulus = terms.flatModulus;
   paths.perReference = terms.perReference;
-  paths.curveType = scene.shading.gradientCurve.type;
-  paths.curve = static_cast<float>(std::clamp(scene.shading.gradientCurve.parameter, 1e-30, 1e30));
+  paths.curve = scene.shading.gradientCurve;
   paths.isCut = scene.crop != CropBox{};
   paths.cutLower = glm::vec3(terms.cut.lower + terms.centre);
   paths.cutUpper = glm::vec3(terms.cut.upper + terms.centre);
@@ -88,6 +87,7 @@ PathTerms pathTerms(const Scene& medium, const PictureTerms& terms) {
   paths.perUnitDistance = terms.perUnitDistance;
   paths.range = medium.volume->range();
   paths.perLength = glm::vec3(1.0 / terms.spacing);
+  paths.spacing = glm::vec3(terms.spacing);
   const IndexBox box = shared(terms.box, terms.visibleBox);
   paths.lower = glm::vec3(box.lower + terms.centre);
   paths.upper = glm::vec3(box.upper + terms.centre);

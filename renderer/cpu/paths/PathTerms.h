@@ -48,12 +48,12 @@ struct PathTerms {
   glm::vec3 lower{0.0f}, upper{0.0f}; ///< the box outside which nothing is
   bool isCut = false;                 ///< surfaces near the crop's faces face as those do
   glm::vec3 cutLower{0.0f}, cutUpper{0.0f};
+  glm::vec3 spacing{1.0f}; ///< lengths from voxel to voxel
 
   glm::vec3 gradientScale{0.0f}; ///< as in PictureTerms
   float flatModulus = 0.0f;
   float perReference = 0.0f;
-  GradientCurve::Type curveType = GradientCurve::Type::linear;
-  float curve = 1.0f;
+  GradientCurve curve;
 
   float anisotropy = 0.0f;
   float surface = 0.0f;

@@ -7,6 +7,7 @@
 #include "cpu/paths/PathTerms.h"
 #include "cpu/paths/Scattering.h"
 #include "scene/basics/StableMath.h"
+#include "scene/light/Boundary.h"
 
 #include <glm/glm.hpp>
 
@@ -88,49 +89,20 @@ private:
       return std::nullopt;
     const glm::vec3 gradient = m_medium.gradientAt(place);
     const float modulus = glm::length(gradient);
-    const float r = ratioOf(modulus);
+    const auto r =
+        static_cast<float>(afterCurve(m_terms.curve, std::min(modulus * m_terms.perReference, 1.0f)));
     const float chance = m_terms.surface * static_cast<float>(significanceWeight(0.05, 0.25, r));
     if (!(random.next() < chance))
       return std::nullopt;
     glm::vec3 normal = modulus > m_terms.flatModulus ? -gradient / modulus : glm::vec3(0.0f);
     if (m_terms.isCut)
-      normal = normalNearCut(place, direction, normal);
+      normal =
+          normalNearCut(m_terms.cutLower, m_terms.cutUpper, m_terms.spacing, 1.0f, place, direction, normal);
     const float facing = glm::dot(normal, direction);
     if (normal == glm::vec3(0.0f) || facing == 0.0f)
       return std::nullopt;
     const float exponent = m_terms.exponentAtFlat + r * (m_terms.exponentAtBoundary - m_terms.exponentAtFlat);
     return Surface{facing > 0.0f ? -normal : normal, albedo, m_terms.specularShare, exponent};
-  }
-
-  float ratioOf(float modulus) const {
-    const float r = std::min(modulus * m_terms.perReference, 1.0f);
-    switch (m_terms.curveType) {
-    case GradientCurve::Type::linear:
-      return r;
-    case GradientCurve::Type::gamma:
-      return static_cast<float>(gammaCurve(r, m_terms.curve));
-    case GradientCurve::Type::log:
-      return static_cast<float>(logCurve(r, m_terms.curve));
-    }
-    return r;
-  }
-
-  // Within a length of a face of the crop that cuts the volume, that face's (DEFINITION section 7).
-  glm::vec3 normalNearCut(const glm::vec3& place, const glm::vec3& direction, const glm::vec3& normal) const {
-    float nearest = 1.0f;
-    glm::vec3 chosen = normal;
-    for (int axis = 2; axis >= 0; --axis) {
-      const float fromLower = (place[axis] - m_terms.cutLower[axis]) / m_terms.perLength[axis];
-      const float fromUpper = (m_terms.cutUpper[axis] - place[axis]) / m_terms.perLength[axis];
-      if (std::min(fromLower, fromUpper) > nearest)
-        continue;
-      nearest = std::min(fromLower, fromUpper);
-      chosen = glm::vec3(0.0f);
-      const bool isTie = std::abs(fromUpper - fromLower) <= 1e-3f;
-      const bool isLower = isTie ? direction[axis] > 0.0f : fromLower < fromUpper;
-      chosen[axis] = isLower ? -1.0f : 1.0f;
-    }
-    return chosen;
   }
 
   // Ends paths by chance, and lets those that go on count for them: ones that carry little, and long ones,

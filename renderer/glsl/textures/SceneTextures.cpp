@@ -244,7 +244,7 @@ void SceneTextures::beginVolume(const Scene& scene) {
   m_emptySpaceShown.reset();
   m_gradientOpacityShown.reset();
   m_steepness.reset();
-  m_gradients = {};
+  m_gradients = GradientField();
   m_gradientScale = {};
   m_smoothed = {};
   m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_room);

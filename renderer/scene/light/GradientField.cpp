@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/GradientField.h"
 
+#include "scene/basics/Error.h"
+
 #include <algorithm>
 
 namespace limn {
@@ -25,9 +27,7 @@ double GradientField::more(const std::shared_ptr<const Volume>& volume, double s
   if (there != m_smoothed.end()) {
     std::rotate(m_smoothed.begin(), there, there + 1);
   } else {
-    // The one that makes room goes first: three need not fit into memory.
-    if (m_smoothed.size() == mostSmoothed)
-      m_smoothed.pop_back();
+    makeRoom();
     m_smoothed.push_front({Smoothing(m_volume, sigmaMm), {}});
   }
   Smoothed& wanted = m_smoothed.front();
@@ -38,6 +38,30 @@ double GradientField::more(const std::shared_ptr<const Volume>& volume, double s
   return done;
 }
 
+// Those that make room go first: three, or two, need not fit into memory. What lies on the disk asks that for
+// room.
+void GradientField::makeRoom() {
+  if (m_smoothed.size() == mostSmoothed)
+    m_smoothed.pop_back();
+  while (!m_smoothed.empty() && !holdsOneMore())
+    m_smoothed.pop_back();
+  if (!holdsOneMore())
+    throw Error(Error::Kind::other,
+                Message::tr("Smooth normals of this volume take %1 GB of memory, and %2 GB are free; switch "
+                            "them off, or close other programs.")
+                    .arg(Message::fixed(1e-9 * static_cast<double>(bytesEach()), 1),
+                         Message::fixed(1e-9 * static_cast<double>(m_free().value_or(0)), 1)));
+}
+
+bool GradientField::holdsOneMore() const {
+  const std::optional<std::uint64_t> free = m_volume->room() ? std::nullopt : m_free();
+  return !free || bytesEach() <= *free;
+}
+
+std::size_t GradientField::bytesEach() const {
+  return m_volume->voxelCount() * sizeof(float);
+}
+
 GradientScale GradientField::scale(const Shading& shading, bool usesRatio, const Effort& effort) {
   GradientScale scale = (m_isAskedFor ? m_smoothed.front().scales : m_plain).of(shading, usesRatio, effort);
   scale.smoothed = smoothed();
@@ -45,7 +69,7 @@ GradientScale GradientField::scale(const Shading& shading, bool usesRatio, const
 }
 
 std::size_t GradientField::ownBytes() const {
-  return m_smoothed.empty() ? 0 : m_smoothed.size() * m_volume->voxelCount() * sizeof(float);
+  return m_smoothed.empty() ? 0 : m_smoothed.size() * bytesEach();
 }
 
 glm::dvec3 followedGradientAt(const Volume& volume, const GradientScale& scale, const glm::dvec3& index) {

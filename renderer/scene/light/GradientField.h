@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/MemoryBudget.h"
 #include "scene/light/GradientScales.h"
 #include "scene/light/GradientSmoothing.h"
 
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace limn {
 
 /// The field whose gradient light and boundaries follow: that of the volume, or a smoothed one
 /// (DEFINITION section 2), and the gradient scales of either. What was made is kept until another volume
-/// takes its place, smoothed fields of the two σ asked for last: pictures side by side may take turns.
+/// takes its place, smoothed fields of the two σ asked for last: pictures side by side may take turns. Where
+/// memory holds one alone that is smoothed anew at each turn, which takes time and changes no picture.
 class GradientField {
 public:
+  /// `free` tells what memory could still be had, bytes, as freeMemory.
+  explicit GradientField(std::function<std::optional<std::uint64_t>()> free = freeMemory)
+      : m_free(std::move(free)) {}
+
   /// Goes on smoothing for some ten ms; the share that is done, 1 once nothing is missing. With a σ of 0, mm,
-  /// nothing is asked for. Throws Cancelled, and then goes on from there.
+  /// nothing is asked for. Throws Cancelled, and then goes on from there; Error where memory does not hold a
+  /// smoothed field.
   double more(const std::shared_ptr<const Volume>& volume, double sigmaMm, const Effort& effort = {});
 
   /// The same to its end.
@@ -45,6 +55,11 @@ private:
     GradientScales scales; ///< of what it made
   };
 
+  void makeRoom();
+  bool holdsOneMore() const;
+  std::size_t bytesEach() const;
+
+  std::function<std::optional<std::uint64_t>()> m_free;
   std::shared_ptr<const Volume> m_volume;
   GradientScales m_plain;
   std::deque<Smoothed> m_smoothed; ///< the one asked for last first

@@ -2,6 +2,7 @@
 #include "scene/light/LightingTerms.h"
 
 #include "scene/basics/StableMath.h"
+#include "scene/light/Boundary.h"
 #include "scene/light/Gradient.h"
 #include "scene/view/Camera.h"
 
@@ -94,15 +95,7 @@ std::optional<glm::dvec3> lightTravels(const Shading& shading, const Camera& cam
 
 double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus) {
   const double r = scale.reference > 0.0 ? std::clamp(modulus / scale.reference, 0.0, 1.0) : 0.0;
-  switch (terms.curve.type) {
-  case GradientCurve::Type::linear:
-    return r;
-  case GradientCurve::Type::gamma:
-    return gammaCurve(r, terms.curve.parameter);
-  case GradientCurve::Type::log:
-    return logCurve(r, terms.curve.parameter);
-  }
-  return r;
+  return afterCurve(terms.curve, r);
 }
 
 double gradientOpacityAt(const GradientOpacity& curve, double modulus) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Physical light in the program's window: chosen, set, measured, and never in the way.
 #include "app/WindowHarness.h"
+#include "app/panels/AccuracyController.h"
 #include "support/Heart.h"
 #include "support/JudgedTime.h"
 #include "widgets/FindWidget.h"
@@ -22,6 +23,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QPushButton>
+#include <QSignalSpy>
 
 namespace limn {
 namespace {
@@ -70,6 +72,41 @@ TEST_F(PhysicalWindow, theLightCalledPhysicalShowsAtTheRightAndItsNumbersComeUp)
   EXPECT_TRUE(section.isFolded());
   undo().undo();
   EXPECT_EQ(scene().shading.model, ShadingModel::physical) << "one step back";
+}
+
+// The models of a comparison are no part of undo, but physical light is chosen as a light, which is.
+TEST_F(PhysicalWindow, undoBringsBackTheModelBeforePhysicalLightInAComparison) {
+  const auto models = [this] {
+    std::vector<ShadingModel> shown;
+    for (const Scene& side : view().scenesOfSides())
+      shown.push_back(side.shading.model);
+    return shown;
+  };
+  using Models = std::vector<ShadingModel>;
+  const Models before{ShadingModel::classic, ShadingModel::robust};
+  const Models physical{ShadingModel::classic, ShadingModel::physical};
+  emit view().modelChosen(1, ShadingModel::robust);
+  ASSERT_EQ(models(), before);
+  choose(light(), 4);
+  EXPECT_EQ(models(), physical);
+  undo().undo();
+  EXPECT_EQ(models(), before);
+  undo().redo();
+  EXPECT_EQ(models(), physical);
+  choose(light(), 1);
+  EXPECT_EQ(models(), before) << "another light leaves it";
+  undo().undo();
+  EXPECT_EQ(models(), physical);
+  // Whoever chose another model since keeps that.
+  emit view().modelChosen(1, ShadingModel::enhanced);
+  undo().undo();
+  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  // Chosen as a model, which is no step of the history, another light leaves it all the same.
+  emit view().modelChosen(1, ShadingModel::physical);
+  ASSERT_EQ(models(), physical);
+  choose(light(), 2);
+  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  EXPECT_EQ(scene().shading.model, ShadingModel::classic);
 }
 
 // The first picture soon, no turn of the event loop held up, and another edit is answered as soon.
@@ -140,6 +177,29 @@ TEST_F(PhysicalWindow, accuracyIsMeasuredByPathsWithTheirLawAndAMap) {
   EXPECT_TRUE(window->findChild<ErrorMapOverlay*>()->isVisible());
   const QString sentence = textOf(*accuracy().findChild<MapSection*>(), "sentence");
   EXPECT_TRUE(sentence.contains(QStringLiteral("paths a pixel"))) << sentence.toStdString();
+}
+
+// Of what a single path tells there is no map of zeros, and work that takes long tells how far it is and
+// ends.
+TEST_F(PhysicalWindow, aMapOfPathsSaysWhatItDoesNotKnowAndIsCancelled) {
+  Scene drawn = scene();
+  drawn.shading.model = ShadingModel::physical;
+  AccuracyMeasurer measurer;
+  measurer.setRays(Engine::cpu);
+  QSignalSpy progressed(&measurer, &AccuracyMeasurer::progressed);
+  QSignalSpy compared(&measurer, &AccuracyMeasurer::compared);
+  drawn.quality.paths = 1 << 20; // takes hours
+  measurer.compare(drawn, {64, 48});
+  ASSERT_TRUE(test::waitUntil([&] { return !progressed.isEmpty(); }));
+  EXPECT_EQ(progressed[0][1].toString(), QStringLiteral("Following 1048576 paths a pixel"));
+  measurer.cancel();
+  drawn.quality.paths = 1;
+  measurer.compare(drawn, {64, 48}); // begins once the other has ended
+  ASSERT_TRUE(test::waitUntil([&] { return !compared.isEmpty(); }));
+  ASSERT_EQ(compared.size(), 1);
+  const auto picture = compared[0][0].value<ComparedPicture>();
+  EXPECT_EQ(picture.point.paths, 1);
+  EXPECT_FALSE(picture.error);
 }
 
 } // namespace

@@ -105,6 +105,44 @@ TEST(AccuracyChart, writesABoundToTheLeftOfItsArrowWhereThePlotEnds) {
   EXPECT_GT(left.size(), 4u) << "no letters, only the grid";
 }
 
+// From 128 paths in 6.4 s: a quarter of the error takes 16 times as many and as long.
+TEST(AccuracyChart, drawsTheLawOfChanceOfPathsToAQuarterOfTheError) {
+  const AccuracyReport report = samplePathReport();
+  const ShownChart shown(report);
+  const std::optional<QuarterError> quarter = quarterError(shown.picture);
+  ASSERT_TRUE(quarter);
+  EXPECT_EQ(quarter->paths, 2048);
+  EXPECT_DOUBLE_EQ(quarter->ms, 102400.0);
+  EXPECT_DOUBLE_EQ(quarter->error, report.points.back().error.p99_9 / 4.0);
+  const PlotTransform plot = chartPlot(shown.picture);
+  const QPointF end(xOfValue(plot, quarter->ms), yOfOpacity(plot, quarter->error));
+  EXPECT_TRUE(plot.plot.contains(end));
+  // Both axes are logarithmic: the line is straight through the point of most paths, and of one more colour
+  // than ground and grid all the way.
+  const QPointF last = *positionOf(shown.picture, report.points.size() - 1);
+  const QPointF middle = 0.4 * last + 0.6 * end;
+  const ChartColors colors = chartColors(shown.picture.style);
+  const int ground = qGray(colors.background.rgb());
+  const int contrast = std::abs(qGray(colors.secondaryText.rgb()) - ground);
+  // A line one pixel wide shares two rows at most; the grid is fainter.
+  const auto isLine = [&](const QImage& drawn, const QPointF& place) {
+    for (int dy = -1; dy <= 1; ++dy)
+      if (10 * std::abs(qGray(drawn.pixel(place.toPoint() + QPoint(0, dy))) - ground) > 4 * contrast)
+        return true;
+    return false;
+  };
+  for (const double part : {0.3, 0.5, 0.7, 0.8})
+    EXPECT_TRUE(isLine(shown.drawn, (1.0 - part) * last + part * end)) << part;
+  EXPECT_FALSE(isLine(shown.drawn, middle + QPointF(0.0, -20.0))) << "above it is nothing";
+  // By the mean it leads to a quarter of that.
+  ChartPicture byMean = shown.picture;
+  byMean.measure = ErrorMeasure::mean;
+  byMean.curves = chartCurves(report, ErrorMeasure::mean);
+  EXPECT_DOUBLE_EQ(quarterError(byMean)->error, report.points.back().error.mean / 4.0);
+  // Steps have no such law.
+  EXPECT_FALSE(quarterError(ShownChart(sampleReport(fewPoints())).picture));
+}
+
 TEST(AccuracyChart, showsNoErrorsWhereTheExactPictureHasNotConverged) {
   AccuracyReport report = sampleReport(usualPoints());
   report.reference.converged = false;

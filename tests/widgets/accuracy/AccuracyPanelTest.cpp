@@ -336,8 +336,9 @@ TEST_F(AccuracyPanelTest, theMapSaysWhatItShowsAndLeavesWithThePicture) {
   ComparedPicture compared;
   compared.point.stepVoxels = 0.5;
   compared.reference = {true, 1.0 / 128.0, 0.01, 0.0001};
-  compared.error.p99_9 = 1.23;
-  compared.error.shareOverOne = 0.034;
+  compared.error.emplace();
+  compared.error->p99_9 = 1.23;
+  compared.error->shareOverOne = 0.034;
   compared.map = {{2, 1}, {0.0f, 1.5f}};
   panel.setCompared(compared);
   EXPECT_TRUE(mapCheck()->isChecked());
@@ -348,9 +349,22 @@ TEST_F(AccuracyPanelTest, theMapSaysWhatItShowsAndLeavesWithThePicture) {
   EXPECT_FALSE(mapCheck()->isChecked());
   EXPECT_TRUE(textOf<MapSection>("sentence").isEmpty());
   compared.reference.converged = false;
+  compared.error.reset();
   panel.setCompared(compared);
   EXPECT_FALSE(mapCheck()->isChecked());
   EXPECT_TRUE(textOf<MapSection>("sentence").startsWith(QStringLiteral("Not converged")));
+}
+
+TEST_F(AccuracyPanelTest, aSinglePathTellsNoError) {
+  ComparedPicture compared;
+  compared.point.paths = 1;
+  compared.reference.converged = compared.reference.isByChance = true;
+  compared.map = {{2, 1}, {0.0f, 255.0f}};
+  panel.setCompared(compared);
+  EXPECT_FALSE(mapCheck()->isChecked()) << "there is nothing to show";
+  const QString sentence = textOf<MapSection>("sentence");
+  EXPECT_TRUE(sentence.startsWith(QStringLiteral("1 path a pixel: the error is not known")))
+      << sentence.toStdString();
 }
 
 TEST_F(AccuracyPanelTest, theTimeWhileMovingIsChosenFromAFew) {

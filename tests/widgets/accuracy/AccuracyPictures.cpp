@@ -25,6 +25,8 @@ void saveCharts(const QDir& folder) {
   save("chart-dark.png", report, {1200, 750}, ChartStyle::dark);
   save("chart-light.png", report, {1200, 750}, ChartStyle::light, ErrorMeasure::mean);
   save("chart-small.png", sampleReport(fewPoints()), {420, 360}, ChartStyle::dark);
+  save("chart-paths.png", samplePathReport(), {1200, 750}, ChartStyle::print);
+  save("chart-paths-small.png", samplePathReport(), {420, 360}, ChartStyle::dark);
   AccuracyReport open = report;
   open.reference.converged = false;
   save("chart-open.png", open, {800, 500}, ChartStyle::print);

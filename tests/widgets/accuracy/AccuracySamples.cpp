@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/AccuracySamples.h"
 
+#include <cmath>
+
 namespace limn {
 namespace {
 
@@ -48,6 +50,27 @@ AccuracyReport sampleReport(const std::vector<OperatingPoint>& points) {
     }
     measured.error = {6.0 * levels, levels, 0.05 * levels, 0.2 * levels, 0.01 * levels};
     measured.ms = {ms, 0.95 * ms, 1.1 * ms};
+    report.points.push_back(measured);
+  }
+  findOrders(report.points);
+  markPareto(report.points);
+  return report;
+}
+
+AccuracyReport samplePathReport() {
+  AccuracyReport report;
+  report.scene = "Sample head";
+  report.renderer = "CPU engine (AVX2, 2 threads)";
+  report.machine = "2 cores";
+  report.size = {224, 168};
+  report.reference.converged = report.reference.isByChance = true;
+  for (int paths = 4; paths <= 128; paths *= 2) {
+    MeasuredPoint measured;
+    measured.point.paths = paths;
+    const double levels = (paths == 4 ? 88.0 : 80.0) / std::sqrt(paths);
+    const double ms = 50.0 * paths;
+    measured.error = {2.0 * levels, levels, 0.2 * levels, 0.3 * levels, 0.1};
+    measured.ms = {ms, ms, ms};
     report.points.push_back(measured);
   }
   findOrders(report.points);

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -38,13 +40,19 @@ TEST(PathDrawing, aQualityWithPathsGoesBeforeTheScenesOwnEnd) {
 
 TEST(PathDrawing, aPictureThatMemoryDoesNotHoldIsRefusedInASentence) {
   CpuRenderer renderer(1);
-  try {
-    drawnByPaths(renderer, pathScene(UntilPaths{1}), {1 << 20, 1 << 20}, {}); // 70 TB
-    FAIL() << "drawn";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("70368.7 GB of what its paths find"), std::string::npos)
-        << error.what();
-  }
+  const Scene scene = pathScene(UntilPaths{1});
+  constexpr glm::ivec2 size{1 << 20, 1 << 20}; // 70 TB
+  const std::vector<std::function<void()>> works{[&] { drawnByPaths(renderer, scene, size, {}); },
+                                                 [&] { measurePaths("head", scene, size, 8, {}); },
+                                                 [&] { pathErrors(scene, size, {}); }};
+  for (const std::function<void()>& work : works)
+    try {
+      work();
+      FAIL() << "drawn";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("70368.7 GB of what its paths find"), std::string::npos)
+          << error.what();
+    }
 }
 
 TEST(PathDrawing, errorOverPathsIsThatOfThePicturesAndFallsByItsLaw) {
@@ -56,14 +64,45 @@ TEST(PathDrawing, errorOverPathsIsThatOfThePicturesAndFallsByItsLaw) {
     drawn.quality.paths = 64;
     return pathErrors(drawn, fewPixels, {2, {}, {}});
   }();
-  EXPECT_EQ(report.points.back().error, last.error);
+  ASSERT_TRUE(last.error);
+  EXPECT_EQ(report.points.back().error, *last.error);
   EXPECT_EQ(last.map.size, fewPixels);
-  EXPECT_EQ(*std::ranges::max_element(last.map.levels), static_cast<float>(last.error.largest));
+  EXPECT_EQ(*std::ranges::max_element(last.map.levels), static_cast<float>(last.error->largest));
   // From 16 to 64 paths half of the error; from few pixels and paths it is known to some ten per cent.
   EXPECT_NEAR(report.points[4].error.rms / report.points[2].error.rms, 0.5, 0.1);
   ASSERT_EQ(report.remarks.size(), 1u);
   EXPECT_NE(report.remarks[0].find("1024 paths"), std::string::npos) << report.remarks[0];
   EXPECT_THROW(measurePaths("head", scene, fewPixels, 64, {2, [] { return true; }, {}}), Cancelled);
+}
+
+TEST(PathDrawing, whereAPictureIsOffTellsHowFarItIsAndEndsWhenAsked) {
+  const Scene scene = pathScene(UntilPaths{64});
+  std::vector<double> fractions;
+  const PathErrors whole = pathErrors(
+      scene, fewPixels, {2, {}, {}}, [&](double fraction, const Message&) { fractions.push_back(fraction); });
+  // 64 paths in 16 passes.
+  ASSERT_EQ(fractions.size(), 16u);
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+    EXPECT_EQ(fractions[i], static_cast<double>(i) / 16.0);
+  // Passes change nothing.
+  CpuRenderer renderer(2);
+  renderer.draw(scene, fewPixels, {{0, 0}, fewPixels});
+  EXPECT_EQ(whole.map.levels, renderer.pathErrors(scene, fewPixels));
+  int told = 0;
+  const Effort untilAsked{2, [&told] { return told >= 3; }, {}};
+  EXPECT_THROW(pathErrors(scene, fewPixels, untilAsked, [&told](double, const Message&) { ++told; }),
+               Cancelled);
+  EXPECT_EQ(told, 3);
+}
+
+// One path differs from none other: no error of 0.
+TEST(PathDrawing, theErrorOfASinglePathIsNotKnown) {
+  EXPECT_FALSE(pathErrors(pathScene(UntilPaths{1}), fewPixels, {2, {}, {}}).error);
+  EXPECT_TRUE(pathErrors(pathScene(UntilPaths{2}), fewPixels, {2, {}, {}}).error);
+  Scene nothing = pathScene(UntilPaths{1});
+  for (ControlPoint& point : nothing.transferFunction.points)
+    point.opacity = 0.0;
+  EXPECT_EQ(pathErrors(nothing, fewPixels, {2, {}, {}}).error, ImageError{});
 }
 
 } // namespace
