@@ -16,9 +16,8 @@ QLocale ungrouped() {
   return locale;
 }
 
-QString readableNumber(double number, int decimals) {
-  QString text = plainNumber(number, decimals);
-  return text.replace(QLatin1Char('-'), QChar(0x2212));
+QString withRealMinus(QString text) {
+  return text.replace(QLatin1Char('-'), minusSign);
 }
 
 } // namespace
@@ -33,15 +32,15 @@ QString plainNumber(double number, int decimals) {
     if (text.endsWith(point))
       text.chop(point.size());
   }
-  return text == locale.negativeSign() + locale.zeroDigit() ? locale.zeroDigit() : text;
+  return text == locale.negativeSign() + locale.zeroDigit() ? locale.zeroDigit() : withRealMinus(text);
 }
 
 QString fixedNumber(double number, int decimals) {
-  return ungrouped().toString(number, 'f', decimals);
+  return withRealMinus(ungrouped().toString(number, 'f', decimals));
 }
 
 QString digitsNumber(double number, int digits) {
-  return ungrouped().toString(number, 'g', digits);
+  return withRealMinus(ungrouped().toString(number, 'g', digits));
 }
 
 std::optional<std::vector<double>> numbersTyped(const QString& list) {
@@ -57,6 +56,7 @@ std::optional<std::vector<double>> numbersTyped(const QString& list) {
     if (part.endsWith(QLatin1Char(',')))
       part.chop(1);
     bool isNumber = false;
+    part.replace(minusSign, QLatin1Char('-'));
     numbers.push_back(part.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber));
     if (!isNumber)
       return std::nullopt;
@@ -79,7 +79,7 @@ QString opacityText(double opacity) {
 }
 
 QString valueText(double value, const QString& unit, int decimals) {
-  const QString number = readableNumber(value, decimals);
+  const QString number = plainNumber(value, decimals);
   return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
 }
 
@@ -104,8 +104,8 @@ QString promisedLevels(double levels) {
 }
 
 QString rangeText(double lowest, double highest, int decimals) {
-  return readableNumber(lowest, decimals) + QChar(0x2009) + QChar(0x2013) + QChar(0x2009) +
-         readableNumber(highest, decimals);
+  return plainNumber(lowest, decimals) + QChar(0x2009) + QChar(0x2013) + QChar(0x2009) +
+         plainNumber(highest, decimals);
 }
 
 } // namespace limn

@@ -8,6 +8,9 @@
 
 namespace limn {
 
+/// What all numbers have that are shown, in fields too; locales write a hyphen, and read nothing else.
+inline constexpr QChar minusSign(0x2212);
+
 /// A number in the user's locale without grouping or trailing zeros, at most `decimals` of them.
 QString plainNumber(double number, int decimals);
 
@@ -27,7 +30,7 @@ QString numberList(const std::vector<double>& numbers);
 /// An opacity for reading: three significant digits, at most six decimals, no trailing zeros.
 QString opacityText(double opacity);
 
-/// A number for reading, with a real minus sign and its unit: "−310 HU". An empty unit adds nothing.
+/// A number for reading, with its unit: "−310 HU". An empty unit adds nothing.
 QString valueText(double value, const QString& unit, int decimals);
 
 /// An error in 8-bit levels that is promised, two digits, rounded up: "0.66".

@@ -115,7 +115,7 @@ QStringList writtenLookFilters(const QString& first) {
   return filters;
 }
 
-QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings& settings) {
+QStringList askForPaths(QWidget* parent, const OpenQuestion& question, const Settings& settings) {
   QFileDialog dialog(parent, question.title, settings.dialogFolder());
   dialog.setFileMode(question.isFolder ? QFileDialog::Directory
                      : question.isMany ? QFileDialog::ExistingFiles
@@ -127,13 +127,15 @@ QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings&
   giveRoom(dialog);
   if (dialog.exec() != QDialog::Accepted)
     return {};
-  QStringList paths = dialog.selectedFiles();
-  settings.setDialogFolder(QFileInfo(paths.value(0)).absolutePath());
-  return paths;
+  return dialog.selectedFiles();
 }
 
-QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& settings) {
+QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, const Settings& settings) {
   return askForPaths(parent, question, settings).value(0);
+}
+
+void rememberFolderOf(const QString& opened, Settings& settings) {
+  settings.setDialogFolder(QFileInfo(opened).absolutePath());
 }
 
 namespace {

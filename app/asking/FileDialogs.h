@@ -28,12 +28,16 @@ struct OpenQuestion {
   bool isMany = false;      ///< several files may be chosen
 };
 
-/// Asks for a file or folder to open, beginning where the last dialog ended, and remembers where this one
-/// ends. Empty where nobody wants to open anything.
-QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& settings);
+/// Asks for a file or folder to open, beginning where the last one lay that could be opened. Empty where
+/// nobody wants to open anything.
+QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, const Settings& settings);
 
 /// The same where the question may be answered by several.
-QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings& settings);
+QStringList askForPaths(QWidget* parent, const OpenQuestion& question, const Settings& settings);
+
+/// The next such dialog begins where this lies: it could be opened, which a folder of what is refused is not
+/// remembered for.
+void rememberFolderOf(const QString& opened, Settings& settings);
 
 /// What is asked when something is to be saved. Filters read "Chart (*.png)", the usual one first.
 struct SaveQuestion {

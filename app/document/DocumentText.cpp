@@ -63,9 +63,7 @@ QString suggestedName(const OpenDocument& document) {
 
 QString volumeText(const Volume& volume) {
   const Grid& grid = volume.grid();
-  const auto number = [](double value) {
-    return digitsNumber(value, 5).replace(QLatin1Char('-'), QChar(0x2212)); // a real minus sign
-  };
+  const auto number = [](double value) { return digitsNumber(value, 5); };
   return QObject::tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
       .arg(grid.dims.x)
       .arg(grid.dims.y)

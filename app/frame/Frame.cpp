@@ -142,10 +142,10 @@ void FadingNote::paintEvent(QPaintEvent*) {
 FocusMode::FocusMode(WindowContext& context)
     : QObject(&context.window), m_context(context),
       m_action(
-          context.actions.add(QStringLiteral("pictureAndCurveOnly"), {.text = tr("Picture and cur&ve only"),
-                                                                      .place = {Menu::view, 3, 20},
-                                                                      .shortcut = Qt::Key_F11,
-                                                                      .isCheckable = true})) {
+          context.actions.add(QStringLiteral("pictureOnly"), {.text = tr("Picture without panels and cur&ve"),
+                                                              .place = {Menu::view, 3, 20},
+                                                              .shortcut = Qt::Key_F11,
+                                                              .isCheckable = true})) {
   connect(m_action, &QAction::toggled, this, &FocusMode::set);
   connect(&context.view.input(), &ViewInput::maximiseRequested, m_action, &QAction::trigger);
 }
@@ -164,7 +164,7 @@ void FocusMode::set(bool isOn) {
         bar->show();
     return m_context.docks.showAgain();
   }
-  m_context.docks.hideBeside();
+  m_context.docks.hideAll();
   const auto hide = [this](QWidget* bar) {
     if (bar->isHidden())
       return;

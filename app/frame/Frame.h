@@ -41,8 +41,8 @@ private:
   LabelFade m_fade;
 };
 
-/// The picture and its curve without what stands around them: panels, tool bars and status bar go while the
-/// action is checked, and those that were there before come back with it. A note over the picture says how.
+/// The picture alone: panels, curve, tool bars and status bar go while the action is checked, and those that
+/// were there before come back with it. A note over the picture says how.
 class FocusMode : public QObject {
   Q_OBJECT
 

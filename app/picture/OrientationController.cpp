@@ -64,6 +64,12 @@ QString voxelViewName(const Grid& grid, StandardView view) {
   }
 }
 
+// As a menu shows it. The key is the picture's own (ViewCommands): as a shortcut of the menu it would act
+// wherever menus have the keyboard, where letters choose entries.
+QString withKey(const QString& text, const QKeySequence& key) {
+  return text + QLatin1Char('\t') + key.toString(QKeySequence::NativeText);
+}
+
 // The scene with its voxels where `volume` has them; what was cut by hand stays cut.
 Scene lyingAs(Scene scene, const std::shared_ptr<const Volume>& volume) {
   scene.keep.cuts = cutsMoved(scene.keep.cuts, scene.volume->grid(), volume->grid());
@@ -140,8 +146,8 @@ OrientationController::OrientationController(WindowContext& context)
   ActionList& actions = context.actions;
   addViews(*m_menu);
   m_menu->addSeparator();
-  QAction* reset =
-      actions.add(QStringLiteral("resetCamera"), {.text = tr("Reset camera"), .needsVolume = true});
+  QAction* reset = actions.add(QStringLiteral("resetCamera"),
+                               {.text = withKey(tr("Reset camera"), Qt::Key_R), .needsVolume = true});
   m_setOrientation =
       actions.add(QStringLiteral("setOrientation"),
                   {.text = tr("Set &orientation…"),
@@ -161,19 +167,20 @@ OrientationController::OrientationController(WindowContext& context)
 }
 
 void OrientationController::addViews(QMenu& menu) {
-  const auto add = [this](StandardView view, const char* name, const QString& text) {
+  const auto add = [this](StandardView view, const char* name, const QString& text, const QKeySequence& key) {
     m_context.actions
         .addChoice(*m_views, QStringLiteral("view-") + QLatin1String(name), static_cast<int>(view),
-                   {.text = text, .needsVolume = true})
+                   {.text = withKey(text, key), .needsVolume = true})
         ->setCheckable(false);
     m_viewNames << text;
+    m_viewKeys << key;
   };
-  add(StandardView::anterior, "anterior", tr("Anterior (front)"));
-  add(StandardView::posterior, "posterior", tr("Posterior (back)"));
-  add(StandardView::left, "left", tr("Left"));
-  add(StandardView::right, "right", tr("Right"));
-  add(StandardView::superior, "superior", tr("Superior (above)"));
-  add(StandardView::inferior, "inferior", tr("Inferior (below)"));
+  add(StandardView::anterior, "anterior", tr("Anterior (front)"), Qt::Key_A);
+  add(StandardView::posterior, "posterior", tr("Posterior (back)"), Qt::Key_P);
+  add(StandardView::left, "left", tr("Left"), Qt::Key_L);
+  add(StandardView::right, "right", tr("Right"), QKeySequence(Qt::SHIFT | Qt::Key_PageDown));
+  add(StandardView::superior, "superior", tr("Superior (above)"), Qt::Key_S);
+  add(StandardView::inferior, "inferior", tr("Inferior (below)"), Qt::Key_I);
   menu.addActions(m_views->actions());
   connect(m_views, &QActionGroup::triggered, &m_context.view, [this](const QAction* chosen) {
     m_context.view.lookFrom(static_cast<StandardView>(chosen->data().toInt()));
@@ -204,9 +211,10 @@ void OrientationController::showScene(const Scene& scene) {
   m_setOrientation->setEnabled(!isKnown || isByHand);
   for (qsizetype i = 0; i < m_viewNames.size(); ++i) {
     QAction* action = m_views->actions()[i];
-    action->setText(isKnown
-                        ? m_viewNames[i]
-                        : voxelViewName(m_volume->grid(), static_cast<StandardView>(action->data().toInt())));
+    const QString name =
+        isKnown ? m_viewNames[i]
+                : voxelViewName(m_volume->grid(), static_cast<StandardView>(action->data().toInt()));
+    action->setText(withKey(name, m_viewKeys[i]));
   }
   if (m_dialog && !m_setOrientation->isEnabled())
     m_dialog->close();

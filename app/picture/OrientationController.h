@@ -4,8 +4,11 @@
 #include "scene/Scene.h"
 
 #include <QDialog>
+#include <QKeySequence>
+#include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QStringList>
 
 #include <array>
 #include <string>
@@ -69,6 +72,7 @@ private:
   std::shared_ptr<const Volume> m_asFound;  ///< when the dialog was opened
   std::shared_ptr<const Volume> m_answered; ///< as the dialog turned it; null before its first answer
   QStringList m_viewNames;                  ///< of the standard views where the sides are known
+  QList<QKeySequence> m_viewKeys;           ///< of those, in the picture
   QPointer<OrientationDialog> m_dialog;
 };
 

@@ -101,7 +101,7 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
       m_context.view.setLoading(done, m_doing);
   });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
-    const QString folder = m_folder;
+    const QString folder = QFileInfo(m_opening).isDir() ? m_opening : QString();
     end();
     // Pictures in a folder may as well be what is to be looked at.
     if (folder.isEmpty())
@@ -144,7 +144,7 @@ void RegionController::openLabels(const QString& path) {
           return FoundRegion{hides ? withBodyOf(labels.region, volume, body, progress).region : labels.region,
                              labels.remark, false};
         });
-  m_folder = QFileInfo(path).isDir() ? path : QString();
+  m_opening = path;
 }
 
 void RegionController::setBodyOnly(bool isOn) {
@@ -332,6 +332,8 @@ void RegionController::start(const QString& what, const Gesture& gesture, Work w
     if (found.region.cuts.empty() && !cuts.empty())
       found = cutIn(*volume, found, cuts, progress);
     return [this, found, gesture] {
+      if (!m_opening.isEmpty())
+        rememberFolderOf(m_opening, m_context.settings);
       end();
       keep(found, gesture);
     };
@@ -366,7 +368,7 @@ void RegionController::cancel() {
 }
 
 void RegionController::end() {
-  m_folder.clear();
+  m_opening.clear();
   m_cutsWanted.reset();
   m_context.view.clearLoading();
   // A box that was checked for what did not come of it.

@@ -251,7 +251,7 @@ void Docks::unfold(Folded& folded) {
 }
 
 void Docks::foldWhereNarrow() {
-  if (!m_beside.hidden.isEmpty()) // the picture alone is shown
+  if (!m_aside.hidden.isEmpty()) // the picture alone is shown
     return;
   if (m_window.width() < foldingWidth && !m_foldedItself && !isFolded(Qt::RightDockWidgetArea)) {
     setFolded(Qt::RightDockWidgetArea, true);
@@ -363,13 +363,14 @@ void Docks::restore(const QByteArray& geometry, const QByteArray& state) {
   m_window.restoreState(state);
 }
 
-void Docks::hideBeside() {
-  for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
-    fold(area, m_beside);
+void Docks::hideAll() {
+  for (const Qt::DockWidgetArea area :
+       {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea})
+    fold(area, m_aside);
 }
 
 void Docks::showAgain() {
-  unfold(m_beside);
+  unfold(m_aside);
 }
 
 } // namespace limn

@@ -61,8 +61,8 @@ public:
   /// Shows again what a narrow window has folded by itself: it is remembered without.
   void endFolding();
 
-  /// Hides what stands beside the picture, not what stands below it.
-  void hideBeside();
+  /// Hides all that stand around the picture.
+  void hideAll();
   /// Shows again what that hid; what lay on top of others does so again.
   void showAgain();
 
@@ -102,7 +102,7 @@ private:
       std::make_shared<QList<const QWidget*>>(); ///< of the right
   std::vector<Registered> m_docks;
   QDockWidget* m_seenLast = nullptr; ///< of those that sessions know
-  Folded m_beside;                   ///< by hideBeside
+  Folded m_aside;                    ///< by hideAll
   std::map<Qt::DockWidgetArea, Folded> m_folded;
   bool m_foldedItself = false; ///< the right side, because the window is narrow
 };

@@ -49,7 +49,7 @@ void expectRefused(const std::string& text, const std::string& because) {
 }
 
 TEST(FigureFile, isRefusedByNameWhereItIsWrong) {
-  expectRefused(R"({"limn_figure": 2, "panels": []})", "limn_figure");
+  expectRefused(R"({"limn_figure": 2, "panels": []})", "figure of a newer Limn");
   expectRefused(R"({"limn_figure": 1})", "panels");
   expectRefused(R"({"limn_figure": 1, "panels": []})", "1 to 4");
   expectRefused(R"({"limn_figure": 1, "panels": [{"name": "a"}]})", "panels.0.scene");

@@ -141,10 +141,18 @@ TEST(NumberField, takesPerCentWhereThatIsMeant) {
   EXPECT_TRUE(typedInto(field, QStringLiteral("10")).refusal.contains(QStringLiteral("per cent")));
 }
 
-TEST(NumberField, readsBothMinusSigns) {
+TEST(NumberField, readsBothMinusSignsAndShowsTheRealOne) {
   NumberField field(-1000.0, 1000.0, 1);
   field.show();
-  EXPECT_EQ(typedInto(field, QStringLiteral("-250")).number, -250.0);
+  const Typed typed = typedInto(field, QStringLiteral("-250"));
+  EXPECT_EQ(typed.number, -250.0);
+  EXPECT_EQ(typed.text, QString(QChar(0x2212)) + QStringLiteral("250"));
+  field.selectAll();
+  QTest::keyClicks(&field, QStringLiteral("-7"));
+  EXPECT_EQ(field.text(), QString(QChar(0x2212)) + QStringLiteral("7")) << "also while one types";
+  QTest::keyClick(&field, Qt::Key_Up);
+  EXPECT_EQ(field.text(), QString(QChar(0x2212)) + QStringLiteral("6.9"))
+      << "adaptive: a tenth of its decade";
   // As it is pasted from where the program writes it.
   field.selectAll();
   field.findChild<QLineEdit*>()->insert(QChar(0x2212) + QLocale().toString(31.5));
@@ -152,10 +160,46 @@ TEST(NumberField, readsBothMinusSigns) {
   EXPECT_EQ(field.number(), -31.5);
 }
 
+// Of diffusion: the unit has a hyphen and a point of its own.
+TEST(NumberField, leavesTheUnitAsItIs) {
+  NumberField field(-1000.0, 1000.0, 1);
+  field.setSuffix(QStringLiteral(" 10*-6.mm2/s"));
+  field.show();
+  EXPECT_EQ(typedInto(field, QStringLiteral("-12.5")).number, -12.5);
+  EXPECT_EQ(field.text(), QChar(0x2212) + QStringLiteral("12.5 10*-6.mm2/s"));
+  QTest::keyClick(&field, Qt::Key_Home);
+  QTest::keyClick(&field, Qt::Key_Delete); // the sign alone
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(field.number(), 12.5);
+  EXPECT_EQ(field.text(), QStringLiteral("12.5 10*-6.mm2/s"));
+}
+
+TEST(NumberField, isAsWideAsItsWidestNumberWhereThatIsWanted) {
+  const auto width = [](double lowest, double highest, int decimals, const QString& unit) {
+    NumberField field(lowest, highest, decimals);
+    field.setSuffix(unit);
+    field.setFitted(QStringLiteral("88"));
+    return field.sizeHint().width();
+  };
+  EXPECT_EQ(width(0.0, 5.0, 0, {}), width(0.0, 8.0, 0, {})) << "that of the least text";
+  const int common = width(0.0, 100.0, 1, {});
+  EXPECT_LT(width(0.0, 5.0, 0, {}), common);
+  EXPECT_LT(common, width(-100.0, 100.0, 1, {})) << "a sign";
+  EXPECT_LT(common, width(0.0, 100.0, 2, {})) << "a decimal more, though the limit shows none";
+  EXPECT_LT(common, width(0.0, 100.0, 1, QStringLiteral(" mm")));
+  NumberField field(0.0, 100.0, 2);
+  field.setSuffix(QStringLiteral(" mm"));
+  field.setFitted({});
+  field.show();
+  field.setNumber(88.88);
+  const auto* edit = field.findChild<QLineEdit*>();
+  EXPECT_GE(edit->width(), edit->fontMetrics().horizontalAdvance(field.text())) << "nothing is cut";
+}
+
 class RangeSliderTest : public testing::Test {
 protected:
   RangeSliderTest() : m_range(spec(false)) {
-    m_range.resize(300, 60);
+    m_range.resize(340, 60);
     m_range.setRange(1.0, 5.0);
     m_range.show();
     QObject::connect(&m_range, &RangeSlider::rangeEdited, &m_range,
@@ -175,7 +219,7 @@ protected:
 
 TEST_F(RangeSliderTest, aRangeHasItsColumnsWhereOneNumberHasThem) {
   ValueSlider one(spec(false));
-  one.resize(300, 30);
+  one.resize(340, 30);
   one.show();
   const auto* track = m_range.findChild<TrackSlider*>();
   const auto* oneTrack = one.findChild<TrackSlider*>();
@@ -189,6 +233,13 @@ TEST_F(RangeSliderTest, aRangeHasItsColumnsWhereOneNumberHasThem) {
     EXPECT_EQ(field->width(), oneField->width());
   }
   EXPECT_GE(fields[1]->y(), fields[0]->geometry().bottom());
+}
+
+TEST_F(RangeSliderTest, itsTrackIsLongerThanItsFieldsHoweverNarrowThePanelIs) {
+  m_range.resize(m_range.minimumSizeHint());
+  QCoreApplication::sendPostedEvents(); // layouts
+  EXPECT_GE(m_range.findChild<TrackSlider*>()->width(), 100);
+  EXPECT_GT(m_range.findChild<TrackSlider*>()->width(), lowerField()->width());
 }
 
 TEST_F(RangeSliderTest, settingEmitsNothing) {
@@ -345,9 +396,10 @@ TEST(ChoiceRow, reportsOnlyWhatTheUserChose) {
   EXPECT_EQ(chosen, std::vector<int>{0});
 }
 
-TEST(ColorPicker, aDragInTheFieldIsOneGestureAndAHexCodeIsAnother) {
+TEST(ColorPicker, allThatIsPickedIsOneGestureThatCanBeTakenBack) {
   ColorPicker picker;
-  picker.setColor({1.0, 0.0, 0.0});
+  const glm::dvec3 before(0.8765, 0.123, 0.0); // none of 256 shares
+  picker.setColor(before);
   picker.show();
   std::vector<std::pair<glm::dvec3, std::uint64_t>> picked;
   QObject::connect(&picker, &ColorPicker::colorPicked, &picker,
@@ -361,7 +413,38 @@ TEST(ColorPicker, aDragInTheFieldIsOneGestureAndAHexCodeIsAnother) {
   QTest::keyClicks(hex, QStringLiteral("#336699"));
   QTest::keyClick(hex, Qt::Key_Return);
   EXPECT_EQ(picked.back().first, glm::dvec3(0x33, 0x66, 0x99) / 255.0);
-  EXPECT_NE(picked.front().second, picked.back().second);
+  EXPECT_EQ(picked.front().second, picked.back().second);
+  picker.takeBack();
+  EXPECT_EQ(picked.back(), std::pair(before, picked.front().second)) << "exactly, by the same gesture";
+  const std::size_t count = picked.size();
+  picker.takeBack();
+  EXPECT_EQ(picked.size(), count) << "nothing was picked since";
+  QTest::mouseClick(&picker, Qt::LeftButton, {}, {100, 100});
+  EXPECT_NE(picked.back().second, picked.front().second) << "another one";
+}
+
+TEST(ColorButton, escTakesBackWhatWasPicked) {
+  ColorButton button(QStringLiteral("change colour"));
+  const glm::dvec3 before(0.8765, 0.123, 0.0);
+  button.setColor(before);
+  button.show();
+  std::vector<std::uint64_t> gestures;
+  QObject::connect(&button, &ColorButton::colorEdited, &button,
+                   [&](const glm::dvec3&, const Gesture& gesture) { gestures.push_back(gesture.id); });
+  for (const bool isInHex : {false, true}) {
+    button.click();
+    auto* picker = button.findChild<ColorPicker*>();
+    ASSERT_NE(picker, nullptr);
+    QTest::mouseClick(picker, Qt::LeftButton, {}, {100, 100});
+    ASSERT_NE(button.color(), before);
+    QWidget* const hex = picker->findChild<QLineEdit*>();
+    QTest::keyClick(isInHex ? hex : picker->window(), Qt::Key_Escape);
+    EXPECT_EQ(button.color(), before);
+    EXPECT_FALSE(picker->isVisible());
+    EXPECT_EQ(gestures.front(), gestures.back()) << "so that no step is left";
+    gestures.clear();
+    delete picker->window();
+  }
 }
 
 } // namespace

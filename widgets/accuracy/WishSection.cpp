@@ -102,6 +102,7 @@ QPushButton* WishSection::addWish(const QString& name, NumberField* field, const
   auto* label = new QLabel(name);
   auto* button = new QPushButton(tr("Use"));
   label->setBuddy(field);
+  label->setWordWrap(true); // rather than make the panel wider
   label->setToolTip(toolTip);
   field->setToolTip(toolTip);
   field->setAccessibleName(name);

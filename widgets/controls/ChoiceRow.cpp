@@ -5,17 +5,35 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QStyleOptionComboBox>
 #include <QWheelEvent>
+
+#include <algorithm>
 
 namespace limn {
 namespace {
 
-// Scrolling a panel must change nothing on the way.
+constexpr int shortestBox = 120; // pixels, about what tracks and fields of the rows around it need
+
+// Scrolling a panel must change nothing on the way. Longer words than there is room for end in an ellipsis,
+// so that they make no panel wider; the list that opens has them all.
 class QuietComboBox : public QComboBox {
 public:
   QuietComboBox() { setFocusPolicy(Qt::StrongFocus); }
 
+  QSize minimumSizeHint() const override {
+    const QSize whole = QComboBox::minimumSizeHint();
+    return {std::min(whole.width(), shortestBox), whole.height()};
+  }
+
 protected:
+  void initStyleOption(QStyleOptionComboBox* option) const override {
+    QComboBox::initStyleOption(option);
+    const QRect words =
+        style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
+    option->currentText = option->fontMetrics.elidedText(option->currentText, Qt::ElideRight, words.width());
+  }
+
   void wheelEvent(QWheelEvent* event) override {
     if (hasFocus())
       QComboBox::wheelEvent(event);

@@ -5,6 +5,7 @@
 #include "widgets/theme/Theme.h"
 
 #include <QFrame>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
@@ -25,6 +26,28 @@ constexpr double barWidth = 16.0;
 constexpr double gap = 8.0;
 constexpr double rowHeight = 26.0;
 
+// Closes on a click elsewhere, which keeps what was picked, and on Esc.
+class PickerPopup : public QFrame {
+public:
+  PickerPopup(ColorPicker& picker, QWidget* parent) : QFrame(parent, Qt::Popup), m_picker(picker) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setFrameShape(QFrame::StyledPanel);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 12, 12, 12);
+    layout->addWidget(&picker);
+  }
+
+protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->matches(QKeySequence::Cancel))
+      m_picker.takeBack();
+    QFrame::keyPressEvent(event);
+  }
+
+private:
+  ColorPicker& m_picker;
+};
+
 } // namespace
 
 ColorPicker::ColorPicker(QWidget* parent) : QWidget(parent), m_hex(new QLineEdit(this)) {
@@ -38,15 +61,25 @@ ColorPicker::ColorPicker(QWidget* parent) : QWidget(parent), m_hex(new QLineEdit
     const QColor shown = QColor::fromHsvF(float(m_hue), float(m_saturation), float(m_brightness));
     if (!typed.isValid())
       return m_hex->setText(shown.name());
-    if (typed.rgb() == shown.rgb())
-      return;
-    m_gestureId = nextGestureId();
-    pick(typed);
+    if (typed.rgb() != shown.rgb())
+      pick(typed);
   });
 }
 
 void ColorPicker::setColor(const glm::dvec3& color) {
-  const QColor wanted = toQColor(color);
+  m_before = color;
+  m_gestureId = 0;
+  showColor(toQColor(color));
+}
+
+void ColorPicker::takeBack() {
+  const std::uint64_t gesture = m_gestureId;
+  setColor(m_before);
+  if (gesture != 0)
+    emit colorPicked(m_before, gesture);
+}
+
+void ColorPicker::showColor(const QColor& wanted) {
   const QColor shown = QColor::fromHsvF(float(m_hue), float(m_saturation), float(m_brightness));
   m_hex->setText(wanted.name());
   if (wanted.rgb() == shown.rgb())
@@ -118,7 +151,6 @@ void ColorPicker::paintSwatches(QPainter& painter) const {
 void ColorPicker::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton)
     return;
-  m_gestureId = nextGestureId();
   const QPointF position = event->position();
   m_part = fieldRect().contains(position) ? Part::field : Part::none;
   if (position.x() >= hueRect().left() && position.y() <= hueRect().bottom())
@@ -152,7 +184,9 @@ void ColorPicker::pickAt(const QPointF& position) {
 }
 
 void ColorPicker::pick(const QColor& color) {
-  setColor(toSceneColor(color));
+  if (m_gestureId == 0)
+    m_gestureId = nextGestureId();
+  showColor(color);
   update();
   emit colorPicked(toSceneColor(color), m_gestureId);
 }
@@ -189,14 +223,9 @@ void ColorButton::paintEvent(QPaintEvent*) {
 }
 
 void ColorButton::openPicker() {
-  auto* popup = new QFrame(this, Qt::Popup);
-  popup->setAttribute(Qt::WA_DeleteOnClose);
-  popup->setFrameShape(QFrame::StyledPanel);
-  auto* layout = new QVBoxLayout(popup);
-  layout->setContentsMargins(12, 12, 12, 12);
   auto* picker = new ColorPicker;
   picker->setColor(m_color);
-  layout->addWidget(picker);
+  auto* popup = new PickerPopup(*picker, this);
   connect(picker, &ColorPicker::colorPicked, this, [this](const glm::dvec3& color, std::uint64_t id) {
     setColor(color);
     emit colorEdited(color, {id, m_undoText});

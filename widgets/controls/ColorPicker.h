@@ -15,7 +15,8 @@ class QLineEdit;
 namespace limn {
 
 /// Picks a colour: a field of saturation (right) and brightness (up), a bar of hues, swatches of tissues, and
-/// the hex code to type. Live: every move of the mouse reports.
+/// the hex code to type. Live: every move of the mouse reports, and all that is picked until another colour
+/// is set is one gesture, which can be taken back.
 class ColorPicker : public QWidget {
   Q_OBJECT
 
@@ -24,10 +25,13 @@ public:
 
   void setColor(const glm::dvec3& color);
 
+  /// Picks the colour that was set again, exactly; nothing where none was picked since.
+  void takeBack();
+
   QSize sizeHint() const override { return {236, 208}; }
 
 signals:
-  /// The user picked a colour, sRGB 0..1. `gestureId` is shared by one drag.
+  /// The user picked a colour, sRGB 0..1.
   void colorPicked(const glm::dvec3& color, std::uint64_t gestureId);
 
 protected:
@@ -44,6 +48,7 @@ private:
   QRectF swatchRect(int index) const;
   void pickAt(const QPointF& position);
   void pick(const QColor& color);
+  void showColor(const QColor& color);
   void paintSwatches(QPainter& painter) const;
 
   // Kept apart, because grey has no hue and black no saturation to read back.
@@ -51,11 +56,12 @@ private:
   double m_saturation = 0.0;
   double m_brightness = 1.0;
   Part m_part = Part::none;
-  std::uint64_t m_gestureId = 0;
+  glm::dvec3 m_before{1.0};      ///< that was set
+  std::uint64_t m_gestureId = 0; ///< 0: nothing was picked since
   QLineEdit* m_hex;
 };
 
-/// A swatch that opens a ColorPicker below itself.
+/// A swatch that opens a ColorPicker below itself. Esc there takes back what was picked.
 class ColorButton : public QAbstractButton {
   Q_OBJECT
 

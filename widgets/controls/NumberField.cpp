@@ -6,14 +6,25 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
 #include <QToolTip>
 #include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
 
 constexpr int refusalMs = 8000;
 constexpr QColor refusedColor(0xd1, 0x34, 0x38); // 3:1 at least on light and on dark fields
+constexpr int besideText = 6;                    // the margins of the line edit and the cursor
+
+// As the spin box and locales read it.
+QString withHyphen(QString text) {
+  return text.replace(minusSign, QLatin1Char('-'));
+}
 
 } // namespace
 
@@ -35,6 +46,7 @@ void NumberField::setLimits(double lowest, double highest, int decimals) {
   setDecimals(decimals);
   setRange(lowest, highest);
   setNumber(number);
+  updateGeometry();
 }
 
 void NumberField::setNumber(double number) {
@@ -62,27 +74,62 @@ QString NumberField::textFromValue(double value) const {
   return m_write ? m_write(value) : plainNumber(value, decimals());
 }
 
+void NumberField::setFitted(const QString& leastText) {
+  m_leastText = leastText;
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  updateGeometry();
+}
+
+// Trailing zeros are not shown: just inside of a limit numbers have all their decimals.
+QStringList NumberField::widestTexts() const {
+  const double last = std::pow(10.0, -decimals());
+  QStringList texts;
+  for (const double number : {minimum(), minimum() + last, maximum() - last, maximum()})
+    texts << textFromValue(number) + suffix();
+  return texts << *m_leastText;
+}
+
+QSize NumberField::sizeHint() const {
+  if (!m_leastText)
+    return QDoubleSpinBox::sizeHint();
+  ensurePolished(); // the style has a say in the font
+  int widest = 0;
+  for (const QString& text : widestTexts())
+    widest = std::max(widest, fontMetrics().horizontalAdvance(text));
+  QStyleOptionSpinBox option;
+  initStyleOption(&option);
+  const QSize contents(widest + besideText, lineEdit()->sizeHint().height());
+  return style()->sizeFromContents(QStyle::CT_SpinBox, &option, contents, this);
+}
+
 QValidator::State NumberField::validate(QString& text, int& position) const {
   const QString point = locale().decimalPoint();
-  text.replace(QLatin1Char(point == QLatin1String(",") ? '.' : ','), point);
-  text.replace(QChar(0x2212), QLatin1Char('-'));
+  const QString unit = unitOf(text); // which may hold a hyphen or a point of its own
+  QString shown = text.chopped(unit.size());
+  shown.replace(QLatin1Char('-'), minusSign); // also while one types
+  shown.replace(QLatin1Char(point == QLatin1String(",") ? '.' : ','), point);
+  text = shown + unit;
   // What does not fit can be typed, or "10" would become 1 without a word; it is refused when it is done.
   const std::optional<double> number = read(text);
   if (number && (*number < minimum() || *number > maximum()))
     return QValidator::Intermediate;
-  if (text.trimmed() == QLatin1String("-"))
+  if (text.trimmed() == minusSign)
     return QValidator::Intermediate;
   if (number && m_takesPercent && (text.endsWith(QLatin1Char('%')) || text.endsWith(QLatin1Char(' '))))
     return QValidator::Acceptable;
-  return QDoubleSpinBox::validate(text, position);
+  QString typed = withHyphen(shown) + unit;
+  const QValidator::State state = QDoubleSpinBox::validate(typed, position); // which may add the unit
+  text = shown + unitOf(typed);
+  return state;
+}
+
+QString NumberField::unitOf(const QString& text) const {
+  return text.endsWith(suffix()) ? suffix() : QString();
 }
 
 // Without suffix, in the user's locale.
 std::optional<double> NumberField::read(const QString& text) const {
-  QString plain = text;
-  if (!suffix().isEmpty() && plain.endsWith(suffix()))
-    plain.chop(suffix().size());
-  plain = plain.trimmed();
+  QString plain = withHyphen(text.chopped(unitOf(text).size())).trimmed();
   const bool isPercent = m_takesPercent && plain.endsWith(QLatin1Char('%'));
   if (isPercent)
     plain = plain.chopped(1).trimmed();

@@ -8,8 +8,9 @@
 namespace limn {
 
 /// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It
-/// keeps the exact number it was given, whatever it rounds for display, and shows no trailing zeros. A number
-/// that does not fit is refused with a red edge and a sentence that says what fits; the one before stays.
+/// keeps the exact number it was given, whatever it rounds for display, and shows no trailing zeros. It
+/// writes the real minus sign, and reads that and the hyphen of a keyboard. A number that does not fit is
+/// refused with a red edge and a sentence that says what fits; the one before stays.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -28,6 +29,13 @@ public:
 
   /// Shows numbers as `write` does them, which may round more than `decimals` says.
   void setShownAs(QString (*write)(double));
+
+  /// It takes the width of its widest number with its unit, and no less than that of `leastText`, so that
+  /// several of them are as wide as each other.
+  void setFitted(const QString& leastText);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
 
   /// "10 %" means 0.1.
   void setTakesPercent(bool takes) { m_takesPercent = takes; }
@@ -55,10 +63,14 @@ private:
   void refuse(const QString& text);
   void forgetRefusal();
   void reportIfChanged();
+  QStringList widestTexts() const;
+  /// The suffix, where a text ends with it.
+  QString unitOf(const QString& text) const;
 
   double m_number = 0.0;
   bool m_takesPercent = false;
   QString m_refusal;
+  std::optional<QString> m_leastText; ///< where it is as wide as its numbers
   QString (*m_write)(double) = nullptr;
 };
 

@@ -14,18 +14,20 @@
 namespace limn {
 namespace {
 
+// Two handles need room between them. The rows of a panel are as wide as each other, so that one handle has
+// as much, but beside a field that is wider than usual.
 constexpr int shortestTrack = 48;
+constexpr int shortestOfTwo = 100;
 
-// One width in all panels, unless many digits and a long unit need more.
-int fieldWidth(const NumberSpec& spec) {
-  return spec.unit.size() > 2 && spec.decimals > 3 ? 120 : 92;
-}
+// Most fields are as wide as this needs, so that tracks end at one place; more digits or a longer unit get
+// more.
+const QString usualText = QStringLiteral("888.8\u00a0mm");
 
 // All rows have their columns at the same places.
-void setColumns(ResetLabel& label, TrackSlider& track) {
+void setColumns(ResetLabel& label, TrackSlider& track, int shortest) {
   label.setFixedWidth(labelColumn);
   label.setWordWrap(true);
-  track.setMinimumWidth(shortestTrack);
+  track.setMinimumWidth(shortest);
 }
 
 } // namespace
@@ -40,8 +42,9 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_label);
   layout->addWidget(m_slider, 1);
   layout->addWidget(m_field);
-  setColumns(*m_label, *m_slider);
+  setColumns(*m_label, *m_slider, shortestTrack);
   m_label->setBuddy(m_field);
+  m_field->setFitted(usualText);
   setValue(spec.defaultValue);
   setSpec(spec);
   setUnavailable({});
@@ -55,7 +58,6 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
 void ValueSlider::setSpec(const NumberSpec& spec) {
   m_spec = spec;
   m_label->setText(spec.label);
-  m_field->setFixedWidth(fieldWidth(spec));
   m_field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
   m_field->setLimits(spec.lowest, spec.highest, spec.decimals);
   m_slider->setScale(spec.scale);
@@ -98,8 +100,9 @@ RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_lower, 0, 2);
   layout->addWidget(m_upper, 1, 2);
   layout->setColumnStretch(1, 1);
-  setColumns(*m_label, *m_slider);
-
+  setColumns(*m_label, *m_slider, shortestOfTwo);
+  for (NumberField* field : {m_lower, m_upper})
+    field->setFitted(usualText);
   setRange(spec.defaultValue, spec.defaultUpper);
   setSpec(spec);
   setUnavailable({});
@@ -121,7 +124,6 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_slider->setDecimals(spec.decimals);
   for (NumberField* field : {m_lower, m_upper}) {
     field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
-    field->setFixedWidth(fieldWidth(spec));
     field->setLimits(spec.lowest, spec.highest, spec.decimals);
   }
   m_lower->setAccessibleName(

@@ -134,7 +134,7 @@ bool PointFields::eventFilter(QObject* watched, QEvent* event) {
     field->selectAll();
     return true;
   }
-  emit typingEnded();
+  emit typingEnded(key == Qt::Key_Escape);
   return true;
 }
 
@@ -163,10 +163,21 @@ PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, s
   m_picker->setColor(function.points[index].color);
 
   connect(m_fields, &PointFields::functionEdited, this, &PointPopup::change);
-  connect(m_fields, &PointFields::typingEnded, this, &QWidget::close);
+  connect(m_fields, &PointFields::typingEnded, this, [this](bool isTakenBack) {
+    if (isTakenBack)
+      m_picker->takeBack();
+    close();
+  });
   connect(m_picker, &ColorPicker::colorPicked, this, [this](const glm::dvec3& color, std::uint64_t id) {
     change(withPointColored(m_function, m_index, color), {id, tr("change colour of point")});
   });
+}
+
+// Wherever in it the keyboard is.
+void PointPopup::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Cancel))
+    m_picker->takeBack();
+  QFrame::keyPressEvent(event);
 }
 
 void PointPopup::change(const TransferFunction& function, const Gesture& gesture) {

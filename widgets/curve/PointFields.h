@@ -36,7 +36,7 @@ protected:
 
 signals:
   /// Enter or Esc ended typing in a number; what Esc had typed is taken back.
-  void typingEnded();
+  void typingEnded(bool isTakenBack);
   /// The whole function with the selected points changed.
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
 
@@ -56,7 +56,7 @@ private:
 };
 
 /// Numbers and, where its curve has colours, colour of one control point beside it; closes on a click
-/// elsewhere, Enter or Esc.
+/// elsewhere, Enter or Esc, which takes the colour back that was picked in it.
 class PointPopup : public QFrame {
   Q_OBJECT
 
@@ -65,6 +65,9 @@ public:
              int decimals, QWidget* parent);
 
   PointFields* fields() const { return m_fields; }
+
+protected:
+  void keyPressEvent(QKeyEvent* event) override;
 
 signals:
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);

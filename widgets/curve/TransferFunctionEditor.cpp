@@ -12,6 +12,7 @@
 
 #include <QCheckBox>
 #include <QEvent>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTextDocumentFragment>
@@ -139,7 +140,8 @@ TransferFunctionEditor::TransferFunctionEditor(CurveSubject subject, QWidget* pa
                                  return sign + valueText(shiftOf(position), m_canvas->unit(),
                                                          m_canvas->shownDecimals());
                                })),
-      m_fine(new QCheckBox(TransferFunctionEditor::tr("Fine low opacities"))), m_showAll(new QToolButton) {
+      m_fine(new QCheckBox(TransferFunctionEditor::tr("Fine low opacities"))), m_showAll(new QToolButton),
+      m_more(new QToolButton) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 4);
   layout->setSpacing(0);
@@ -161,6 +163,12 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   m_showAll->setAccessibleName(tr("Show all values"));
   connect(m_showAll, &QAbstractButton::clicked, m_canvas, &TransferFunctionCanvas::resetView);
 
+  m_more->setObjectName(QStringLiteral("moreCurveTools"));
+  m_more->setToolTip(tr("Tools that find no room here."));
+  m_more->setAccessibleName(tr("More tools"));
+  m_more->setFocusPolicy(Qt::TabFocus);
+  connect(m_more, &QAbstractButton::clicked, this, &TransferFunctionEditor::openMore);
+
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -169,11 +177,13 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   layout->addWidget(m_fields);
   layout->addWidget(m_tissue);
   layout->addStretch(1);
-  layout->addWidget(m_opacity);
-  layout->addWidget(m_shift);
-  layout->addWidget(m_fine);
+  for (QWidget* tool : toolsInOrder())
+    layout->addWidget(tool);
+  layout->addWidget(m_more);
   layout->addWidget(m_showAll);
-  // The row never makes the window wider: resizeEvent hides what has another way.
+  // The bar above the plot shifts too, dragging all points does nearly what the opacity does.
+  m_tools = {m_fine, m_opacity, m_shift};
+  // The row never makes the window wider: what finds no room stands behind the button.
   row->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return row;
 }
@@ -181,18 +191,18 @@ QWidget* TransferFunctionEditor::makeControlRow() {
 void TransferFunctionEditor::addLeading(QWidget* control, int place) {
   m_row->insertWidget(place < 0 ? m_leading : place, control);
   ++m_leading;
-  hideWhatHasNoRoom();
+  placeTools();
 }
 
 void TransferFunctionEditor::addTrailing(QWidget* control) {
   m_row->insertWidget(m_row->count() - 1, control);
   ++m_trailing;
-  hideWhatHasNoRoom();
+  placeTools();
 }
 
 void TransferFunctionEditor::setEditable(bool editable) {
   m_canvas->setEnabled(editable);
-  for (QWidget* control : std::initializer_list<QWidget*>{m_opacity, m_shift, m_fine, m_showAll})
+  for (QWidget* control : std::initializer_list<QWidget*>{m_opacity, m_shift, m_fine, m_showAll, m_more})
     control->setEnabled(editable);
   m_isEditable = editable;
   showPinOrPoints();
@@ -291,7 +301,7 @@ void TransferFunctionEditor::showSelection() {
 void TransferFunctionEditor::showPinOrPoints() {
   m_fields->setVisible(m_isEditable && !m_pinIsLatest);
   m_tissue->setVisible(m_isEditable && m_pinIsLatest);
-  hideWhatHasNoRoom();
+  placeTools();
 }
 
 void TransferFunctionEditor::openDetails(std::size_t index) {
@@ -310,32 +320,105 @@ void TransferFunctionEditor::changeEvent(QEvent* event) {
 }
 
 void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
-  hideWhatHasNoRoom();
+  placeTools();
   QWidget::resizeEvent(event);
 }
 
-// The last first: the bar above the plot shifts too, dragging all points does nearly what the opacity does.
-void TransferFunctionEditor::hideWhatHasNoRoom() {
+// How many of the tools the row has room for.
+int TransferFunctionEditor::toolsWithRoom() const {
   const auto widthOf = [this](const QWidget* widget) {
     return widget->sizeHint().width() + m_row->spacing();
   };
   const QMargins margins = layout()->contentsMargins();
-  // Of all selections as wide as the widest so far, so that nothing comes and goes as points are selected.
-  m_numbersWidth =
-      std::max(m_numbersWidth, widthOf(m_pinIsLatest ? static_cast<QWidget*>(m_tissue) : m_fields));
   int room = width() - margins.left() - margins.right() - m_numbersWidth - widthOf(m_showAll);
   for (int i = 0; i < m_leading; ++i)
     room -= widthOf(m_row->itemAt(i)->widget());
   for (int i = 0; i < m_trailing; ++i)
     room -= widthOf(m_row->itemAt(m_row->count() - 2 - i)->widget());
-  for (QWidget* control : std::initializer_list<QWidget*>{m_fine, m_opacity, m_shift}) {
-    room -= widthOf(control);
-    control->setVisible(room >= 0);
+  int whole = 0;
+  for (const QWidget* tool : m_tools)
+    whole += widthOf(tool);
+  const int count = static_cast<int>(m_tools.size());
+  if (whole <= room)
+    return count;
+  room -= widthOf(m_more);
+  int fitting = 0;
+  while (fitting < count && (room -= widthOf(m_tools[static_cast<std::size_t>(fitting)])) >= 0)
+    ++fitting;
+  return fitting;
+}
+
+// Tools that find no room are behind the button beside the row.
+void TransferFunctionEditor::placeTools() {
+  const QWidget* numbers = m_pinIsLatest ? static_cast<QWidget*>(m_tissue) : m_fields;
+  // Of all selections as wide as the widest so far, so that nothing comes and goes as points are selected.
+  m_numbersWidth = std::max(m_numbersWidth, numbers->sizeHint().width() + m_row->spacing());
+  const int inRow = toolsWithRoom();
+  for (int i = 0; i < static_cast<int>(m_tools.size()); ++i)
+    if (QWidget* tool = m_tools[static_cast<std::size_t>(i)]; tool->parentWidget() != m_morePanel)
+      tool->setVisible(i < inRow);
+  m_more->setVisible(inRow < static_cast<int>(m_tools.size()));
+}
+
+// They stand in its panel as long as that is open.
+void TransferFunctionEditor::openMore() {
+  if (m_morePanel) // the one before is being closed
+    return;
+  m_morePanel = new QFrame(this, Qt::Popup); // no earlier: it would part the row from the window's Tab order
+  m_morePanel->setFrameShape(QFrame::StyledPanel);
+  m_morePanel->installEventFilter(this);
+  auto* column = new QVBoxLayout(m_morePanel);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->setSpacing(12);
+  for (QWidget* tool : toolsInOrder())
+    if (tool->isHidden()) {
+      column->addWidget(tool);
+      tool->show();
+    }
+  showPopupAt(*m_morePanel, QRect(m_more->mapToGlobal(QPoint(0, 0)), m_more->size()));
+}
+
+// In the row they have their places, and their turn when somebody presses Tab.
+void TransferFunctionEditor::takeBackMore() {
+  if (!m_morePanel)
+    return;
+  const std::array<QWidget*, 3> tools = toolsInOrder();
+  for (QWidget* tool : tools) {
+    m_row->removeWidget(tool);
+    m_row->insertWidget(m_row->indexOf(m_more), tool);
   }
+  const auto isOfTools = [&](const QWidget* widget) {
+    return std::ranges::any_of(
+        tools, [&](const QWidget* tool) { return tool == widget || tool->isAncestorOf(widget); });
+  };
+  QWidget* last = m_more;
+  do
+    last = last->previousInFocusChain();
+  while (isOfTools(last));
+  for (QWidget* tool : tools) {
+    auto* slider = tool->findChild<TrackSlider*>();
+    QWidget* next = slider ? slider : tool;
+    QWidget::setTabOrder(last, next);
+    last = next;
+  }
+  std::exchange(m_morePanel, nullptr)->deleteLater();
+  placeTools();
+}
+
+std::array<QWidget*, 3> TransferFunctionEditor::toolsInOrder() const {
+  return {m_opacity, m_shift, m_fine};
+}
+
+bool TransferFunctionEditor::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_morePanel && event->type() == QEvent::Hide)
+    QMetaObject::invokeMethod(this, &TransferFunctionEditor::takeBackMore,
+                              Qt::QueuedConnection); // once it is closed
+  return QWidget::eventFilter(watched, event);
 }
 
 void TransferFunctionEditor::showIcons() {
   m_showAll->setIcon(themedIcon(QStringLiteral("show-all"), palette()));
+  m_more->setIcon(themedIcon(QStringLiteral("more-tools"), palette()));
 }
 
 } // namespace limn

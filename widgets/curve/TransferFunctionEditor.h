@@ -11,12 +11,14 @@
 
 #include <QWidget>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 
 class QAbstractButton;
 class QBoxLayout;
+class QFrame;
 class QLabel;
 class QToolButton;
 
@@ -80,9 +82,10 @@ private:
 };
 
 /// Shows a transfer function over the volume's histogram and asks for edits: the plot with its mouse and key
-/// gestures, the numbers of the selected point, and sliders that raise or shift the whole curve. It owns no
-/// undo: every edit goes out with its gesture, and setTransferFunction brings back what became of it. Esc
-/// during a drag sends the function from before under the same gesture.
+/// gestures, the numbers of the selected point, and sliders that raise or shift the whole curve, which a
+/// button has where they find no room. It owns no undo: every edit goes out with its gesture, and
+/// setTransferFunction brings back what became of it. Esc during a drag sends the function from before under
+/// the same gesture.
 class TransferFunctionEditor : public QWidget {
   Q_OBJECT
 
@@ -122,6 +125,7 @@ signals:
   void valueHovered(std::optional<double> value);
 
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -135,7 +139,11 @@ private:
   const TransferFunction& pullBase(std::uint64_t gestureId);
   double shiftOf(double position) const;
   int typedDecimals() const;
-  void hideWhatHasNoRoom();
+  void openMore();
+  void takeBackMore();
+  std::array<QWidget*, 3> toolsInOrder() const; ///< of the row
+  void placeTools();
+  int toolsWithRoom() const;
   void showIcons();
 
   ValueRange m_range{0.0, 1.0}; // before the sliders, whose first read-out needs it
@@ -150,8 +158,11 @@ private:
   int m_leading = 0;  ///< controls before the numbers
   int m_trailing = 0; ///< controls before the last one
   int m_numbersWidth = 0;
+  std::array<QWidget*, 3> m_tools{}; ///< in the row as long as there is room, the first longest
   QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
+  QToolButton* m_more;           ///< has the tools that find no room
+  QFrame* m_morePanel = nullptr; ///< in which they stand while it is open
   TransferFunction m_pullBase;
   std::uint64_t m_pullId = 0;
 };

@@ -106,9 +106,14 @@ QString usualName(const FigurePanel& panel) {
 }
 
 QString panelDetails(const FigurePanel& panel) {
-  if (!panel.plane)
-    return usesLight(panel.scene.projection) ? sideDetails(panel.scene, {}).join(QStringLiteral(" · "))
-                                             : QString();
+  if (!panel.plane) {
+    QStringList details;
+    if (!panel.name.contains(usualName(panel), Qt::CaseInsensitive))
+      details << usualName(panel); // presets have the panel's name
+    if (usesLight(panel.scene.projection))
+      details << sideDetails(panel.scene, {});
+    return details.join(QStringLiteral(" · "));
+  }
   const PlaneContent content = planeContentOf(panel);
   // What is shown comes first: where there is little room, the end is cut.
   return windowText(content) + QStringLiteral(" · ") + slicePlaceText(content, *panel.plane);

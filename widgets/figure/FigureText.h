@@ -16,7 +16,8 @@ QString panelLetter(std::size_t index);
 /// What a panel is called where nobody names it: its model or projection, or its plane.
 QString usualName(const FigurePanel& panel);
 
-/// How a picture is lit, or where a slice lies and in which grey: "SP 1–64 · O 0–3".
+/// How a picture is lit, after its model or projection where its name tells neither, or where a slice lies
+/// and in which grey: "Enhanced · SP 1–64 · O 0–3".
 QString panelDetails(const FigurePanel& panel);
 
 /// What slices show of a panel's volume; only of one that shows a plane.

@@ -68,11 +68,9 @@ CropSection::CropSection(QWidget* parent)
   m_toVisible->setAccessibleName(m_toVisible->text());
   m_toVisible->setToolTip(tr("<p>Draws the box close around what the curve, Body only and labels leave to be "
                              "seen, so that its handles lie there and not around air and table.</p>"));
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_toVisible);
-  buttons->addWidget(m_reset);
-  buttons->addStretch(1);
-  contents()->addLayout(buttons);
+  // Below each other: beside each other long words would make the panel wider.
+  for (QPushButton* button : {m_toVisible, m_reset})
+    contents()->addWidget(button, 0, Qt::AlignLeft);
   connect(m_toVisible, &QAbstractButton::clicked, this, &CropSection::cropToVisible);
   connect(m_reset, &QAbstractButton::clicked, this, [this] {
     m_crop = {};

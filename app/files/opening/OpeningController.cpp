@@ -206,6 +206,7 @@ void OpeningController::connectLoader() {
   connect(&m_loader, &VolumeLoader::loaded, this,
           [this](const LoadedScene& scene, const Histogram& histogram) {
             m_context.view.clearLoading();
+            rememberAsked();
             emit loaded(scene, histogram, m_requested);
           });
   connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
@@ -273,6 +274,7 @@ void OpeningController::locateVolume(const QString& scene) {
                     m_context.settings);
   if (path.isEmpty())
     return;
+  m_asked = path;
   Request request = m_requested;
   request.source = scene;
   request.options.volume = path.toStdString();
@@ -289,6 +291,7 @@ void OpeningController::askForFile() {
                           "*.clut *.tfi *.1dt)")} +
            readLookFilters()},
       m_context.settings);
+  m_asked = path;
   if (!path.isEmpty())
     open(path);
 }
@@ -297,6 +300,7 @@ void OpeningController::askForFolder() {
   const QString path = askWhatToOpen(&m_context.window,
                                      {.title = tr("Open a DICOM folder or an image stack"), .isFolder = true},
                                      m_context.settings);
+  m_asked = path;
   if (!path.isEmpty())
     open(path);
 }
@@ -337,6 +341,13 @@ void OpeningController::readWithSpacing(const Request& shown, const QString& ent
   SourceOptions options = shown.options;
   options.read.spacingMm = glm::dvec3((*typed)[0], (*typed)[1], (*typed)[2]);
   open(shown.source, options);
+}
+
+void OpeningController::rememberAsked() {
+  const QString volume = QString::fromStdString(m_requested.options.volume.value_or("").string());
+  const QFileInfo asked(m_asked);
+  if (!m_asked.isEmpty() && (asked == QFileInfo(m_requested.source) || asked == QFileInfo(volume)))
+    rememberFolderOf(m_asked, m_context.settings);
 }
 
 void OpeningController::leaveFailure() {

@@ -114,6 +114,8 @@ private:
   void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
   void readWithSpacing(const Request& shown, const QString& entered);
   void refreshRecent();
+  /// A dialog was answered with what is open now: the next begins there.
+  void rememberAsked();
 
   WindowContext& m_context;
   QMenu* m_recent; ///< of what was opened before
@@ -121,6 +123,7 @@ private:
   VolumeLoader m_loader;
   QString m_failure;   ///< why nothing was opened; empty once that does not matter
   Request m_requested; ///< last; it may still load, or have failed
+  QString m_asked;     ///< what a dialog answered last
 };
 
 } // namespace limn

@@ -65,7 +65,7 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
       {keys({"O", "Shift+O"}), QObject::tr("cut open to the crosshair: plane, corner; Esc: as it was")},
       {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
-      {QObject::tr("F11, double click"), QObject::tr("picture and curve only; F11 or Esc: all again")},
+      {QObject::tr("F11, double click"), QObject::tr("the picture alone; F11 or Esc: all again")},
       {{}, QObject::tr("Window")},
       {QObject::tr("F6, Shift+F6"), QObject::tr("the keyboard goes to the next panel, the one before")},
       {QObject::tr("Ctrl+F"), QObject::tr("find a preset; Enter uses it and goes on to the picture")},

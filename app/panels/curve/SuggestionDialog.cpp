@@ -80,9 +80,13 @@ QString boundaryName(const Boundary& boundary, const ValueNames& names) {
 
 QString boundaryExplained(const Boundary& boundary, const ValueNames& names) {
   const double percent = 100.0 * boundary.share;
-  return QObject::tr("%1, between %2 and %3; %4 % of all boundaries")
-      .arg(placeText(boundary, names), numberText(boundary.low, boundary, {}),
-           numberText(boundary.high, boundary, names.unit), plainNumber(percent, percent < 9.5 ? 1 : 0));
+  const QString low = numberText(boundary.low, boundary, {});
+  const QString high = numberText(boundary.high, boundary, names.unit);
+  const QString share = plainNumber(percent, percent < 9.5 ? 1 : 0);
+  const QString place = placeText(boundary, names);
+  return boundaryName(boundary, names) == place // which is said
+             ? QObject::tr("Between %1 and %2; %3 % of all boundaries").arg(low, high, share)
+             : QObject::tr("%1, between %2 and %3; %4 % of all boundaries").arg(place, low, high, share);
 }
 
 SuggestionDialog::SuggestionDialog(QWidget* parent)

@@ -238,7 +238,10 @@ void LookController::importFiles(const QStringList& paths) {
     return;
   m_work.start([this, paths = std::exchange(m_waiting, {}), target = targetOf(m_context.session),
                 store = m_store](const Effort&) {
-    return BackgroundWork::Deliver([this, import = importLooks(paths, target, store)] {
+    return BackgroundWork::Deliver([this, paths, import = importLooks(paths, target, store)] {
+      const auto taken = std::ranges::find(import.files, false, &LookReportEntry::isRefused);
+      if (taken != import.files.end())
+        rememberFolderOf(paths[taken - import.files.begin()], m_context.settings);
       show(import);
       importFiles({});
     });

@@ -131,6 +131,7 @@ void ThumbnailController::showScene(const Scene& scene) {
     return;
   stop();
   m_volume = scene.volume;
+  m_object.reset();
   m_shown.clear();
   m_presets.browser().clearPictures();
   m_painter = std::make_shared<ThumbnailPainter>();
@@ -191,17 +192,27 @@ std::vector<Thumbnail> ThumbnailController::missing() {
   return wanted;
 }
 
+// From the side that is looked from, all of it: what is enlarged are specks of colour, which nobody tells
+// apart.
 Camera ThumbnailController::cameraOf(const Scene& scene) {
-  const Grid& grid = scene.volume->grid();
-  const VisibleVoxels all = allVoxelsOf(grid, scene.crop);
-  // A picture of another shape than the view's would cut what that shows.
-  const Camera inView = refitted(scene.camera, grid, all, m_context.view.pictureAspect(), thumbnailAspect);
-  // From farther off than the whole there would be specks.
-  const Camera whole = framed(scene.camera, grid, all, thumbnailAspect);
-  const Camera& seen = seenHeightMm(inView) > seenHeightMm(whole) ? whole : inView;
-  if (m_shown.empty() || !seeAlike(m_camera, seen))
-    m_camera = seen;
+  const Camera whole = framed(scene.camera, scene.volume->grid(), objectIn(scene), thumbnailAspect);
+  if (m_shown.empty() || !seeAlike(m_camera, whole))
+    m_camera = whole;
   return m_camera;
+}
+
+// Whatever the curve shows of it: what is kept without the air around it.
+const VisibleVoxels& ThumbnailController::objectIn(const Scene& scene) {
+  if (m_object && m_objectKeep == scene.keep && m_objectCrop == scene.crop)
+    return *m_object;
+  m_objectKeep = scene.keep;
+  m_objectCrop = scene.crop;
+  Scene solid = scene;
+  solid.projection = Projection::isosurface;
+  solid.isovalue = objectThreshold(m_context.document.histogram());
+  const bool isOnDisk = scene.volume->room() != nullptr; // and not read for this
+  m_object = isOnDisk ? allVoxelsOf(scene.volume->grid(), scene.crop) : visibleVoxels(solid);
+  return *m_object;
 }
 
 void ThumbnailController::receive(const QString& name, const QImage& picture, bool showsNothing) {

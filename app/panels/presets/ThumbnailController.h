@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/framing/VisibleVoxels.h"
 #include "scene/presets/Preset.h"
 #include "widgets/controls/BackgroundWork.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -8,6 +9,7 @@
 #include <QTimer>
 
 #include <map>
+#include <optional>
 
 namespace limn {
 
@@ -46,9 +48,10 @@ private:
   Region m_keep;
 };
 
-/// Has the list of presets show what each makes of the volume that is open: from where it is looked at, cut
-/// as it is, lit with its model. Pictures are drawn in spare time: while the ones of the view are at rest and
-/// nobody works with the window. They stay until the volume, or what they show of it, is another one.
+/// Has the list of presets show what each makes of the volume that is open: all of it however near the view
+/// is, from the side of the view, cut as it is, lit with its model. Pictures are drawn in spare time: while
+/// the ones of the view are at rest and nobody works with the window. They stay until the volume, or what
+/// they show of it, is another one.
 class ThumbnailController : public QObject {
   Q_OBJECT
 
@@ -73,6 +76,7 @@ private:
   void stop();
   std::vector<Thumbnail> missing();
   Camera cameraOf(const Scene& scene);
+  const VisibleVoxels& objectIn(const Scene& scene);
   void receive(const QString& name, const QImage& picture, bool showsNothing);
 
   WindowContext& m_context;
@@ -82,7 +86,10 @@ private:
   std::vector<Thumbnail> m_wanted;
   std::map<QString, Scene> m_shown; ///< what is seen in the list
   std::shared_ptr<const Volume> m_volume;
-  Camera m_camera;                             ///< from which they are seen
+  Camera m_camera;                       ///< from which they are seen
+  std::optional<VisibleVoxels> m_object; ///< what they are framed on, of the volume with these:
+  Region m_objectKeep;
+  CropBox m_objectCrop;
   std::shared_ptr<ThumbnailPainter> m_painter; ///< of that volume; for the thread of `m_work`
   BackgroundWork m_work;
 };

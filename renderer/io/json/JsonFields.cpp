@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/json/JsonFields.h"
 
+#include "io/reading/ReadError.h"
 #include "scene/basics/Error.h"
 
 #include <nlohmann/json.hpp>
@@ -29,18 +30,26 @@ Message described(const Limits& limits) {
   return above ? Message::tr("at most %1").arg(written(limits.highest)) : Message::tr("any number");
 }
 
+// Whoever reads this wrote no JSON, as a rule.
+const Message saveAgain = Message::tr("save the file again in the program that made it");
+const Message saveAgainOrCorrect =
+    Message::tr("save the file again in the program that made it, or correct that in a text editor");
+
 } // namespace
 
 JsonFields::JsonFields(const nlohmann::json& object, std::string document, std::string where)
     : m_object(object), m_document(std::move(document)), m_where(std::move(where)) {
   if (!m_object.is_object())
-    throw Error(Error::Kind::input, Message::tr("%1: %2 must be a JSON object in braces.")
-                                        .arg(m_document, m_where.empty() ? Message::tr("the file")
-                                                                         : Message("\"" + m_where + "\"")));
+    failReading(m_document,
+                m_where.empty()
+                    ? Message::tr("it does not hold what such a file holds")
+                    : Message::tr("its \"%1\" does not hold what it should: names and their values in braces")
+                          .arg(m_where),
+                saveAgain);
 }
 
 void JsonFields::fail(const std::string& key, const Message& problem) const {
-  throw Error(Error::Kind::input, Message::tr("%1: \"%2\" %3.").arg(m_document, pathOf(key), problem));
+  failReading(m_document, Message::tr("its \"%1\" %2").arg(pathOf(key), problem), saveAgainOrCorrect);
 }
 
 bool JsonFields::has(const std::string& key) {
@@ -59,7 +68,7 @@ double JsonFields::numberIn(const nlohmann::json& value, const std::string& key,
   const double number = value.get<double>();
   const bool tooLow = limits.openBelow ? !(number > limits.lowest) : !(number >= limits.lowest);
   if (tooLow || !(number <= limits.highest) || !std::isfinite(number))
-    fail(key, Message::tr("is %1; it must be %2").arg(written(number), described(limits)));
+    fail(key, Message::tr("is %1 and must be %2").arg(written(number), described(limits)));
   return number;
 }
 
@@ -129,36 +138,33 @@ std::optional<std::size_t> JsonFields::choice(const std::string& key, std::span<
       return i;
     known += (known.empty() ? "" : ", ") + std::string(words[i]);
   }
-  fail(key, Message::tr("is \"%1\"; choose one of %2").arg(word, known));
+  fail(key, Message::tr("is \"%1\" and must be one of %2").arg(word, known));
 }
 
 void JsonFields::finish() const {
   for (const auto& [key, value] : m_object.items())
     if (!m_known.contains(key))
-      fail(key, Message::tr("is not a key that Limn knows; check its spelling or remove it"));
+      fail(key, Message::tr("is nothing that Limn knows there"));
 }
 
 void requireVersion(JsonFields& fields, const std::string& key, const Message& what) {
   int version = 0;
   if (!fields.integer(key, version, 1, 1000000))
-    fields.fail(key, Message::tr("is missing, so this is not a Limn %1").arg(what));
+    failReading(fields.document(), Message::tr("it is no %1 of Limn").arg(what),
+                Message::tr("choose another file"));
   if (version != 1)
-    fields.fail(key, Message::tr("is %1; this Limn reads version 1, a newer one may read it").arg(version));
+    failReading(fields.document(), Message::tr("it is a %1 of a newer Limn").arg(what),
+                Message::tr("open it with that one"));
 }
 
 nlohmann::json parsedJson(std::string_view text, const std::string& name) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
-    throw Error(
-        Error::Kind::input,
-        Message::tr(
-            "%1 is not valid JSON (the mistake is near byte %2); open it in a text editor to repair it.")
-            .arg(name, error.byte));
+    failReading(name, Message::tr("it is damaged or cut off (near its character %1)").arg(error.byte),
+                saveAgainOrCorrect);
   } catch (const nlohmann::json::out_of_range&) {
-    throw Error(Error::Kind::input,
-                Message::tr("%1 holds a number too large to be one; open it in a text editor to repair it.")
-                    .arg(name));
+    failReading(name, Message::tr("it holds a number that is too large to be one"), saveAgainOrCorrect);
   }
 }
 

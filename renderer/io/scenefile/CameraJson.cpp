@@ -38,7 +38,7 @@ nlohmann::ordered_json cameraJson(const Camera& camera) {
 std::vector<NamedView> readViews(JsonFields& scene) {
   const nlohmann::json& list = scene.child("views");
   if (!list.is_array())
-    scene.fail("views", Message::tr("must be a list of {\"name\", \"camera\"}"));
+    scene.fail("views", Message::tr("must be a list of names with cameras"));
   std::vector<NamedView> views;
   for (const nlohmann::json& item : list) {
     JsonFields fields(item, scene.document(), placeIn(scene.pathOf("views").c_str(), views.size()));

@@ -81,7 +81,7 @@ namespace {
 void readLabelsPart(JsonFields fields, KeptPart& part) {
   part.kind = Region::Kind::labels;
   if (!fields.text("labels", part.labels) || part.labels.empty())
-    fields.fail("labels", Message::tr("is missing; name the file of the label map"));
+    fields.fail("labels", Message::tr("is missing, which names the file of the label map"));
   if (fields.has("weights")) {
     JsonFields weights = fields.object("weights");
     for (const auto& [key, ignored] : fields.child("weights").items())
@@ -94,7 +94,7 @@ void readLabelsPart(JsonFields fields, KeptPart& part) {
       const int label = labelNamed(looks, key);
       JsonFields look = looks.object(key);
       if (!look.has("points"))
-        look.fail("points", Message::tr("is missing; a look is a list of control points"));
+        look.fail("points", Message::tr("is missing: a look is a list of control points"));
       part.looks[label] = readTransferFunction(look, looks.pathOf(key));
     }
     looks.finish();
@@ -121,7 +121,7 @@ std::vector<glm::dvec2> readPolygon(JsonFields& fields) {
 Scissors readScissors(JsonFields fields) {
   Scissors scissors;
   if (!fields.has("camera"))
-    fields.fail("camera", Message::tr("is missing; it is the one under which the line was drawn"));
+    fields.fail("camera", Message::tr("is missing, under which the line was drawn"));
   scissors.camera = readCamera(fields.object("camera"));
   fields.number("aspect", scissors.aspect, positive);
   scissors.polygon = readPolygon(fields);
@@ -138,9 +138,9 @@ Scissors readScissors(JsonFields fields) {
 ConnectedPiece readPiece(JsonFields fields) {
   ConnectedPiece piece;
   if (!fields.vector("seed_mm", piece.seedMm))
-    fields.fail("seed_mm", Message::tr("is missing; it is a place of the piece"));
+    fields.fail("seed_mm", Message::tr("is missing, which is a place of the piece"));
   if (!fields.has("range"))
-    fields.fail("range", Message::tr("is missing; it is the lowest and the highest value of the piece"));
+    fields.fail("range", Message::tr("is missing, which has the lowest and the highest value of the piece"));
   if (fields.pair("range", piece.range.x, piece.range.y, anyNumber) && piece.range.x > piece.range.y)
     fields.fail("range", Message::tr("must name the smaller number first"));
   fields.integer("grow_voxels", piece.growVoxels, 0, mostGrown);
@@ -148,7 +148,7 @@ ConnectedPiece readPiece(JsonFields fields) {
   const bool hasLook = fields.has("look");
   if (hasLook != (piece.fate == ConnectedPiece::Fate::ownLook))
     fields.fail("look", hasLook ? Message::tr("belongs to pieces with \"do\": \"look\" alone")
-                                : Message::tr("is missing; it is the piece's own list of control points"));
+                                : Message::tr("is missing, which is the piece's own list of control points"));
   if (hasLook)
     piece.look = readTransferFunction(fields.object("look"), fields.pathOf("look"));
   fields.finish();
@@ -162,7 +162,8 @@ Cut readCut(JsonFields fields) {
   else if (fields.has("piece"))
     cut.how = readPiece(fields.object("piece"));
   else
-    fields.fail("scissors", Message::tr("is missing, and so are piece and labels; an entry is one of these"));
+    fields.fail("scissors",
+                Message::tr("is missing, and so are piece and labels, of which an entry has one"));
   fields.boolean("on", cut.isOn);
   fields.text("name", cut.name);
   fields.finish();
@@ -180,7 +181,8 @@ KeptPart readEntries(JsonFields& scene, const nlohmann::json& entries) {
     const bool isBody = entry == "body";
     const bool hasBody = part.kind == Region::Kind::body || part.hidesTable;
     if ((isLabels && part.kind == Region::Kind::labels) || (isBody && hasBody))
-      scene.fail("keep", Message::tr("names the body or a segmentation twice; each can stand there once"));
+      scene.fail("keep",
+                 Message::tr("names the body or a segmentation twice, and each can stand there once"));
     if (isBody && part.kind == Region::Kind::labels)
       part.hidesTable = true;
     else if (isBody)
@@ -194,7 +196,7 @@ KeptPart readEntries(JsonFields& scene, const nlohmann::json& entries) {
     else if (entry.is_object())
       part.cuts.push_back(readCut(JsonFields(entry, scene.document(), placeIn("keep", n))));
     else
-      scene.fail("keep", Message::tr("has an entry that is no object, \"all\" or \"body\""));
+      scene.fail("keep", Message::tr("has an entry that is neither a part nor \"all\" or \"body\""));
   }
   return part;
 }

@@ -194,7 +194,7 @@ std::optional<GradientOpacity> readGradientOpacity(JsonFields& parent) {
   JsonFields fields = parent.object("gradient_opacity");
   GradientOpacity curve;
   if (!fields.has("points") || !fields.child("points").is_array())
-    fields.fail("points", Message::tr("must be a list of {\"gradient\", \"opacity\"}"));
+    fields.fail("points", Message::tr("must be a list of points with gradient and opacity"));
   for (const nlohmann::json& item : fields.child("points")) {
     JsonFields point(item, fields.document(), placeIn("gradient_opacity.points", curve.points.size()));
     GradientOpacityPoint control;
@@ -339,7 +339,7 @@ SceneDocument readScene(JsonFields fields) {
   SceneDocument document;
   Scene& scene = document.scene;
   if (!fields.text("volume", document.volume) || document.volume.empty())
-    fields.fail("volume", Message::tr("is missing; name the file or folder of the volume"));
+    fields.fail("volume", Message::tr("is missing, which names the file or folder of the volume"));
   if (fields.text("orientation", document.orientation) && !areAxisLetters(document.orientation))
     fields.fail("orientation",
                 Message::tr("must be three letters, one of L and R, one of P and A, one of S and I"));

@@ -3,9 +3,11 @@
 #include "app/language/InGerman.h"
 #include "translations/Words.h"
 #include "widgets/properties/PropertiesPanel.h"
+#include "widgets/theme/LookStyle.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QMenuBar>
 #include <QSet>
 
@@ -106,6 +108,25 @@ TEST_F(GermanWindow, theLongerWordsFitThePanelOfTheProperties) {
             << static_cast<int>(projection) << ", " << static_cast<int>(model) << ", "
             << static_cast<int>(mode);
       }
+}
+
+// As in English: each of two pictures has 400 pixels in the first window of a common screen.
+TEST_F(GermanWindow, thePanelsLeaveRoomForTwoPictures) {
+  applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed("light")); // as in the program
+  window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+  window->show();
+  ASSERT_TRUE(test::waitUntilExposed(*window));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const QSize size = firstWindowSize({1440, 900});
+  window->resize(size);
+  ASSERT_TRUE(test::waitUntil([&] { return window->size() == size && rest(); }));
+  const FirstDockSizes docks = firstDockSizes(size);
+  const auto dock = [this](const char* name) { return window->findChild<QDockWidget*>(QLatin1String(name)); };
+  window->resizeDocks({dock("presetDock"), dock("shadingDock")}, {docks.presetsWidth, docks.propertiesWidth},
+                      Qt::Horizontal);
+  window->findChild<ComparisonController*>()->begin(); // nobody asks for anything
+  EXPECT_TRUE(test::waitUntil([&] { return view().compareLayout() == CompareLayout::sideBySide; }))
+      << "the view has " << view().width() << " pixels";
 }
 
 TEST_F(GermanWindow, theLanguageIsChosenInTheMenuForTheNextTime) {

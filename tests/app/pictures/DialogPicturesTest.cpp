@@ -72,7 +72,7 @@ TEST_F(DialogPictures, ofAReportOnLooks) {
         false},
        {"skull.tfi",
         "not imported",
-        {"Cannot read skull.tfi: its XML is cut off or damaged (near byte 812); save the look again in "
+        {"Cannot read skull.tfi: it is damaged or cut off (near its character 812); save the look again in "
          "the program that made it."},
         true}},
       window.get());
@@ -101,6 +101,13 @@ TEST_F(DialogPictures, ofEveryMenu) {
     take(QStringLiteral("menu-") + entry->text().remove(QLatin1Char('&')).toLower(), menu);
     menu.close();
   }
+  for (QMenu* menu : window->findChildren<QMenu*>())
+    if (menu->actions().contains(&action("view-anterior"))) {
+      menu->popup(window->mapToGlobal(QPoint(0, 0)));
+      take(QStringLiteral("menu-look-from"), *menu);
+      menu->close();
+      break;
+    }
 }
 
 } // namespace

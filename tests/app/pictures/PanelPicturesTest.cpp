@@ -166,8 +166,8 @@ TEST_F(PanelPictures, ofWhatLiesOverThePicture) {
   view().setLoading(0.4, QStringLiteral("Reading head.nii.gz"));
   take(QStringLiteral("loading"));
   view().clearLoading();
-  action("pictureAndCurveOnly").trigger();
-  take(QStringLiteral("picture-and-curve-only"));
+  action("pictureOnly").trigger();
+  take(QStringLiteral("picture-only"));
 }
 
 TEST_F(PanelPictures, ofACutThroughHalfOfTheVolume) {
@@ -273,6 +273,15 @@ TEST_F(PanelPictures, ofTheCurves) {
   ASSERT_TRUE(popup && test::waitUntil([&] { return popup->isVisible(); }));
   take(QStringLiteral("curve-point-popup"), *popup);
   popup->close();
+  const QSize size = window->size();
+  window->resize(900, size.height());
+  auto* more = curves().valueEditor()->findChild<QToolButton*>(QStringLiteral("moreCurveTools"));
+  ASSERT_TRUE(test::waitUntil([&] { return more->isVisible(); }));
+  more->click();
+  take(QStringLiteral("curve-more-tools"), *QApplication::activePopupWidget());
+  take(QStringLiteral("curve-narrow"), curves());
+  QApplication::activePopupWidget()->close();
+  window->resize(size);
   curves().showGradient(true);
   QCheckBox* use = nullptr;
   for (QCheckBox* box : curves().gradientEditor()->findChildren<QCheckBox*>())

@@ -65,7 +65,7 @@ protected:
   // What makes places to go to: every panel, and a volume.
   [[nodiscard]] bool bringBack() {
     test::noteAction(QStringLiteral("bring back every panel and the phantom"));
-    QAction& pictureOnly = *window->findChild<QAction*>(QStringLiteral("pictureAndCurveOnly"));
+    QAction& pictureOnly = *window->findChild<QAction*>(QStringLiteral("pictureOnly"));
     if (pictureOnly.isChecked())
       pictureOnly.trigger();
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {

@@ -3,7 +3,9 @@
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ColorPicker.h"
 #include "widgets/curve/PointFields.h"
+#include "widgets/curve/picture/CurveGeometry.h"
 
+#include <QPointer>
 #include <QToolButton>
 
 // The curve's plot in the program's window.
@@ -41,6 +43,27 @@ TEST_F(CurveWindow, thePopUpOfAPointLeavesItInSightAndItsPartsStandInLine) {
       ++seen;
     }
     EXPECT_GT(seen, 1);
+  }
+}
+
+TEST_F(CurveWindow, escInThePopUpOfAPointLeavesTheColourOfBefore) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const TransferFunction before = scene().transferFunction;
+  for (const bool isInNumbers : {true, false}) {
+    const QPointF at = positionOf(plot().transform(), before.points[2]);
+    QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at.toPoint());
+    const QPointer<PointPopup> popup = window->findChild<PointPopup*>();
+    ASSERT_TRUE(popup && test::waitUntilExposed(*popup));
+    auto* picker = popup->findChild<ColorPicker*>();
+    for (const QPoint& place : {QPoint(10, 10), QPoint(60, 60)})
+      QTest::mouseClick(picker, Qt::LeftButton, {}, place);
+    ASSERT_NE(scene().transferFunction.points[2].color, before.points[2].color);
+    EXPECT_EQ(undo().count(), 1) << "one step for all that was tried";
+    QTest::keyClick(isInNumbers ? popup->focusWidget() : picker, Qt::Key_Escape);
+    EXPECT_FALSE(popup && popup->isVisible());
+    EXPECT_EQ(scene().transferFunction, before);
+    EXPECT_EQ(undo().count(), 0);
+    delete popup;
   }
 }
 

@@ -69,7 +69,8 @@ TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
     // Half the outline of a small button.
     EXPECT_GE(differingPixels(with, without), 16) << described(*now);
   }
-  EXPECT_TRUE(reached.contains(&view()));
+  EXPECT_TRUE(reached.contains(&view()))
+      << "after " << reached.size() << ", at " << described(*QApplication::focusWidget());
   EXPECT_TRUE(reached.contains(curves().valueEditor()->canvas()));
   EXPECT_GE(reached.size(), 30u);
 }

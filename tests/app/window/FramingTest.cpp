@@ -143,8 +143,8 @@ TEST_P(Framing, whatIsVisibleFillsThePictures) {
   window->view().resetCamera();
   expectFramed("with the other region");
 
-  press("pictureAndCurveOnly");
-  expectFramed("with picture and curve only");
+  press("pictureOnly");
+  expectFramed("with the picture alone");
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Framing, testing::ValuesIn(patients), nameOfPatient);

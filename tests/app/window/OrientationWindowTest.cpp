@@ -5,10 +5,12 @@
 #include "scene/volume/Orientation.h"
 #include "support/FileBytes.h"
 #include "widgets/FindWidget.h"
+#include "widgets/view/gestures/ViewCommands.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QInputDialog>
+#include <QKeyEvent>
 #include <QPushButton>
 
 // Which side is left where a file says nothing, said by hand in the window.
@@ -27,6 +29,8 @@ protected:
   }
 
   QAction* named(const char* name) const { return window->findChild<QAction*>(QLatin1String(name)); }
+  // What the menu says of an entry, before its key.
+  QString says(const char* name) const { return named(name)->text().section(QLatin1Char('\t'), 0, 0); }
   std::string letters() const { return scene().volume->info().orientationByHand; }
 
   OrientationDialog& dialog() const { return *window->findChild<OrientationDialog*>(); }
@@ -43,13 +47,28 @@ protected:
 };
 
 TEST_F(OrientationWindow, viewsNameNoSideBeforeOneIsKnown) {
-  EXPECT_EQ(named("view-left")->text(), QStringLiteral("From the last column"));
-  EXPECT_EQ(named("view-anterior")->text(), QStringLiteral("From the first row"));
-  EXPECT_EQ(named("view-inferior")->text(), QStringLiteral("From the first slice"));
+  EXPECT_EQ(says("view-left"), QStringLiteral("From the last column"));
+  EXPECT_EQ(says("view-anterior"), QStringLiteral("From the first row"));
+  EXPECT_EQ(says("view-inferior"), QStringLiteral("From the first slice"));
   EXPECT_TRUE(named("setOrientation")->isEnabled());
   ASSERT_TRUE(open(QStringLiteral("phantom:8"))); // which says how it lies
-  EXPECT_EQ(named("view-left")->text(), QStringLiteral("Left"));
+  EXPECT_EQ(says("view-left"), QStringLiteral("Left"));
   EXPECT_FALSE(named("setOrientation")->isEnabled());
+}
+
+TEST_F(OrientationWindow, theMenuShowsTheKeyThatThePictureHasForEachView) {
+  const auto commandOfKey = [this](const char* name) {
+    const QKeyCombination key =
+        QKeySequence(named(name)->text().section(QLatin1Char('\t'), 1), QKeySequence::NativeText)[0];
+    return commandOf(QKeyEvent(QEvent::KeyPress, key.key(), key.keyboardModifiers()));
+  };
+  for (const char* name :
+       {"view-anterior", "view-posterior", "view-left", "view-right", "view-superior", "view-inferior"}) {
+    const auto view = static_cast<StandardView>(named(name)->data().toInt());
+    EXPECT_EQ(commandOfKey(name), ViewCommand(viewcommand::LookFrom{view})) << name;
+    EXPECT_TRUE(named(name)->shortcut().isEmpty()) << "in a menu letters choose entries";
+  }
+  EXPECT_EQ(commandOfKey("resetCamera"), ViewCommand(viewcommand::Reset{}));
 }
 
 TEST_F(OrientationWindow, cancelTakesBackWhatWasTriedAndKeepKeepsIt) {
@@ -77,7 +96,7 @@ TEST_F(OrientationWindow, theBarOffersToSetItAndEveryAnswerIsAnUndoStep) {
   EXPECT_EQ(letters(), "RPS");
   EXPECT_EQ(scene().volume->grid().direction[0], glm::dvec3(-1, 0, 0));
   EXPECT_FALSE(messages().isVisible()) << "it is known now";
-  EXPECT_EQ(named("view-left")->text(), QStringLiteral("Left"));
+  EXPECT_EQ(says("view-left"), QStringLiteral("Left"));
   EXPECT_TRUE(named("setOrientation")->isEnabled()) << "it may be corrected";
   auto* slices = widgetNamed<QComboBox>(dialog(), "Slices run to");
   slices->setFocus();
@@ -90,7 +109,7 @@ TEST_F(OrientationWindow, theBarOffersToSetItAndEveryAnswerIsAnUndoStep) {
   EXPECT_EQ(slices->currentText(), QStringLiteral("Head"));
   undo().undo();
   EXPECT_FALSE(scene().volume->info().orientationKnown);
-  EXPECT_EQ(named("view-left")->text(), QStringLiteral("From the last column"));
+  EXPECT_EQ(says("view-left"), QStringLiteral("From the last column"));
   EXPECT_TRUE(rest());
 }
 

@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
-// From panel to panel by F6, and the picture and curve alone by F11.
+// From panel to panel by F6, and the picture alone by F11.
 
 namespace limn {
 namespace {
@@ -120,12 +120,12 @@ TEST_F(PanelCycleTest, fromToolBarAndMessagesItLeadsIntoThePanels) {
   ADD_FAILURE() << "the message has no button";
 }
 
-class PictureAndCurve : public PanelCycleTest {
+class PictureAlone : public PanelCycleTest {
 protected:
   FadingNote* note() const { return window->findChild<FadingNote*>(); }
 };
 
-TEST_F(PictureAndCurve, aNoteSaysHowToComeBackAndFades) {
+TEST_F(PictureAlone, aNoteSaysHowToComeBackAndFades) {
   press(Qt::Key_F11);
   ASSERT_TRUE(note());
   EXPECT_TRUE(note()->isVisible());
@@ -140,15 +140,17 @@ TEST_F(PictureAndCurve, aNoteSaysHowToComeBackAndFades) {
   EXPECT_FALSE(note()->isVisible());
 }
 
-TEST_F(PictureAndCurve, escBringsThePanelsBackOnceATurnIsADragAgain) {
+TEST_F(PictureAlone, escBringsThePanelsBackOnceATurnIsADragAgain) {
   press(Qt::Key_F11);
   ASSERT_FALSE(presetList()->isVisible());
+  EXPECT_FALSE(curves().isVisible());
   press(Qt::Key_W);
   press(Qt::Key_Escape);
   EXPECT_EQ(view().tool(), ViewTool::rotate);
   EXPECT_FALSE(presetList()->isVisible()) << "the first Esc leaves the tool";
   press(Qt::Key_Escape);
   EXPECT_TRUE(presetList()->isVisible());
+  EXPECT_TRUE(curves().isVisible());
   EXPECT_TRUE(window->statusBar()->isVisible());
   EXPECT_FALSE(note()->isVisible());
 }

@@ -94,8 +94,11 @@ protected:
       ASSERT_TRUE(side.estimate && side.chance);
       const bool isClose = side.estimate->p99_9 <= halfALevel;
       EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
-      // Of three thousand pixels the one that is farthest off, not one in a thousand channels: twice that.
-      EXPECT_LE(side.chance->levels, 2.0 * side.estimate->p99_9 + side.chance->own)
+      // Percentile against percentile: the pixel that is farthest off of those drawn, which the status tells,
+      // says nothing of it. Of the phantom in 196×365 pixels the percentile is 0.40 levels, estimated 0.50,
+      // and one pixel in three thousand is off by 2.0. Two or three of those drawn lie beyond it; as errors
+      // fall off with a power of two (accuracy/Tolerance), so few tell it twice too large in 3 of 100 draws.
+      EXPECT_LE(side.chance->p99_9, 2.0 * side.estimate->p99_9 + side.chance->own)
           << statusText().toStdString();
     }
     EXPECT_TRUE(statusText().startsWith(QStringLiteral("99.9 % of pixels within")))

@@ -31,6 +31,35 @@ TEST(BadLooks, everyTextCutAnywhereIsReadOrRefusedInOneSentence) {
   }
 }
 
+// Whoever reads it wrote no JSON: the file, why, and what to do.
+TEST(BadLooks, aDamagedPresetIsToldInWordsForEverybody) {
+  Preset preset;
+  preset.name = "CT demo";
+  preset.modality = "CT";
+  preset.transferFunction.points = {{-100, {0.5, 0, 0}, 0}, {200, {1, 0.5, 0.25}, 0.75}};
+  const std::string sound = lookAs("a.json", preset).text;
+  const auto with = [&](const std::string& what, const std::string& instead) {
+    std::string text = sound;
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return at == std::string::npos ? text : text.replace(at, what.size(), instead);
+  };
+  const std::vector<std::pair<std::string, std::string>> damaged{
+      {sound.substr(0, sound.size() / 2), "it is damaged or cut off"},
+      {with("0.75", "7.5"), "is 7.5 and must be from 0 to 1"},
+      {with("0.75", "\"much\""), "\"transfer_function.points[1].opacity\" must be a number"},
+      {with("\"limn_preset\": 1", "\"limn_preset\": 2"), "it is a preset of a newer Limn"},
+      {with("\"modality\"", "\"modalty\""), "\"modalty\" is nothing that Limn knows there"}};
+  for (const auto& [text, why] : damaged) {
+    const std::string said = refusal(text);
+    EXPECT_EQ(said.find("Cannot read "), 0u) << said;
+    EXPECT_NE(said.find(why), std::string::npos) << said;
+    EXPECT_NE(said.find("; "), std::string::npos) << "and what to do: " << said;
+    for (const char* jargon : {"JSON", "XML", "byte", " key", "object", "array"})
+      EXPECT_EQ(said.find(jargon), std::string::npos) << said;
+  }
+}
+
 TEST(BadLooks, foreignTextIsRefusedWithWhatToDo) {
   for (const char* text :
        {"", "   \n", "hello\nworld\n", "{}", "[]", "[FLT]\nmin=1\n", "<html></html>", "{\"a\": 1}"})

@@ -19,6 +19,10 @@ TEST(ValueText, keepsTheDigitsThatMatter) {
   EXPECT_EQ(plainNumber(0.2500, 4), QStringLiteral("0.25"));
   EXPECT_EQ(plainNumber(1200.0, 2), QStringLiteral("1200"));
   EXPECT_EQ(plainNumber(-0.0001, 2), QStringLiteral("0"));
+  EXPECT_EQ(plainNumber(-12.5, 2), QStringLiteral("−12.5"));
+  EXPECT_EQ(fixedNumber(-12.5, 2), QStringLiteral("−12.50"));
+  EXPECT_EQ(digitsNumber(-12.53, 3), QStringLiteral("−12.5"));
+  EXPECT_EQ(numbersTyped(QStringLiteral("−1.5; -2")), (std::vector{-1.5, -2.0})) << "both are read";
   EXPECT_EQ(opacityText(0.6302), QStringLiteral("0.63"));
   EXPECT_EQ(opacityText(0.63251), QStringLiteral("0.633"));
   EXPECT_EQ(opacityText(0.00042), QStringLiteral("0.00042"));

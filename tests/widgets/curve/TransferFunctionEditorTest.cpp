@@ -9,13 +9,15 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QMouseEvent>
 #include <QTest>
-
 #include <QToolButton>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace limn {
@@ -160,11 +162,37 @@ TEST_F(TransferFunctionEditorTest, aDoubleClickOnAPointOpensColourAndNumbers) {
   popup->close();
 }
 
-TEST_F(TransferFunctionEditorTest, aNarrowWindowHidesSlidersRatherThanGrow) {
+TEST_F(TransferFunctionEditorTest, whatFindsNoRoomStandsBehindAButtonAndWorksThere) {
   EXPECT_LE(m_editor.minimumSizeHint().width(), 300);
-  m_editor.resize(600, 300);
-  EXPECT_FALSE(widgetNamed<TrackSlider>(m_editor, "Shift")->isVisible());
-  EXPECT_TRUE(m_editor.findChild<PointFields*>()->isVisible());
+  auto* more = m_editor.findChild<QToolButton*>(QStringLiteral("moreCurveTools"));
+  const std::array<QWidget*, 3> tools{widgetNamed<TrackSlider>(m_editor, "Overall opacity"),
+                                      widgetNamed<TrackSlider>(m_editor, "Shift"),
+                                      widgetNamed<QCheckBox>(m_editor, "Fine low opacities")};
+  const auto inSight = [&] { return std::ranges::count_if(tools, &QWidget::isVisible); };
+  const int whole = m_editor.width();
+  EXPECT_EQ(inSight(), 3);
+  EXPECT_FALSE(more->isVisible());
+  for (const int width : {700, 600, 300}) {
+    m_editor.resize(width, 300);
+    EXPECT_LT(inSight(), 3) << width;
+    EXPECT_TRUE(m_editor.findChild<PointFields*>()->isVisible());
+    ASSERT_TRUE(more->isVisible()) << width;
+    QTest::mouseClick(more, Qt::LeftButton);
+    EXPECT_EQ(inSight(), 3) << width << ": each is in the row or behind the button";
+    if (width == 300) {
+      pull(widgetNamed<TrackSlider>(m_editor, "Shift"), 20);
+      EXPECT_GT(m_edits.back().first.points[0].value, sampleFunction().points[0].value);
+    }
+    QApplication::activePopupWidget()->close();
+    QCoreApplication::sendPostedEvents();
+    EXPECT_LT(inSight(), 3) << "as before";
+  }
+  m_editor.resize(whole, 300);
+  EXPECT_EQ(inSight(), 3);
+  EXPECT_FALSE(more->isVisible());
+  EXPECT_LT(tools[0]->mapTo(&m_editor, QPoint()).x(), tools[1]->mapTo(&m_editor, QPoint()).x());
+  EXPECT_LT(tools[1]->mapTo(&m_editor, QPoint()).x(), tools[2]->mapTo(&m_editor, QPoint()).x())
+      << "as before";
 }
 
 } // namespace

@@ -101,6 +101,23 @@ TEST(FigureLayout, withoutMarksIsPictures) {
   EXPECT_EQ(layout.size, layout.pictureSize() + QSize(2 * margin, 2 * margin));
 }
 
+TEST(FigureText, aPanelWithAnotherNameTellsItsModelBesideIt) {
+  FigurePanel panel = figureOf(1).panels.front();
+  panel.scene.shading.model = ShadingModel::enhanced;
+  panel.name = QStringLiteral("CT bone");
+  EXPECT_TRUE(panelDetails(panel).startsWith(QStringLiteral("Enhanced · SP ")))
+      << panelDetails(panel).toStdString();
+  for (const char* name : {"Enhanced", "CT bone, enhanced"}) {
+    panel.name = QLatin1String(name);
+    EXPECT_TRUE(panelDetails(panel).startsWith(QStringLiteral("SP "))) << name << " tells it";
+  }
+  panel.name = QStringLiteral("CT lung");
+  panel.scene.projection = Projection::mip;
+  EXPECT_EQ(panelDetails(panel), usualName(panel)) << "what its rays show";
+  panel.name = usualName(panel);
+  EXPECT_EQ(panelDetails(panel), QString());
+}
+
 TEST(FigureLayout, scaledKeepsItsProportions) {
   Figure figure = figureOf(2);
   const FigureLayout full = figureLayout(figure);

@@ -51,8 +51,6 @@ QString lightingText(const Shading& shading) {
 // Without the numbers of the last picture at rest, which is not the one that is seen.
 SideState whileMoving(SideState state) {
   state.completeMs.reset();
-  state.contrast.reset();
-  state.overflow.reset();
   return state;
 }
 
@@ -132,10 +130,6 @@ QStringList sideDetails(const Scene& scene, const SideState& state) {
     parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)
     parts << timeText(*state.completeMs);
-  if (state.contrast)
-    parts << QObject::tr("contrast %1").arg(fixedNumber(*state.contrast, 3));
-  if (state.overflow)
-    parts << QObject::tr("overflow %1 %").arg(fixedNumber(100.0 * state.overflow->share, 1));
   const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
                                                        : QObject::tr("unlit, the same with every model");
   if (!lighting.isEmpty())

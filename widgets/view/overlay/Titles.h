@@ -21,9 +21,8 @@ QString sideTitle(const Scene& scene);
 /// What a side of a comparison is called: where looks are compared, which one, and its model.
 QString sideTitle(const Comparison& comparison, int side);
 
-/// The few numbers that matter for a side, the most important first: error, drawing time, contrast and
-/// overflow of the highlights where they are known, then how it is lit: "SP 32" or "SP 1–64 · O 0–3". Of
-/// projections that are not lit it says so.
+/// The few numbers that matter for a side, the most important first: error and drawing time where they are
+/// known, then how it is lit: "SP 32" or "SP 1–64 · O 0–3". Of projections that are not lit it says so.
 QStringList sideDetails(const Scene& scene, const SideState& state);
 
 /// A label and where it stands.

@@ -264,6 +264,28 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   return parts.join(QLatin1Char('\n'));
 }
 
+// What is known of the light of a side, which would say little to most over the picture itself.
+QString lightText(const SideState& side) {
+  QStringList parts;
+  if (side.contrast)
+    parts << QObject::tr("contrast %1 (RMS)").arg(fixedNumber(*side.contrast, 3));
+  if (side.overflow)
+    parts << QObject::tr("%1 % of the pixels brighter than white and cut off")
+                 .arg(fixedNumber(100.0 * side.overflow->share, 1));
+  return parts.join(QStringLiteral(", "));
+}
+
+QString lightTexts(const PictureState& state) {
+  QStringList lines;
+  for (std::size_t side = 0; side < state.sides.size() && state.resting; ++side)
+    if (const QString text = lightText(state.sides[side]); !text.isEmpty())
+      lines << (state.sides.size() == 1 ? QObject::tr("Light: %1.")
+                : side == 0             ? QObject::tr("Light at the left: %1.")
+                                        : QObject::tr("Light at the right: %1."))
+                   .arg(text);
+  return lines.join(QLatin1Char('\n'));
+}
+
 QString engineText(const PictureState& state) {
   return drawsWithOpenGl(state.engine) ? QObject::tr("OpenGL") : QObject::tr("processor");
 }
@@ -318,7 +340,7 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
   text.engine = engineText(state);
   // Those sentences are about steps.
   const QString end = hasPaths(state) ? QString() : endText(state).sentence;
-  QStringList lines{explanationOf(state), end, numbersText(state, scene)};
+  QStringList lines{explanationOf(state), end, numbersText(state, scene), lightTexts(state)};
   if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
     lines.prepend(coarsenessText(*coarseness));
   lines.removeAll(QString());

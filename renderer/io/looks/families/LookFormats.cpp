@@ -145,7 +145,8 @@ std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
     return format->read(withoutMark(text), name, target);
   failReading(
       name, Message::tr("it is no look that Limn knows"),
-      Message::tr("open a preset of Limn or another program that `limn presets convert --help` lists"));
+      Message::tr("choose a preset of Limn, or a look that 3D Slicer, OsiriX, Horos, InVesalius, ParaView, "
+                  "Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue or ImageVis3D saved"));
 }
 
 std::vector<ReadLook> readLooks(const std::filesystem::path& path, const std::optional<LookTarget>& target) {

@@ -274,11 +274,11 @@ ReadLook osirixLook(const pugi::xml_node& dict, const std::string& file, std::si
 std::vector<ReadLook> readOsirixPlist(std::string_view text, const std::string& name,
                                       const std::optional<LookTarget>& target) {
   if (text.starts_with("bplist"))
-    failReading(name, Message::tr("it is a property list in binary"),
-                Message::tr("make it XML first (plutil -convert xml1)"));
+    failReading(name, Message::tr("it is a property list that is not text"),
+                Message::tr("make it text first, on a Mac with: plutil -convert xml1 FILE"));
   pugi::xml_document document;
   if (!document.load_buffer(text.data(), text.size()))
-    failReading(name, Message::tr("it is damaged XML"), Message::tr("copy or save it again"));
+    failReading(name, Message::tr("it is damaged or cut off"), Message::tr("copy or save it again"));
   std::vector<ReadLook> looks;
   const pugi::xml_node root = document.child("plist");
   for (const pugi::xml_node& dict : root.children("dict"))

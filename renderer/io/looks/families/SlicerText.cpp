@@ -221,7 +221,7 @@ std::vector<ReadLook> readMrml(std::string_view text, const std::string& name,
                                const std::optional<LookTarget>& target) {
   pugi::xml_document document;
   if (!document.load_buffer(text.data(), text.size()))
-    failReading(name, Message::tr("it is damaged XML"), Message::tr("copy or save it again"));
+    failReading(name, Message::tr("it is damaged or cut off"), Message::tr("copy or save it again"));
   FoundProperties found;
   document.traverse(found);
   if (found.nodes.empty())

@@ -23,7 +23,7 @@ pugi::xml_document parsedXml(std::string_view text, const std::string& file) {
   pugi::xml_document document;
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
   if (!result)
-    failReading(file, Message::tr("its XML is cut off or damaged (near byte %1)").arg(result.offset),
+    failReading(file, Message::tr("it is damaged or cut off (near its character %1)").arg(result.offset),
                 saveLookAgain);
   return document;
 }
@@ -39,7 +39,7 @@ std::optional<double> attributeIn(const pugi::xml_node& node, const char* attrib
   const std::optional<double> number = numberIn(text);
   if (!number)
     failReading(file,
-                Message::tr("its attribute \"%1\" of <%2> is \"%3\" and no number")
+                Message::tr("its \"%1\" of \"%2\" is \"%3\" and no number")
                     .arg(attribute, node.name(), std::string(text.substr(0, 40))),
                 saveLookAgain);
   return number;
@@ -49,7 +49,7 @@ std::optional<double> attributeIn(const pugi::xml_node& node, const char* attrib
 double attributeOf(const pugi::xml_node& node, const char* attribute, const std::string& file) {
   const std::optional<double> number = attributeIn(node, attribute, file);
   if (!number)
-    failReading(file, Message::tr("<%1> has no attribute \"%2\"").arg(node.name(), attribute), saveLookAgain);
+    failReading(file, Message::tr("its \"%1\" lacks \"%2\"").arg(node.name(), attribute), saveLookAgain);
   return *number;
 }
 

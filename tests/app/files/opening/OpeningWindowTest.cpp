@@ -99,6 +99,30 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   EXPECT_EQ(inTheNextRun.saveFolder(), pathTo("b"));
 }
 
+TEST_F(OpeningWindow, aFolderOfWhatIsRefusedIsNotWhereTheNextDialogOpens) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  typeName(smallVolume("a"));
+  QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
+  fs::create_directories(folder.path() / "b");
+  const auto refused = [this](const char* name, const char* action) {
+    messages().hide();
+    test::writeBytes(folder.path() / name, "NRRD0004\n");
+    typeName(pathTo(name));
+    window->findChild<QAction*>(QLatin1String(action))->trigger();
+    return test::waitUntil([this] { return messages().isVisible(); });
+  };
+  for (const char* action : {"openFile", "openLabels"}) {
+    ASSERT_TRUE(refused("b/damaged.nrrd", action)) << action;
+    EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << action;
+  }
+  ASSERT_TRUE(refused("b/damaged.clut", "importLooks"));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "of looks";
+  // What came in otherwise changes nothing either.
+  ASSERT_TRUE(open(smallVolume("c")));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("a"));
+}
+
 TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
   ASSERT_TRUE(open(smallVolume("a")));
   const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");

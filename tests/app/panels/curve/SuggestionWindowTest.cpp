@@ -74,6 +74,18 @@ TEST_F(SuggestionWindow, proposesSkinAndBoneForAHead) {
   EXPECT_TRUE(buttonNamed(QStringLiteral("Bone")));
 }
 
+TEST(SuggestionWords, saysAPlaceOnce) {
+  const Boundary boundary{92.0, 130.0, 0.22};
+  EXPECT_EQ(boundaryName(boundary, {}), QStringLiteral("Surface at 111"));
+  EXPECT_EQ(boundaryExplained(boundary, {}), QStringLiteral("Between 92 and 130; 22 % of all boundaries"));
+  const Boundary bone{40.0, 600.0, 0.05};
+  const ValueNames names{QStringLiteral("HU"), true};
+  EXPECT_EQ(boundaryName(bone, names), QStringLiteral("Bone"));
+  EXPECT_TRUE(
+      boundaryExplained(bone, names).startsWith(QStringLiteral("Surface at 320\u00a0HU, between 40 and")))
+      << boundaryExplained(bone, names).toStdString();
+}
+
 TEST_F(SuggestionWindow, aRowUnderThePointerIsSeenAndLeavesNothingBehind) {
   ASSERT_TRUE(open(QStringLiteral("phantom:3")));
   clearCurve();

@@ -106,8 +106,6 @@ TEST_F(OverlayAbove, aLabelWithLittleRoomKeepsItsError) {
   state.sides[0].estimate = ErrorEstimate{0.42, 0.1, 1.0};
   state.sides[0].isRough = false;
   state.sides[0].completeMs = 123.4;
-  state.sides[0].contrast = 0.2017;
-  state.sides[0].overflow = Overflow{0.0283, 0.1};
   const auto shown = [&](int width) {
     OverlaySource narrow = source();
     narrow.geometry.size = {width, 400};
@@ -123,9 +121,7 @@ TEST_F(OverlayAbove, aLabelWithLittleRoomKeepsItsError) {
 
 TEST_F(OverlayAbove, aLabelTellsNothingOfTheLastPictureAtRestWhileAnotherIsSeen) {
   state.sides[0].completeMs = 123.4;
-  state.sides[0].contrast = 0.2017;
-  state.sides[0].overflow = Overflow{0.0283, 0.1};
-  EXPECT_EQ(labelsOf(source())[0].label.details.size(), 4);
+  EXPECT_EQ(labelsOf(source())[0].label.details.size(), 2);
   state.resting = false;
   EXPECT_EQ(labelsOf(source())[0].label.details, QStringList{QStringLiteral("SP 32")});
 }
@@ -153,7 +149,6 @@ TEST_F(OverlayAbove, noCaptionMovesALetter) {
         side.estimate = ErrorEstimate{0.42, 0.1, 1.0};
         side.isRough = false;
         side.completeMs = 123.4;
-        side.contrast = 0.2017;
       }
       comparison.preview = "Bone and veil";
       OverlaySource told = source();
@@ -205,7 +200,6 @@ TEST_F(OverlayAbove, noTextHidesTheHandleOfAFaceInFrontOrBehind) {
     side.estimate = ErrorEstimate{0.42, 0.1, 1.0};
     side.isRough = false;
     side.completeMs = 123.4;
-    side.contrast = 0.2017;
   }
   comparison.scene.crop.upper.z = 0.9;
   const Camera usual = defaultCamera(comparison.scene.volume->grid());

@@ -50,6 +50,21 @@ TEST(PictureStatusText, hasOneBadgeForWhatThePictureIs) {
   EXPECT_EQ(badge(state), QStringLiteral("○ not resolved"));
 }
 
+TEST(PictureStatusText, whoAsksIsToldContrastAndOverflowOfThePicturesAtRest) {
+  PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
+  state.sides[0].contrast = 0.2017;
+  state.sides[1].contrast = 0.25;
+  state.sides[1].overflow = Overflow{0.0283, 0.1};
+  const QString tip = pictureStatusText(state, {}).toolTip;
+  EXPECT_TRUE(tip.contains(QStringLiteral("Light at the left: contrast 0.202 (RMS)."))) << tip.toStdString();
+  EXPECT_TRUE(
+      tip.contains(QStringLiteral("at the right: contrast 0.250 (RMS), 2.8 % of the pixels brighter")))
+      << tip.toStdString();
+  state.resting = false;
+  EXPECT_FALSE(pictureStatusText(state, {}).toolTip.contains(QStringLiteral("contrast")))
+      << "of the last one";
+}
+
 TEST(PictureStatusText, tellsThatWhatMovesHasFewerVoxelsAndHowFarTheyAreOff) {
   PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
   state.resting = false;
