@@ -152,14 +152,6 @@
         <translation>wählen Sie ein Bild als PNG, TIFF, JPEG oder EXR</translation>
     </message>
     <message>
-        <source>%1 is not valid JSON (the mistake is near byte %2); open it in a text editor to repair it.</source>
-        <translation>%1 ist kein gültiges JSON (der Fehler liegt bei Byte %2); öffnen Sie die Datei in einem Texteditor, um sie zu reparieren.</translation>
-    </message>
-    <message>
-        <source>%1 holds a number too large to be one; open it in a text editor to repair it.</source>
-        <translation>%1 enthält eine Zahl, die zu groß ist; öffnen Sie die Datei in einem Texteditor, um sie zu reparieren.</translation>
-    </message>
-    <message>
         <source>check the path</source>
         <translation>prüfen Sie den Pfad</translation>
     </message>
@@ -208,10 +200,6 @@
         <translation>speichern Sie in Voreen eine eindimensionale Transferfunktion (.tfi)</translation>
     </message>
     <message>
-        <source>its XML is cut off or damaged (near byte %1)</source>
-        <translation>ihr XML ist abgeschnitten oder beschädigt (bei Byte %1)</translation>
-    </message>
-    <message>
         <source>must be a colour such as #ff8000</source>
         <translation>muss eine Farbe sein, wie #ff8000</translation>
     </message>
@@ -222,6 +210,14 @@
     <message>
         <source>its voxels end early</source>
         <translation>ihre Voxel enden vorzeitig</translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off (near its character %1)</source>
+        <translation>sie ist beschädigt oder abgeschnitten (nahe ihrem Zeichen %1)</translation>
+    </message>
+    <message>
+        <source>it holds a number that is too large to be one</source>
+        <translation>sie enthält eine Zahl, die zu groß ist, um eine zu sein</translation>
     </message>
 </context>
 <context>
@@ -906,14 +902,6 @@
         <translation>auf %1 Stufen genau</translation>
     </message>
     <message>
-        <source>contrast %1</source>
-        <translation>Kontrast %1</translation>
-    </message>
-    <message>
-        <source>overflow %1 %</source>
-        <translation>Überstrahlung %1&#xa0;%</translation>
-    </message>
-    <message>
         <source>unlit, the same with every model</source>
         <translation>unbeleuchtet, bei jedem Modell gleich</translation>
     </message>
@@ -1136,10 +1124,6 @@
     <message>
         <source>look from front, left, above; Shift: the opposite</source>
         <translation>Blick von vorn, links, oben; mit Umschalt von gegenüber</translation>
-    </message>
-    <message>
-        <source>picture and curve only; F11 or Esc: all again</source>
-        <translation>nur Bild und Kurve; F11 oder Esc: wieder alles</translation>
     </message>
     <message>
         <source>Window</source>
@@ -1900,18 +1884,6 @@
         <translation>Werkzeuge: Fadenkreuz, Fensterung, Schere, Teil</translation>
     </message>
     <message>
-        <source>Copied the slice, %1 × %2 pixels.</source>
-        <translation>Schicht kopiert, %1 × %2 Pixel.</translation>
-    </message>
-    <message>
-        <source>Save the slice</source>
-        <translation>Schicht speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.tif)</source>
-        <translation>Bilder (*.png *.tif)</translation>
-    </message>
-    <message>
         <source>Normals smoothed by %1 mm</source>
         <translation>Normalen um %1&#xa0;mm geglättet</translation>
     </message>
@@ -2002,6 +1974,46 @@
     <message>
         <source>Random paths: %1 a pixel, standard error %2 of 255 levels RMS</source>
         <translation>Zufallspfade: %1 je Bildpunkt, Standardfehler %2 von 255 Stufen (RMS)</translation>
+    </message>
+    <message>
+        <source>the picture alone; F11 or Esc: all again</source>
+        <translation>nur das Bild; F11 oder Esc: wieder alles</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2; %3 % of all boundaries</source>
+        <translation>Zwischen %1 und %2; %3 % aller Grenzflächen</translation>
+    </message>
+    <message>
+        <source>a quarter of the error: %1 paths, %2 s</source>
+        <translation>ein Viertel des Fehlers: %1 Pfade, %2 s</translation>
+    </message>
+    <message>
+        <source>%1 paths, %2 s</source>
+        <translation>%1 Pfade, %2 s</translation>
+    </message>
+    <message>
+        <source>law of chance, 1/√n</source>
+        <translation>Gesetz des Zufalls, 1/√n</translation>
+    </message>
+    <message>
+        <source>contrast %1 (RMS)</source>
+        <translation>Kontrast %1 (RMS)</translation>
+    </message>
+    <message>
+        <source>%1 % of the pixels brighter than white and cut off</source>
+        <translation>%1 % der Pixel heller als Weiß und abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Light: %1.</source>
+        <translation>Licht: %1.</translation>
+    </message>
+    <message>
+        <source>Light at the left: %1.</source>
+        <translation>Licht links: %1.</translation>
+    </message>
+    <message>
+        <source>Light at the right: %1.</source>
+        <translation>Licht rechts: %1.</translation>
     </message>
 </context>
 <context>
@@ -2683,14 +2695,6 @@
     <message>
         <source>Hides all but this piece.</source>
         <translation>Blendet alles außer diesem Teil aus.</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>Lays the tool aside (Esc).</source>
-        <translation>Legt das Werkzeug weg (Esc).</translation>
     </message>
     <message>
         <source>Cutting</source>
@@ -3625,8 +3629,8 @@
         <translation>F11 oder Esc zeigt die Bereiche wieder</translation>
     </message>
     <message>
-        <source>Picture and cur&amp;ve only</source>
-        <translation>N&amp;ur Bild und Kurve</translation>
+        <source>Picture without panels and cur&amp;ve</source>
+        <translation>N&amp;ur das Bild</translation>
     </message>
 </context>
 <context>
@@ -4008,6 +4012,17 @@
     <message>
         <source>To where the link was followed (Alt+Left)</source>
         <translation>Dorthin, wo dem Link gefolgt wurde (Alt+Links)</translation>
+    </message>
+</context>
+<context>
+    <name>limn::HintBar</name>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Lays the tool aside (Esc).</source>
+        <translation>Legt das Werkzeug weg (Esc).</translation>
     </message>
 </context>
 <context>
@@ -4574,6 +4589,10 @@
         <source>%1, at %2 × %3 pixels: the standard error of 999 of 1000 colour values is at most %4 levels of 255; that of %5 % of the pixels is more than one.</source>
         <translation>%1, bei %2 × %3 Bildpunkten: Der Standardfehler von 999 von 1000 Farbwerten ist höchstens %4 Stufen von 255; der von %5&#xa0;% der Bildpunkte ist größer als eine.</translation>
     </message>
+    <message>
+        <source>%1: the error is not known, because only what two paths or more differ by tells it.</source>
+        <translation>%1: Der Fehler ist nicht bekannt, denn erst worin sich zwei oder mehr Pfade unterscheiden, sagt ihn.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MeasureController</name>
@@ -4582,20 +4601,52 @@
         <translation>Eine Ellipse wird in einem Schnitt gezeichnet; Ansicht ▸ Schnitte zeigt sie.</translation>
     </message>
     <message>
-        <source>Click the place to mark.</source>
-        <translation>Den Ort anklicken, der markiert werden soll.</translation>
-    </message>
-    <message>
-        <source>Click one end, the corner and the other end; a drag rotates the picture.</source>
-        <translation>Ein Ende, den Scheitel und das andere Ende anklicken; Ziehen dreht das Bild.</translation>
-    </message>
-    <message>
-        <source>Click both ends; a drag rotates the picture.</source>
-        <translation>Beide Enden anklicken; Ziehen dreht das Bild.</translation>
-    </message>
-    <message>
         <source>In an average every depth counts alike, so that there is no place to measure at.</source>
         <translation>In einem Mittelwert zählt jede Tiefe gleich viel, also gibt es keinen Ort, an dem gemessen werden könnte.</translation>
+    </message>
+    <message>
+        <source>Click both ends; in a slice, drag</source>
+        <translation>Beide Enden anklicken; in einer Schicht ziehen</translation>
+    </message>
+    <message>
+        <source>Click both ends</source>
+        <translation>Beide Enden anklicken</translation>
+    </message>
+    <message>
+        <source>Click end, corner, end; in a slice, drag a leg</source>
+        <translation>Ende, Scheitel, Ende anklicken; in einer Schicht einen Schenkel ziehen</translation>
+    </message>
+    <message>
+        <source>Click end, corner and end</source>
+        <translation>Ende, Scheitel und Ende anklicken</translation>
+    </message>
+    <message>
+        <source>Click the place to mark</source>
+        <translation>Die Stelle anklicken</translation>
+    </message>
+    <message>
+        <source>In a slice, drag from end to end</source>
+        <translation>In einer Schicht von Ende zu Ende ziehen</translation>
+    </message>
+    <message>
+        <source>In a slice, drag a leg, click an end</source>
+        <translation>In einer Schicht einen Schenkel ziehen, dann das Ende anklicken</translation>
+    </message>
+    <message>
+        <source>In a slice, click the place</source>
+        <translation>In einer Schicht die Stelle anklicken</translation>
+    </message>
+    <message>
+        <source>In a slice, drag from corner to corner</source>
+        <translation>In einer Schicht von Ecke zu Ecke ziehen</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>What was measured is led by its ends and goes with Delete; a drag over the picture rotates it. Esc takes back what is begun, then lays the tool aside.</source>
+        <translation>Gemessenes wird an seinen Enden geführt und mit Entf gelöscht; Ziehen dreht das Bild. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
     </message>
 </context>
 <context>
@@ -6407,24 +6458,8 @@
         <translation>eine beliebige Zahl</translation>
     </message>
     <message>
-        <source>%1: %2 must be a JSON object in braces.</source>
-        <translation>%1: %2 muss ein JSON-Objekt in geschweiften Klammern sein.</translation>
-    </message>
-    <message>
-        <source>the file</source>
-        <translation>die Datei</translation>
-    </message>
-    <message>
-        <source>%1: &quot;%2&quot; %3.</source>
-        <translation>%1: „%2“ %3.</translation>
-    </message>
-    <message>
         <source>must be a number</source>
         <translation>muss eine Zahl sein</translation>
-    </message>
-    <message>
-        <source>is %1; it must be %2</source>
-        <translation>ist %1; erlaubt ist %2</translation>
     </message>
     <message>
         <source>must be a whole number</source>
@@ -6445,22 +6480,6 @@
     <message>
         <source>must be a list of two numbers</source>
         <translation>muss eine Liste von zwei Zahlen sein</translation>
-    </message>
-    <message>
-        <source>is &quot;%1&quot;; choose one of %2</source>
-        <translation>ist „%1“; wählen Sie eines von %2</translation>
-    </message>
-    <message>
-        <source>is not a key that Limn knows; check its spelling or remove it</source>
-        <translation>ist kein Schlüssel, den Limn kennt; prüfen Sie die Schreibweise, oder entfernen Sie ihn</translation>
-    </message>
-    <message>
-        <source>is missing, so this is not a Limn %1</source>
-        <translation>fehlt, also ist dies kein Dokument der Art „Limn %1“</translation>
-    </message>
-    <message>
-        <source>is %1; this Limn reads version 1, a newer one may read it</source>
-        <translation>ist %1; dieses Limn liest Version 1, ein neueres kann es vielleicht lesen</translation>
     </message>
     <message>
         <source>it lies elsewhere than the volume</source>
@@ -6559,10 +6578,6 @@
         <translation>Die Szene gewichtet das Label %1, das %2 nicht hat; nehmen Sie das Gewicht heraus, oder wählen Sie eine andere Labelkarte.</translation>
     </message>
     <message>
-        <source>is missing; name the file of the label map</source>
-        <translation>fehlt; nennen Sie die Datei der Labelkarte</translation>
-    </message>
-    <message>
         <source>must name the smaller number first</source>
         <translation>muss die kleinere Zahl zuerst nennen</translation>
     </message>
@@ -6579,10 +6594,6 @@
         <translation>muss „auto“, „max“, {„percentile“: p} oder eine Zahl in Wert/mm sein</translation>
     </message>
     <message>
-        <source>must be a list of {&quot;gradient&quot;, &quot;opacity&quot;}</source>
-        <translation>muss eine Liste von {„gradient“, „opacity“} sein</translation>
-    </message>
-    <message>
         <source>must not be smaller than that of the point before</source>
         <translation>darf nicht kleiner sein als beim Punkt davor</translation>
     </message>
@@ -6597,10 +6608,6 @@
     <message>
         <source>scene</source>
         <translation>Szene</translation>
-    </message>
-    <message>
-        <source>is missing; name the file or folder of the volume</source>
-        <translation>fehlt; nennen Sie Datei oder Ordner des Volumens</translation>
     </message>
     <message>
         <source>must be three letters, one of L and R, one of P and A, one of S and I</source>
@@ -7331,10 +7338,6 @@
         <translation>sie ist keine Darstellung, die Limn kennt</translation>
     </message>
     <message>
-        <source>open a preset of Limn or another program that `limn presets convert --help` lists</source>
-        <translation>öffnen Sie ein Preset von Limn oder eines der Programme, die `limn presets convert --help` auflistet</translation>
-    </message>
-    <message>
         <source>The ending of %1 names no kind of look that Limn writes; these do: %2.</source>
         <translation>Die Endung von %1 steht für keine Darstellung, die Limn schreibt; diese tun es: %2.</translation>
     </message>
@@ -7537,18 +7540,6 @@
     <message>
         <source>choose another file</source>
         <translation>wählen Sie eine andere Datei</translation>
-    </message>
-    <message>
-        <source>it is a property list in binary</source>
-        <translation>sie ist eine binäre Property List</translation>
-    </message>
-    <message>
-        <source>make it XML first (plutil -convert xml1)</source>
-        <translation>wandeln Sie sie zuerst in XML um (plutil -convert xml1)</translation>
-    </message>
-    <message>
-        <source>it is damaged XML</source>
-        <translation>sie ist beschädigtes XML</translation>
     </message>
     <message>
         <source>copy or save it again</source>
@@ -7773,14 +7764,6 @@
     <message>
         <source>Its gradient opacity was left out: Weasis has none.</source>
         <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Weasis hat keine.</translation>
-    </message>
-    <message>
-        <source>its attribute &quot;%1&quot; of &lt;%2&gt; is &quot;%3&quot; and no number</source>
-        <translation>ihr Attribut „%1“ von &lt;%2&gt; ist „%3“ und keine Zahl</translation>
-    </message>
-    <message>
-        <source>&lt;%1&gt; has no attribute &quot;%2&quot;</source>
-        <translation>&lt;%1&gt; hat kein Attribut „%2“</translation>
     </message>
     <message>
         <source>ParaView, vtk.js or VolView colour map</source>
@@ -8027,10 +8010,6 @@
         <translation>Die Szene gibt dem Label %1 eine Darstellung, das %2 nicht hat; nehmen Sie die Darstellung heraus oder wählen Sie eine andere Labelkarte.</translation>
     </message>
     <message>
-        <source>is missing; a look is a list of control points</source>
-        <translation>fehlt; eine Darstellung ist eine Liste von Punkten</translation>
-    </message>
-    <message>
         <source>no label has a look of its own</source>
         <translation>kein Label hat eine eigene Darstellung</translation>
     </message>
@@ -8087,26 +8066,6 @@
         <translation>muss eine Liste von 3 bis %1 Stellen [x, y] sein</translation>
     </message>
     <message>
-        <source>is missing; it is the one under which the line was drawn</source>
-        <translation>fehlt; es ist die Kamera, unter der die Linie gezeichnet wurde</translation>
-    </message>
-    <message>
-        <source>is missing; it is a place of the piece</source>
-        <translation>fehlt; es ist eine Stelle des Teils</translation>
-    </message>
-    <message>
-        <source>is missing; it is the lowest and the highest value of the piece</source>
-        <translation>fehlt; es ist der niedrigste und der höchste Wert des Teils</translation>
-    </message>
-    <message>
-        <source>is missing, and so are piece and labels; an entry is one of these</source>
-        <translation>fehlt, ebenso piece und labels; ein Eintrag ist eines davon</translation>
-    </message>
-    <message>
-        <source>has an entry that is no object, &quot;all&quot; or &quot;body&quot;</source>
-        <translation>hat einen Eintrag, der weder ein Objekt noch „all“ noch „body“ ist</translation>
-    </message>
-    <message>
         <source>must be &quot;all&quot;, &quot;body&quot;, {&quot;labels&quot;: FILE, &quot;weights&quot;: {…}} or a list of these and of cuts</source>
         <translation>muss „all“, „body“, {„labels“: DATEI, „weights“: {…}} oder eine Liste hiervon und von Schnitten sein</translation>
     </message>
@@ -8155,16 +8114,8 @@
         <translation>öffnen Sie die Segmentierung dieses Volumens</translation>
     </message>
     <message>
-        <source>must be a list of {&quot;name&quot;, &quot;camera&quot;}</source>
-        <translation>muss eine Liste von Einträgen mit „name“ und „camera“ sein</translation>
-    </message>
-    <message>
         <source>belongs to pieces with &quot;do&quot;: &quot;look&quot; alone</source>
         <translation>gehört nur zu Teilen, deren „do“ „look“ ist</translation>
-    </message>
-    <message>
-        <source>is missing; it is the piece&apos;s own list of control points</source>
-        <translation>fehlt; es ist die eigene Liste von Kontrollpunkten des Teils</translation>
     </message>
     <message>
         <source>must be a list of as many places as are measured: %1 of %2</source>
@@ -8269,10 +8220,6 @@
     <message>
         <source>The smoothing of normals was left out.</source>
         <translation>Die Glättung der Normalen wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>names the body or a segmentation twice; each can stand there once</source>
-        <translation>nennt den Körper oder eine Segmentierung zweimal; jedes kann dort einmal stehen</translation>
     </message>
     <message>
         <source>must be &quot;headlight&quot;, or a direction that is not zero, in world axes or as {&quot;camera&quot;: [right, up, forward]}</source>
@@ -8405,6 +8352,130 @@
     <message>
         <source>changes this picture by up to %1 of 255 levels, by %2 on average</source>
         <translation>ändert dieses Bild um bis zu %1 von 255 Stufen, im Mittel um %2</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of %1 × %2 pixels; choose a smaller one.</source>
+        <translation>Der Speicher reicht nicht für ein Bild von %1 × %2 Pixeln; wählen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>save the file again in the program that made it</source>
+        <translation>speichern Sie die Datei in ihrem Programm neu</translation>
+    </message>
+    <message>
+        <source>save the file again in the program that made it, or correct that in a text editor</source>
+        <translation>speichern Sie die Datei in ihrem Programm neu, oder berichtigen Sie das in einem Texteditor</translation>
+    </message>
+    <message>
+        <source>it does not hold what such a file holds</source>
+        <translation>sie enthält nicht, was eine solche Datei enthält</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; does not hold what it should: names and their values in braces</source>
+        <translation>ihr Eintrag „%1“ enthält nicht, was er soll: Namen und ihre Werte in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; %2</source>
+        <translation>ihr Eintrag „%1“ %2</translation>
+    </message>
+    <message>
+        <source>is %1 and must be %2</source>
+        <translation>ist %1 und muss %2 sein</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot; and must be one of %2</source>
+        <translation>ist „%1“ und muss eines von diesen sein: %2</translation>
+    </message>
+    <message>
+        <source>is nothing that Limn knows there</source>
+        <translation>ist nichts, was Limn dort kennt</translation>
+    </message>
+    <message>
+        <source>it is no %1 of Limn</source>
+        <translation>sie ist von Limn keine Datei der Art „%1“</translation>
+    </message>
+    <message>
+        <source>it is a %1 of a newer Limn</source>
+        <translation>sie stammt von einem neueren Limn (%1)</translation>
+    </message>
+    <message>
+        <source>open it with that one</source>
+        <translation>öffnen Sie sie mit diesem</translation>
+    </message>
+    <message>
+        <source>choose a preset of Limn, or a look that 3D Slicer, OsiriX, Horos, InVesalius, ParaView, Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue or ImageVis3D saved</source>
+        <translation>wählen Sie ein Preset von Limn oder eine Darstellung, die 3D Slicer, OsiriX, Horos, InVesalius, ParaView, Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue oder ImageVis3D gespeichert hat</translation>
+    </message>
+    <message>
+        <source>it is a property list that is not text</source>
+        <translation>sie ist eine Property List, die kein Text ist</translation>
+    </message>
+    <message>
+        <source>make it text first, on a Mac with: plutil -convert xml1 FILE</source>
+        <translation>machen Sie sie erst zu Text, auf einem Mac mit: plutil -convert xml1 DATEI</translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off</source>
+        <translation>sie ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; of &quot;%2&quot; is &quot;%3&quot; and no number</source>
+        <translation>ihr „%1“ von „%2“ ist „%3“ und keine Zahl</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; lacks &quot;%2&quot;</source>
+        <translation>ihrem „%1“ fehlt „%2“</translation>
+    </message>
+    <message>
+        <source>must be a list of names with cameras</source>
+        <translation>muss eine Liste von Namen mit Kameras sein</translation>
+    </message>
+    <message>
+        <source>is missing, which names the file of the label map</source>
+        <translation>fehlt, der die Datei der Labelkarte nennt</translation>
+    </message>
+    <message>
+        <source>is missing: a look is a list of control points</source>
+        <translation>fehlt: eine Darstellung ist eine Liste von Kontrollpunkten</translation>
+    </message>
+    <message>
+        <source>is missing, under which the line was drawn</source>
+        <translation>fehlt, die Kamera, unter der die Linie gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>is missing, which is a place of the piece</source>
+        <translation>fehlt, der eine Stelle des Teils ist</translation>
+    </message>
+    <message>
+        <source>is missing, which has the lowest and the highest value of the piece</source>
+        <translation>fehlt, der den niedrigsten und den höchsten Wert des Teils hat</translation>
+    </message>
+    <message>
+        <source>is missing, which is the piece&apos;s own list of control points</source>
+        <translation>fehlt, der die eigene Liste von Kontrollpunkten des Teils ist</translation>
+    </message>
+    <message>
+        <source>is missing, and so are piece and labels, of which an entry has one</source>
+        <translation>fehlt, ebenso piece und labels, von denen ein Eintrag eines hat</translation>
+    </message>
+    <message>
+        <source>names the body or a segmentation twice, and each can stand there once</source>
+        <translation>nennt den Körper oder eine Segmentierung zweimal, und jedes kann dort einmal stehen</translation>
+    </message>
+    <message>
+        <source>has an entry that is neither a part nor &quot;all&quot; or &quot;body&quot;</source>
+        <translation>hat einen Eintrag, der weder ein Teil ist noch „all“ oder „body“</translation>
+    </message>
+    <message>
+        <source>must be a list of points with gradient and opacity</source>
+        <translation>muss eine Liste von Punkten mit Gradient und Deckkraft sein</translation>
+    </message>
+    <message>
+        <source>is missing, which names the file or folder of the volume</source>
+        <translation>fehlt, der Datei oder Ordner des Volumens nennt</translation>
+    </message>
+    <message>
+        <source>Smooth normals of this volume take %1 GB of memory, and %2 GB are free; switch them off, or close other programs.</source>
+        <translation>Geglättete Normalen dieses Volumens brauchen %1 GB Speicher, und %2 GB sind frei; schalten Sie sie aus, oder schließen Sie andere Programme.</translation>
     </message>
 </context>
 <context>
@@ -9356,6 +9427,14 @@
         <source>&amp;Names, and what is hidden</source>
         <translation>&amp;Namen, und was ausgeblendet ist</translation>
     </message>
+    <message>
+        <source>Save the slice</source>
+        <translation>Schicht speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Names: plane, place, window</source>
+        <translation>&amp;Namen: Ebene, Lage, Fensterung</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureMenu</name>
@@ -9448,8 +9527,8 @@
         <translation>Diese Schicht speichern …</translation>
     </message>
     <message>
-        <source>Saves the same as a picture.</source>
-        <translation>Speichert dasselbe als Bild.</translation>
+        <source>Saves the same as a picture, as large as you like.</source>
+        <translation>Speichert dasselbe als Bild, so groß Sie wollen.</translation>
     </message>
 </context>
 <context>
@@ -10500,6 +10579,10 @@
         <source>Not now</source>
         <translation>Jetzt nicht</translation>
     </message>
+    <message>
+        <source>Open its folder</source>
+        <translation>Seinen Ordner öffnen</translation>
+    </message>
 </context>
 <context>
     <name>limn::SavingController</name>
@@ -10671,6 +10754,25 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SliceSaving</name>
+    <message>
+        <source>Copied the slice, %1 × %2 pixels.</source>
+        <translation>Schicht kopiert, %1 × %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>Another slice is being written; save this one once it is there.</source>
+        <translation>Eine andere Schicht wird noch geschrieben; speichern Sie diese, sobald jene da ist.</translation>
+    </message>
+    <message>
+        <source>Save the slice</source>
+        <translation>Schicht speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif)</source>
+        <translation>Bilder (*.png *.tif)</translation>
     </message>
 </context>
 <context>
@@ -11129,13 +11231,17 @@
         <source>shift curve by %1</source>
         <translation>Kurve um %1 verschieben</translation>
     </message>
+    <message>
+        <source>Tools that find no room here.</source>
+        <translation>Werkzeuge, die hier keinen Platz finden.</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
+    </message>
 </context>
 <context>
     <name>limn::TurnedBoxController</name>
-    <message>
-        <source>Turned box</source>
-        <translation>Gedrehte Box</translation>
-    </message>
     <message>
         <source>Turn the crop bo&amp;x to this view</source>
         <translation>Zuschnittbo&amp;x in diese Ansicht drehen</translation>
@@ -11147,6 +11253,14 @@
     <message>
         <source>The box lies as the picture does now. Its handles cut; the list of cuts has what they take.</source>
         <translation>Die Box liegt nun wie das Bild. Ihre Griffe schneiden; was sie wegnehmen, steht in der Liste der Schnitte.</translation>
+    </message>
+    <message>
+        <source>Turned box, front and back</source>
+        <translation>Gedrehte Box, vorn und hinten</translation>
+    </message>
+    <message>
+        <source>Turned box, four sides</source>
+        <translation>Gedrehte Box, vier Seiten</translation>
     </message>
 </context>
 <context>
