@@ -8,7 +8,7 @@
 
 namespace limn {
 
-/// What all numbers have that are shown, in fields too; locales write a hyphen, and read nothing else.
+/// What all numbers have that are shown, in fields too; most locales write a hyphen.
 inline constexpr QChar minusSign(0x2212);
 
 /// A number in the user's locale without grouping or trailing zeros, at most `decimals` of them.

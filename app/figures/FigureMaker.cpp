@@ -218,8 +218,7 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                                         ? withoutBackground(picture.image)
                                         : overBackground(picture.image, picture.scene.image.background);
              made.figure.panels[panel].scene = picture.scene;
-             if (figure.settings.shows(FigureMark::scaleBar))
-               made.figure.panels[panel].middleMm = seenInTheMiddle(picture);
+             made.figure.panels[panel].middleMm = seenInTheMiddle(picture);
              if (figure.panels[panel].isStated)
                state(made.figure.panels[panel], picture, order.effort);
              made.engine = picture.engine;

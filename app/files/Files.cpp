@@ -74,8 +74,8 @@ void RemarksController::say() {
   const MessageBar::Action openFolder{tr("Open its folder"), [this, folder] { m_opening.open(folder); }};
   const VolumeInfo& info = m_volume->info();
   m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1),
-                          !folder.isEmpty()        ? openFolder
-                          : !info.spacingKnown     ? setSpacing
+                          !info.spacingKnown       ? setSpacing // nothing else offers that
+                          : !folder.isEmpty()      ? openFolder
                           : !info.orientationKnown ? setOrientation
                                                    : MessageBar::Action{});
 }

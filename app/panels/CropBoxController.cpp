@@ -41,9 +41,11 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
     show();
   });
   connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
+    followScene(m_context.session.scene());
     if (news.state.resting)
       judge();
   });
+  connect(&m_judging, &BackgroundWork::failed, this, [this] { m_context.view.setCropHidesNothing(false); });
   connect(qApp, &QApplication::focusChanged, this,
           [this](const QWidget*, const QWidget* now) { followFocus(now); });
 }
@@ -66,7 +68,17 @@ void CropBoxController::begin(bool isShown) {
     m_begun.reset();
 }
 
-// Cameras and light change nothing of it.
+// Of another crop, or another volume, nothing is known, but that the box around the body hides nothing.
+void CropBoxController::followScene(const Scene& scene) {
+  if (m_judged.empty() || (m_judged.front().volume == scene.volume && m_judged.front().crop == scene.crop))
+    return;
+  m_judging.cancel();
+  m_judged.clear();
+  m_context.view.setCropHidesNothing(m_begun && m_begun->volume == scene.volume &&
+                                     m_begun->crop == scene.crop);
+}
+
+// Cameras and light change nothing of it. What lies on the disk is not read for it.
 void CropBoxController::judge() {
   std::vector<Scene> sides = m_context.view.scenesOfSides();
   for (Scene& side : sides) {
@@ -83,7 +95,8 @@ void CropBoxController::judge() {
     return;
   m_judged = sides;
   m_judging.cancel();
-  if (sides.empty() || !sides.front().volume || sides.front().crop == CropBox{})
+  if (sides.empty() || !sides.front().volume || sides.front().crop == CropBox{} ||
+      sides.front().volume->room())
     return m_context.view.setCropHidesNothing(false);
   m_judging.start([this, sides](const Effort& effort) -> BackgroundWork::Deliver {
     const bool hidesNothing =

@@ -42,6 +42,7 @@ private:
 
   void show();
   void begin(bool isShown);
+  void followScene(const Scene& scene);
   void judge();
   void followFocus(const QWidget* now);
 

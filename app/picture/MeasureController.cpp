@@ -211,6 +211,8 @@ void MeasureController::showBar() {
   if (!m_volume || (!inPicture && !inSlices))
     return m_bar->putAway();
   const QString hint = hintFor(inPicture, inSlices);
+  if (m_bar->isOut() && m_bar->hint() == hint) // slices are scrolled
+    return m_bar->lookAgain();
   m_bar->showHint(hint,
                   tr("What was measured is led by its ends and goes with Delete; a drag over the picture "
                      "rotates it. Esc takes back what is begun, then lays the tool aside."));

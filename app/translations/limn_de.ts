@@ -1981,15 +1981,15 @@
     </message>
     <message>
         <source>Between %1 and %2; %3 % of all boundaries</source>
-        <translation>Zwischen %1 und %2; %3 % aller Grenzflächen</translation>
+        <translation>Zwischen %1 und %2; %3&#xa0;% aller Grenzflächen</translation>
     </message>
     <message>
         <source>a quarter of the error: %1 paths, %2 s</source>
-        <translation>ein Viertel des Fehlers: %1 Pfade, %2 s</translation>
+        <translation>ein Viertel des Fehlers: %1 Pfade, %2&#xa0;s</translation>
     </message>
     <message>
         <source>%1 paths, %2 s</source>
-        <translation>%1 Pfade, %2 s</translation>
+        <translation>%1 Pfade, %2&#xa0;s</translation>
     </message>
     <message>
         <source>law of chance, 1/√n</source>
@@ -2001,7 +2001,7 @@
     </message>
     <message>
         <source>%1 % of the pixels brighter than white and cut off</source>
-        <translation>%1 % der Pixel heller als Weiß und abgeschnitten</translation>
+        <translation>%1&#xa0;% der Pixel heller als Weiß und abgeschnitten</translation>
     </message>
     <message>
         <source>Light: %1.</source>
@@ -7878,10 +7878,6 @@
         <translation>DICOM-Präsentationszustand eines Volumens</translation>
     </message>
     <message>
-        <source>is missing: this is no report of limn accuracy</source>
-        <translation>fehlt: Das ist kein Bericht von limn accuracy</translation>
-    </message>
-    <message>
         <source>must be a list of texts</source>
         <translation>muss eine Liste von Texten sein</translation>
     </message>
@@ -8475,7 +8471,11 @@
     </message>
     <message>
         <source>Smooth normals of this volume take %1 GB of memory, and %2 GB are free; switch them off, or close other programs.</source>
-        <translation>Geglättete Normalen dieses Volumens brauchen %1 GB Speicher, und %2 GB sind frei; schalten Sie sie aus, oder schließen Sie andere Programme.</translation>
+        <translation>Geglättete Normalen dieses Volumens brauchen %1&#xa0;GB Speicher, und %2&#xa0;GB sind frei; schalten Sie sie aus, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>it is no report of limn accuracy</source>
+        <translation>sie ist kein Bericht von limn accuracy</translation>
     </message>
 </context>
 <context>

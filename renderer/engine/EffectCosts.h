@@ -39,8 +39,8 @@ public:
 /// Measures what each effect of a picture costs by leaving it out: a whole picture and one without a row's
 /// effects are drawn one after the other, in turn for all rows, after one pixel each that compiles and
 /// uploads. So what else the machine does weighs on both sides of a difference alike. One whole picture at
-/// a time, so that a window stays awake. Of shadows and occlusion it tells what they bring to the picture,
-/// too.
+/// a time, so that a window stays awake; a drawing may take more to calibrate itself. Of shadows and
+/// occlusion it tells what they bring to the picture, too.
 class EffectCosts {
 public:
   /// `rows` are those of the scene's plan; what is off costs nothing and is not measured. A crop box is

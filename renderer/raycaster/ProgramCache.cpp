@@ -28,7 +28,8 @@ const ShaderProgram& ProgramCache::used(Held& held) {
   return held.program;
 }
 
-ProgramCache::ProgramCache(const Decisions& decisions, SourceOf sourceOf) : m_sourceOf(std::move(sourceOf)) {
+ProgramCache::ProgramCache(const Decisions& decisions, SourceOf sourceOf, std::size_t mostHeld)
+    : m_sourceOf(std::move(sourceOf)), m_mostHeld(mostHeld) {
   if (!m_sourceOf)
     m_sourceOf = [decisions](EffectSet effects) { return fragmentSource(effects, decisions); };
 }
@@ -68,7 +69,7 @@ const ShaderProgram& ProgramCache::exactly(EffectSet effects) {
 void ProgramCache::start(EffectSet effects) {
   if (has(effects))
     return;
-  if (m_programs.size() >= most)
+  if (m_programs.size() >= m_mostHeld)
     dropOldest();
   ShaderProgram program(vertexSource(), m_sourceOf(effects), ShaderProgram::Linking::started);
   m_programs.emplace(effects, Held{std::move(program), ++m_uses});

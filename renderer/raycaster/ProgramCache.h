@@ -14,7 +14,7 @@ namespace limn {
 
 /// The programs compiled so far, by their effects. Compiling takes a driver long enough to be felt, so a
 /// picture that a known program can draw does not wait for one of its own: that is asked for when there is
-/// time. Of more than `most` the one that was not used for longest goes: hours of work ask for hundreds, and
+/// time. Of more than so many the one that was not used for longest goes: hours of work ask for hundreds, and
 /// each takes megabytes in a software driver.
 class ProgramCache {
 public:
@@ -23,8 +23,8 @@ public:
   /// The text of the fragment shader for effects.
   using SourceOf = std::function<ShaderSource(EffectSet)>;
 
-  /// The programs of one set of decisions, or of other sources.
-  explicit ProgramCache(const Decisions& decisions = {}, SourceOf sourceOf = {});
+  /// The programs of one set of decisions, or of other sources; so many of them at most, 1 or more.
+  explicit ProgramCache(const Decisions& decisions = {}, SourceOf sourceOf = {}, std::size_t mostHeld = most);
 
   /// The program of a canonical set; while there is none, the smallest that draws the same picture
   /// (`canStandIn`); without such, compiles it. One that the driver refuses is replaced by one that looks at
@@ -64,6 +64,7 @@ private:
   void dropOldest();
 
   SourceOf m_sourceOf;
+  std::size_t m_mostHeld;
   std::map<EffectSet, Held> m_programs;
   std::uint64_t m_uses = 0;
   int m_started = 0;

@@ -65,6 +65,7 @@ struct RayCaster::Parts {
   LightVolumes lightOf(const Scene& scene);
   void updateLight(const Scene& scene, EffectSet effects);
   const ShaderProgram& programOf(EffectSet effects, const Scene& scene);
+  bool isOfNodes(EffectSet effects, const Scene& scene);
   void tryOut(ProgramCache& cache, EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
@@ -72,7 +73,8 @@ RayCaster::Parts::Parts(const Decisions& chosen, const VolumeRoom& room)
     : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen),
       nodePrograms(
           chosen,
-          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, ShadowLooks::nodesAlone); }),
+          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, ShadowLooks::nodesAlone); },
+          ProgramCache::most / 5),
       filter(chosen) {
   const SavedState saved;
   const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
@@ -152,10 +154,13 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
 const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene& scene) {
   if (leftOut || compilesAllEffects)
     return programs.exactly(effects);
-  const bool isOfNodes = effects.has(Effect::shadow) &&
-                         !light.looksNear(scene.volume->grid(), scene.quality.light == LightDetail::fine) &&
-                         nodePrograms.isAtHand(effects);
-  return isOfNodes ? nodePrograms.programFor(effects) : programs.programFor(effects);
+  return isOfNodes(effects, scene) ? nodePrograms.programFor(effects) : programs.programFor(effects);
+}
+
+bool RayCaster::Parts::isOfNodes(EffectSet effects, const Scene& scene) {
+  return effects.has(Effect::shadow) &&
+         !light.looksNear(scene.volume->grid(), scene.quality.light == LightDetail::fine) &&
+         nodePrograms.isAtHand(effects);
 }
 
 // The box outside which all pixels are empty.
@@ -285,7 +290,10 @@ std::string RayCaster::fragmentShader(const Scene& scene) {
   const EffectPlan needed = plan(scene);
   if (!needed.isVisible)
     return {};
-  return fragmentSource(m_parts->programFor(needed.effects, Content::picture), m_parts->decisions).text;
+  const EffectSet effects = m_parts->programFor(needed.effects, Content::picture);
+  const ShadowLooks looks =
+      m_parts->isOfNodes(effects, scene) ? ShadowLooks::nodesAlone : ShadowLooks::nearby;
+  return fragmentSource(effects, m_parts->decisions, looks).text;
 }
 
 bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
@@ -297,8 +305,13 @@ bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
     m_parts->tryOut(m_parts->programs, needed.effects, scene, size);
     return true;
   }
-  if (needed.effects.has(Effect::shadow) && !m_parts->nodePrograms.has(needed.effects)) {
-    m_parts->tryOut(m_parts->nodePrograms, needed.effects, scene, size);
+  if (needed.effects.has(Effect::shadow) && m_parts->programs.isAtHand(needed.effects) &&
+      !m_parts->nodePrograms.has(needed.effects)) {
+    try {
+      m_parts->tryOut(m_parts->nodePrograms, needed.effects, scene, size);
+    } catch (const DriverError&) {
+      // Without it what moves is drawn by the other, which draws the same.
+    }
     return true;
   }
   for (const Scene& neighbour : neighbours(scene)) {

@@ -99,8 +99,7 @@ TEST(AccuracyFile, keepsTimesWhereErrorsAreUnknown) {
 
 TEST(AccuracyFile, sayWhatIsNoReport) {
   EXPECT_EQ(
-      refusal("{}").find("Cannot read accuracy.json: its \"scene\" is missing: this is no report of limn "
-                         "accuracy; "),
+      refusal("{}").find("Cannot read accuracy.json: it is no report of limn accuracy; choose another file"),
       0u)
       << refusal("{}");
   std::string text = accuracyJson(reportOf("a", {pointAt(1.0, 2.0, 10.0)}).report);

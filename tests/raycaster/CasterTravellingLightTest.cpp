@@ -146,9 +146,14 @@ TEST_F(CasterTravellingLight, whatMovesHasAProgramOfItsOwnThatDrawsTheSame) {
     const Image before = caster.render(moving, pictureSize);
     const int programs = caster.compiledPrograms();
     EXPECT_EQ(programs, 1) << one.what;
+    const auto looksAtNodesAlone = [&](const Scene& drawn) {
+      return caster.fragmentShader(drawn).find("#define NODES_ALONE") != std::string::npos;
+    };
+    EXPECT_FALSE(looksAtNodesAlone(moving)) << one.what;
     const FloatTarget sheet({16, 16});
     caster.warmUp(scene, {16, 16});
     EXPECT_EQ(caster.compiledPrograms(), programs + 1) << one.what;
+    EXPECT_EQ(looksAtNodesAlone(moving), caster.plan(scene).effects.has(Effect::shadow)) << one.what;
     // Compilers reorder sums: floats, not levels.
     EXPECT_LE(imageError(caster.render(moving, pictureSize), before).largest, 0.01) << one.what;
     EXPECT_EQ(caster.render(scene, pictureSize), fine) << one.what;

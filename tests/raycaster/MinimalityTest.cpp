@@ -26,7 +26,9 @@ std::string preprocessed(const std::string& text) {
     std::string directive;
     std::string name;
     words >> directive >> name;
-    if (directive == "#if") // of defined(…) || defined(…) alone
+    if (directive == "#if" && active.back() && line.find_first_of("!&") != std::string::npos)
+      ADD_FAILURE() << "this test reads defined(…) || defined(…) alone, not " << line;
+    if (directive == "#if")
       active.push_back(active.back() && std::ranges::any_of(defined, [&line](const std::string& one) {
                          return line.find("defined(" + one + ")") != std::string::npos;
                        }));

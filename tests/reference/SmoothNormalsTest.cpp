@@ -198,6 +198,16 @@ TEST(SmoothNormals, takeTheMemoryThereIsOrSayThatThereIsNone) {
   all = 2 * each;
   field.update(volume, 3.0);
   EXPECT_EQ(field.ownBytes(), 2 * each) << "again there is room for both";
+  // Whoever draws holds a field until it has the next one, which takes its place then.
+  std::uint64_t free = each;
+  GradientField drawn([&]() -> std::optional<std::uint64_t> { return free; });
+  drawn.update(volume, 6.0);
+  std::shared_ptr<const Volume> held = drawn.smoothed();
+  free = 0;
+  drawn.update(volume, 3.0);
+  EXPECT_NE(drawn.smoothed(), nullptr);
+  held.reset();
+  EXPECT_THROW(drawn.update(volume, 4.0), Error);
   all = each - 1;
   GradientField another([&]() -> std::optional<std::uint64_t> { return all; });
   try {

@@ -89,6 +89,14 @@ TEST(CropsOnlyUnseen, tellsAirFromWhatIsSeenHoweverFaint) {
       }
 }
 
+// What lies low on a wide ramp is far below what a picture is framed on, and adds up along a ray.
+TEST(CropsOnlyUnseen, knowsWhatIsFaintByARamp) {
+  Scene scene = sceneWithBox({30, 20, 16}, {5, 6, 7}, {12, 9, 8});
+  scene.crop.lower.x = 0.5; // behind all of the box
+  scene.transferFunction.points = {{0.0, glm::dvec3(1.0), 0.0}, {3e4, glm::dvec3(1.0), 0.8}};
+  EXPECT_FALSE(cropsOnlyUnseen(scene));
+}
+
 TEST(CropsOnlyUnseen, knowsWhatIsHiddenAlreadyAndWhereAirCounts) {
   Scene scene = sceneWithBox({30, 20, 16}, {5, 6, 7}, {12, 9, 8});
   scene.crop.lower.x = 0.5; // behind all of the box
@@ -101,6 +109,11 @@ TEST(CropsOnlyUnseen, knowsWhatIsHiddenAlreadyAndWhereAirCounts) {
     scene.projection = projection;
     EXPECT_FALSE(cropsOnlyUnseen(scene));
   }
+  // The largest of a ray hides what shows where the curve hides it.
+  scene.projection = Projection::mip;
+  EXPECT_TRUE(cropsOnlyUnseen(scene));
+  scene.transferFunction.points.push_back({200.0, glm::dvec3(1.0), 0.0});
+  EXPECT_FALSE(cropsOnlyUnseen(scene));
   // A surface is seen by its value, whatever the curve makes of it.
   scene.keep = {};
   scene.projection = Projection::isosurface;

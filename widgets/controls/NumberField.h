@@ -35,7 +35,9 @@ public:
   void setFitted(const QString& leastText);
 
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override {
+    return m_leastText ? sizeHint() : QDoubleSpinBox::minimumSizeHint();
+  }
 
   /// "10 %" means 0.1.
   void setTakesPercent(bool takes) { m_takesPercent = takes; }

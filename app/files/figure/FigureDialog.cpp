@@ -270,6 +270,7 @@ void FigureDialog::begin(bool isNew) {
   if (!isNew)
     return;
   m_drawn = {};
+  m_made.clear();
   m_outcome.clear();
   m_preview->setPictures({});
   show(); // the preview is as large as it is seen
@@ -391,7 +392,8 @@ Figure FigureDialog::withWhatIsKnown(Figure figure) const {
       continue;
     const auto drawn = std::ranges::find_if(
         m_drawn.panels, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
-    if (const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin()); at < m_made.size()) {
+    const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin());
+    if (drawn != m_drawn.panels.end() && at < m_made.size()) {
       panel.middleMm = m_made[at].middleMm;
       panel.cropHidesNothing = m_made[at].cropHidesNothing;
     }

@@ -159,8 +159,11 @@ void ThumbnailController::begin() {
   if (!m_volume)
     return;
   m_wait.stop();
-  m_wanted = missing();
   m_phase = Phase::drawing;
+  const Scene& scene = m_context.session.scene();
+  if (!m_object || m_objectKeep != scene.keep || m_objectCrop != scene.crop)
+    return findObject(scene);
+  m_wanted = missing();
   const QSize size =
       QSize(largeThumbnailWidth, largeThumbnailHeight) * m_presets.browser().devicePixelRatioF();
   m_work.start([this, painter = m_painter, wanted = m_wanted,
@@ -172,6 +175,24 @@ void ThumbnailController::begin() {
     return [this] {
       m_phase = Phase::complete;
       emit completed();
+    };
+  });
+}
+
+// Whatever the curve shows of it: what is kept without the air around it.
+void ThumbnailController::findObject(const Scene& scene) {
+  Scene solid = scene;
+  solid.projection = Projection::isosurface;
+  solid.isovalue = objectThreshold(m_context.document.histogram());
+  m_work.start([this, solid](const BackgroundWork::Line& line) -> BackgroundWork::Deliver {
+    const bool isOnDisk = solid.volume->room() != nullptr; // and not read for this
+    VisibleVoxels found =
+        isOnDisk ? allVoxelsOf(solid.volume->grid(), solid.crop) : visibleVoxels(solid, line.effort);
+    return [this, solid, found = std::move(found)] {
+      m_object = found;
+      m_objectKeep = solid.keep;
+      m_objectCrop = solid.crop;
+      begin();
     };
   });
 }
@@ -195,24 +216,10 @@ std::vector<Thumbnail> ThumbnailController::missing() {
 // From the side that is looked from, all of it: what is enlarged are specks of colour, which nobody tells
 // apart.
 Camera ThumbnailController::cameraOf(const Scene& scene) {
-  const Camera whole = framed(scene.camera, scene.volume->grid(), objectIn(scene), thumbnailAspect);
+  const Camera whole = framed(scene.camera, scene.volume->grid(), *m_object, thumbnailAspect);
   if (m_shown.empty() || !seeAlike(m_camera, whole))
     m_camera = whole;
   return m_camera;
-}
-
-// Whatever the curve shows of it: what is kept without the air around it.
-const VisibleVoxels& ThumbnailController::objectIn(const Scene& scene) {
-  if (m_object && m_objectKeep == scene.keep && m_objectCrop == scene.crop)
-    return *m_object;
-  m_objectKeep = scene.keep;
-  m_objectCrop = scene.crop;
-  Scene solid = scene;
-  solid.projection = Projection::isosurface;
-  solid.isovalue = objectThreshold(m_context.document.histogram());
-  const bool isOnDisk = scene.volume->room() != nullptr; // and not read for this
-  m_object = isOnDisk ? allVoxelsOf(scene.volume->grid(), scene.crop) : visibleVoxels(solid);
-  return *m_object;
 }
 
 void ThumbnailController::receive(const QString& name, const QImage& picture, bool showsNothing) {

@@ -76,7 +76,7 @@ private:
   void stop();
   std::vector<Thumbnail> missing();
   Camera cameraOf(const Scene& scene);
-  const VisibleVoxels& objectIn(const Scene& scene);
+  void findObject(const Scene& scene);
   void receive(const QString& name, const QImage& picture, bool showsNothing);
 
   WindowContext& m_context;

@@ -179,13 +179,15 @@ PathFigures PathPicture::figures(const Shading& shading, int threads) const {
   return figures;
 }
 
-// The oldest of the smallest, of which drags leave many.
+// The oldest of the coarse ones, of which drags leave many; else the oldest of all.
 PathPictures::Kept::iterator PathPictures::leastWorth() {
-  auto least = m_pictures.end() - 1;
-  for (auto one = least; one != m_pictures.begin() + alwaysKept; --one)
-    if ((*(one - 1))->bytes() < (*least)->bytes())
-      least = one - 1;
-  return least;
+  std::size_t largest = 0;
+  for (const std::unique_ptr<PathPicture>& one : m_pictures)
+    largest = std::max(largest, one->bytes());
+  for (auto one = m_pictures.end(); one != m_pictures.begin() + alwaysKept;)
+    if (2 * (*--one)->bytes() < largest)
+      return one;
+  return m_pictures.end() - 1;
 }
 
 std::size_t PathPictures::bytes() const {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/reports/AccuracyFile.h"
+#include "io/reading/ReadError.h"
 
 #include "accuracy/sweep/AccuracySweep.h"
 #include "io/json/JsonFields.h"
+#include "io/reading/ReadError.h"
 #include "io/reports/PointNames.h"
 
 #include <nlohmann/json.hpp>
@@ -105,7 +107,7 @@ AccuracyReport parseAccuracy(std::string_view text, const std::string& name) {
   JsonFields fields(json, name, "");
   for (const char* key : {"scene", "renderer", "machine", "reference", "points"})
     if (!fields.has(key))
-      fields.fail(key, Message::tr("is missing: this is no report of limn accuracy"));
+      failReading(name, Message::tr("it is no report of limn accuracy"), Message::tr("choose another file"));
   AccuracyReport report;
   fields.text("scene", report.scene);
   fields.text("renderer", report.renderer);

@@ -33,8 +33,9 @@ int unitVoxelsFor(const VoxelBox& box, std::int64_t most) {
 // Which scalars show, given the weight that the region leaves their opacity, under one function.
 class ShownByOne {
 public:
-  ShownByOne(const Scene& scene, const TransferFunction& function)
-      : m_function(function), m_isComposite(scene.projection != Projection::isosurface) {
+  ShownByOne(const Scene& scene, const TransferFunction& function, double leastOpacity)
+      : m_function(function), m_leastOpacity(leastOpacity),
+        m_isComposite(scene.projection != Projection::isosurface) {
     if (showsSurface(scene.projection))
       m_isovalue = scene.isovalue;
   }
@@ -42,19 +43,19 @@ public:
   bool at(double scalar, double weight) const {
     if (m_isovalue && scalar >= *m_isovalue && weight >= 0.5)
       return true;
-    return m_isComposite && classify(m_function, scalar).opacity * weight >= visibleOpacity;
+    return m_isComposite && classify(m_function, scalar).opacity * weight >= m_leastOpacity;
   }
 
   // Whether those between two do, all or none; nothing where they may differ.
   std::optional<bool> between(double lowest, double highest) const {
     // What is interpolated between two opacities may lie beyond both by rounding.
-    constexpr double rounding = 1e-9 * visibleOpacity;
+    const double rounding = 1e-9 * m_leastOpacity;
     const bool mayReach = m_isovalue && highest >= *m_isovalue;
     if (!mayReach &&
-        !(m_isComposite && largestOpacityWithin(m_function, lowest, highest) >= visibleOpacity - rounding))
+        !(m_isComposite && largestOpacityWithin(m_function, lowest, highest) >= m_leastOpacity - rounding))
       return false;
     if ((m_isovalue && lowest >= *m_isovalue) ||
-        (m_isComposite && leastOpacityWithin(lowest, highest) >= visibleOpacity + rounding))
+        (m_isComposite && leastOpacityWithin(lowest, highest) >= m_leastOpacity + rounding))
       return true;
     return std::nullopt;
   }
@@ -69,6 +70,7 @@ private:
   }
 
   TransferFunction m_function;
+  double m_leastOpacity;
   bool m_isComposite;
   std::optional<double> m_isovalue;
 };
@@ -76,9 +78,9 @@ private:
 // The same under the functions of several looks: whatever one of them shows, or one alone.
 class Shown {
 public:
-  Shown(const Scene& scene, const LabelLooks& looks) {
+  Shown(const Scene& scene, const LabelLooks& looks, double leastOpacity) {
     for (const TransferFunction& function : looks.functions)
-      m_each.emplace_back(scene, function);
+      m_each.emplace_back(scene, function, leastOpacity);
   }
 
   bool at(double scalar, double weight) const {
@@ -108,9 +110,9 @@ private:
 template <class T>
 class VoxelTest {
 public:
-  VoxelTest(const Scene& scene, const StoredVoxels<T>& stored)
+  VoxelTest(const Scene& scene, const StoredVoxels<T>& stored, double leastOpacity)
       : m_stored(stored), m_rescale(scene.volume->rescale()), m_looks(labelLooks(scene)),
-        m_shown(scene, m_looks),
+        m_shown(scene, m_looks, leastOpacity),
         m_region(isRestricting(scene.keep) || m_looks.areAny() ? &scene.keep : nullptr),
         m_range(scene.volume->range()) {
     if (!isSmall && m_range.highest > m_range.lowest)
@@ -403,14 +405,15 @@ VisibleVoxels joined(const VisibleVoxels& a, const VisibleVoxels& b) {
   return both;
 }
 
-VisibleVoxels visibleWithin(const Scene& scene, const VoxelBox& box, int unitVoxels, const Effort& effort) {
+VisibleVoxels visibleWithin(const Scene& scene, const VoxelBox& box, int unitVoxels, const Effort& effort,
+                            double leastOpacity) {
   if (isEmpty(box))
     return none(unitVoxels);
   const Volume& volume = *scene.volume;
   const glm::ivec3 dims = volume.grid().dims;
   const VoxelBox held = volume.part() ? volume.part()->box : allVoxels(volume.grid());
   const auto look = [&]<class T>(const StoredVoxels<T>& stored) {
-    const VoxelTest<T> test(scene, stored);
+    const VoxelTest<T> test(scene, stored, leastOpacity);
     return gathered(box, unitVoxels, effort, [&](int first, int y, int z, std::vector<std::uint64_t>& bits) {
       const glm::ivec3 inHeld(-held.lower.x, y - held.lower.y, z - held.lower.z);
       for (int word = 0; word < static_cast<int>(bits.size()); ++word) {
@@ -466,20 +469,32 @@ IndexBox visibleBox(const Scene& scene, const Effort& effort) {
           glm::min(glm::dvec3(found.upper) + 0.5 - centre, cropped.upper)};
 }
 
+namespace {
+
+// A thousand unit distances of what is fainter add a quarter of one of 255 levels.
+constexpr double faintestOpacity = 1e-6;
+
+// Whether a scalar without opacity lies above one with: as the largest of a ray it hides what shows.
+bool hidesAboveWhatShows(const TransferFunction& function) {
+  bool shows = false;
+  for (const ControlPoint& point : function.points) {
+    if (shows && !(point.opacity > 0.0))
+      return true;
+    shows = point.opacity > 0.0;
+  }
+  return false;
+}
+
+} // namespace
+
 bool cropsOnlyUnseen(const Scene& scene, const Effort& effort) {
   const Grid& grid = scene.volume->grid();
   if (scene.projection == Projection::minip || scene.projection == Projection::average ||
+      (scene.projection == Projection::mip && hidesAboveWhatShows(scene.transferFunction)) ||
       scene.volume->part())
     return false;
   Scene whole = scene;
   whole.crop = {};
-  // However little of it shows: what is too faint to frame on adds up along a ray.
-  const auto makeOpaque = [](TransferFunction& function) {
-    for (ControlPoint& point : function.points)
-      point.opacity = point.opacity > 0.0 ? 1.0 : 0.0;
-  };
-  makeOpaque(whole.transferFunction);
-  std::ranges::for_each(whole.keep.looks, makeOpaque);
   const VoxelBox left = croppedVoxels(grid, scene.crop);
   VoxelBox rest = allVoxels(grid);
   // Slab by slab off each face, so that no voxel is looked at twice.
@@ -490,7 +505,7 @@ bool cropsOnlyUnseen(const Scene& scene, const Effort& effort) {
     rest.lower[axis] = below.upper[axis] = std::min(lower, rest.upper[axis]);
     rest.upper[axis] = above.lower[axis] = std::max(upper, rest.lower[axis]);
     for (const VoxelBox& slab : {below, above})
-      if (visibleWithin(whole, slab, unitVoxelsFor(slab), effort).voxels > 0)
+      if (visibleWithin(whole, slab, unitVoxelsFor(slab), effort, faintestOpacity).voxels > 0)
         return false;
   }
   return true;

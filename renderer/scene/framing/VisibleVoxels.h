@@ -50,10 +50,10 @@ int unitVoxelsFor(const VoxelBox& box);
 /// within what is visible, which framing never asks for, are left out (withoutInner). Throws Cancelled.
 VisibleVoxels visibleVoxels(const Scene& scene, const Effort& effort = {});
 
-/// Those within a box that count so and that the volume holds, in units of `unitVoxels`; maybe none. Throws
-/// Cancelled.
+/// Those within a box that count so, from another opacity on if one is given, and that the volume holds, in
+/// units of `unitVoxels`; maybe none. Throws Cancelled.
 VisibleVoxels visibleWithin(const Scene& scene, const VoxelBox& box, int unitVoxels,
-                            const Effort& effort = {});
+                            const Effort& effort = {}, double leastOpacity = visibleOpacity);
 
 /// All voxels that a crop leaves, without inner blocks; where it leaves the centre of none, those nearest to
 /// it. To half a voxel where they are more than 2²⁴.
@@ -65,7 +65,7 @@ IndexBox visibleBox(const Scene& scene, const Effort& effort = {});
 
 /// Whether the crop takes nothing away that would be seen, be it as faint as the curve makes it: that lies a
 /// voxel and more within the faces that cut. False of projections to which what is transparent adds as well
-/// (minimum, average), and of a part of a volume. Throws Cancelled.
+/// (minimum, average; maximum where it may hide what shows), and of a part of a volume. Throws Cancelled.
 bool cropsOnlyUnseen(const Scene& scene, const Effort& effort = {});
 
 /// Voxels of both boxes; an empty box where there is none.

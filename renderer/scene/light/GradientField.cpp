@@ -16,7 +16,8 @@ constexpr std::size_t mostSmoothed = 2;
 double GradientField::more(const std::shared_ptr<const Volume>& volume, double sigmaMm,
                            const Effort& effort) {
   if (m_volume != volume)
-    m_smoothed.clear();
+    while (!m_smoothed.empty())
+      dropLast();
   m_volume = volume;
   m_plain.setVolume(m_volume);
   m_isAskedFor = false;
@@ -42,15 +43,23 @@ double GradientField::more(const std::shared_ptr<const Volume>& volume, double s
 // room.
 void GradientField::makeRoom() {
   if (m_smoothed.size() == mostSmoothed)
-    m_smoothed.pop_back();
+    dropLast();
   while (!m_smoothed.empty() && !holdsOneMore())
-    m_smoothed.pop_back();
-  if (!holdsOneMore())
+    dropLast();
+  // Who draws holds the field of the last picture until it has the next, which then takes its place.
+  std::erase_if(m_dropped, [](const std::weak_ptr<const Volume>& one) { return one.expired(); });
+  if (m_dropped.empty() && !holdsOneMore())
     throw Error(Error::Kind::other,
                 Message::tr("Smooth normals of this volume take %1 GB of memory, and %2 GB are free; switch "
                             "them off, or close other programs.")
                     .arg(Message::fixed(1e-9 * static_cast<double>(bytesEach()), 1),
                          Message::fixed(1e-9 * static_cast<double>(m_free().value_or(0)), 1)));
+}
+
+void GradientField::dropLast() {
+  if (const std::shared_ptr<const Volume> field = m_smoothed.back().smoothing.smoothed())
+    m_dropped.push_back(field);
+  m_smoothed.pop_back();
 }
 
 bool GradientField::holdsOneMore() const {

@@ -56,14 +56,16 @@ private:
   };
 
   void makeRoom();
+  void dropLast();
   bool holdsOneMore() const;
   std::size_t bytesEach() const;
 
   std::function<std::optional<std::uint64_t>()> m_free;
   std::shared_ptr<const Volume> m_volume;
   GradientScales m_plain;
-  std::deque<Smoothed> m_smoothed; ///< the one asked for last first
-  bool m_isAskedFor = false;       ///< and done
+  std::deque<Smoothed> m_smoothed;                    ///< the one asked for last first
+  std::vector<std::weak_ptr<const Volume>> m_dropped; ///< which others may still hold
+  bool m_isAskedFor = false;                          ///< and done
 };
 
 /// The gradient that light and boundaries of a picture follow at a continuous index, along the grid's axes,

@@ -328,7 +328,7 @@ TEST_F(SliceCutWindow, aSliceIsSavedAsLargeAsAskedForAndSaysThatItIsNotForDiagno
             PlanePictures().picture(seen.content, seen.frame.grid, 1).convertToFormat(QImage::Format_RGB32))
       << "no marks: the slice alone";
 
-  // Through the menu: twice as large, with twice as many pixels of the volume below the same marks.
+  // Twice as large, with twice as many pixels of the volume below the same marks.
   bool isAsked = false;
   onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
     isAsked = true;

@@ -27,6 +27,8 @@ public:
   /// `stay` give way to the buttons, the others take a row.
   void showHint(const QString& text, const QString& tip, bool stays = true);
   QString hint() const;
+  /// Whether its tool is in hand, be it out of the way or not.
+  bool isOut() const { return m_isOut; }
   /// While this says so the bar is out of the way: what it lies on may be meant.
   void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
 

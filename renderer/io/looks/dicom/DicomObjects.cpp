@@ -207,7 +207,7 @@ std::string segmentsFile(const Scene& scene, const DicomWriting& writing, DcmIte
   putSubject(object, image, subjectOf(writing));
   putOrigin(object, UID_SegmentationStorage, "SEG", "Limn segments", identity, writing.version);
   putText(object, DCM_SeriesNumber, "1"); // of which a segmentation has one
-  putSegmentNames(object, scene.keep, scene.volume->info().unit);
+  putSegmentNames(object, scene.keep, scene.volume->grid(), scene.volume->info().unit);
   return bytesOf(file);
 }
 
@@ -223,7 +223,7 @@ std::unique_ptr<DcmFileFormat> imageOf(const SeriesImages& series) {
 } // namespace
 
 bool hasSegments(const Scene& scene) {
-  return dicom::hasSegments(scene.keep);
+  return dicom::hasSegments(scene.keep, scene.volume->grid());
 }
 
 DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing) {

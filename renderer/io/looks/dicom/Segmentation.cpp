@@ -4,6 +4,7 @@
 #include "io/dicom/DicomSegmentation.h"
 #include "scene/basics/Message.h"
 #include "scene/regions/BodyAndLabels.h"
+#include "scene/volume/NearestVoxel.h"
 #include "scene/volume/VolumePart.h"
 
 #include <dcmtk/dcmfg/fgderimg.h>
@@ -49,14 +50,23 @@ std::vector<std::string> pieceNames(const Region& keep, const std::string& unit)
   return names;
 }
 
+// Whether the seed of a piece is among what was cut away. What took a piece took its seed; where nothing was
+// found there it took neither.
+bool isSeedRemoved(const Region& keep, const Grid& grid, const ConnectedPiece& piece) {
+  const std::optional<glm::ivec3> voxel = nearestVoxel(worldToIndex(grid, piece.seedMm), grid.dims);
+  return voxel && keep.labels->placeAt(voxelOffset(grid.dims, voxel->x, voxel->y, voxel->z)) + 1 ==
+                      keep.labels->labels().size();
+}
+
 // What went, by the names of the cuts that took it; lines that have none are only counted, beside others.
-std::string removedName(const Region& keep, const std::string& unit) {
+std::string removedName(const Region& keep, const Grid& grid, const std::string& unit) {
   std::string names;
   const auto add = [&names](const std::string& name) { names += (names.empty() ? "" : "; ") + name; };
   int lines = 0;
   for (const Cut& cut : keep.cuts) {
     const auto* piece = std::get_if<ConnectedPiece>(&cut.how);
-    if (!takesAway(cut))
+    if (!takesAway(cut) ||
+        (piece && isSeedRemoved(keep, grid, *piece) != (piece->fate == ConnectedPiece::Fate::hidden)))
       continue;
     if (piece && piece->fate == ConnectedPiece::Fate::alone)
       add("all but " + (cut.name.empty() ? "piece " + rangeOf(*piece, unit) : cut.name));
@@ -73,16 +83,20 @@ std::string removedName(const Region& keep, const std::string& unit) {
 }
 
 // What a piece that was kept alone leaves of everything, or of the body; otherwise what that is called.
-std::string keptName(const Region& keep, const std::string& unit, const std::string& otherwise) {
+std::string keptName(const Region& keep, const Grid& grid, const std::string& unit,
+                     const std::string& otherwise) {
   std::string name = otherwise;
+  if (std::none_of(keep.cuts.begin(), keep.cuts.end(), takesAway) ||
+      isEmpty(keep.labels->boxAround(keep.labels->labels().size() - 1)))
+    return name;
   for (const Cut& cut : keep.cuts)
     if (const auto* piece = std::get_if<ConnectedPiece>(&cut.how);
-        piece && cut.isOn && piece->fate == ConnectedPiece::Fate::alone)
+        piece && cut.isOn && piece->fate == ConnectedPiece::Fate::alone && !isSeedRemoved(keep, grid, *piece))
       name = cut.name.empty() ? "Kept: piece " + rangeOf(*piece, unit) : cut.name;
   return name;
 }
 
-std::vector<Written> writtenOf(const Region& keep, const std::string& unit = {}) {
+std::vector<Written> writtenOf(const Region& keep, const Grid& grid, const std::string& unit = {}) {
   std::vector<Written> written;
   if (!keep.labels)
     return written;
@@ -96,11 +110,11 @@ std::vector<Written> writtenOf(const Region& keep, const std::string& unit = {})
       continue;
     std::string name = labels[place].name;
     if (place >= own)
-      name = place - own < pieces.size() ? pieces[place - own] : removedName(keep, unit);
+      name = place - own < pieces.size() ? pieces[place - own] : removedName(keep, grid, unit);
     else if (keep.kind == Region::Kind::all)
-      name = keptName(keep, unit, "Kept");
+      name = keptName(keep, grid, unit, "Kept");
     else if (keep.kind == Region::Kind::body && place == 1)
-      name = keptName(keep, unit, name);
+      name = keptName(keep, grid, unit, name);
     written.push_back({place, name, labels[place].color});
   }
   return written;
@@ -223,8 +237,8 @@ void addFrames(DcmSegmentation& segmentation, const LabelMap& map, std::size_t p
 
 } // namespace
 
-bool hasSegments(const Region& keep) {
-  return !writtenOf(keep).empty();
+bool hasSegments(const Region& keep, const Grid& grid) {
+  return !writtenOf(keep, grid).empty();
 }
 
 void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmItem& image,
@@ -248,7 +262,7 @@ void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmI
   putShared(*segmentation, grid, series);
   int number = 0;
   Bits bits;
-  for (const Written& label : writtenOf(keep))
+  for (const Written& label : writtenOf(keep, grid))
     addFrames(*segmentation, *keep.labels, label.place, grid, addSegment(*segmentation, label, ++number),
               bits);
   requireMade(segmentation->writeDataset(object));
@@ -261,10 +275,10 @@ void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmI
   putCommonReferences(object, series.series, series.images);
 }
 
-void putSegmentNames(DcmItem& object, const Region& keep, const std::string& unit) {
+void putSegmentNames(DcmItem& object, const Region& keep, const Grid& grid, const std::string& unit) {
   require(object.convertToUTF8().good(), DCM_SpecificCharacterSet);
   putText(object, DCM_SpecificCharacterSet, "ISO_IR 192");
-  const std::vector<Written> written = writtenOf(keep, unit);
+  const std::vector<Written> written = writtenOf(keep, grid, unit);
   const std::vector<DcmItem*> segments = itemsIn(object, DCM_SegmentSequence);
   for (std::size_t n = 0; n < written.size(); ++n)
     if (!written[n].name.empty())

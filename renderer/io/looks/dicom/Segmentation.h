@@ -14,7 +14,7 @@
 namespace limn::dicom {
 
 /// Whether a region has voxels to tell of: labels, a body, cuts or pieces.
-bool hasSegments(const Region& keep);
+bool hasSegments(const Region& keep, const Grid& grid);
 
 /// Fills in a segmentation with a segment for each label that some voxel has, but for the background of a
 /// label map. Frames are the slices of the grid along
@@ -26,6 +26,6 @@ void putSegmentation(DcmItem& object, const Region& keep, const Grid& grid, DcmI
 /// Gives the segments their names, once patient and study are filled in: in UTF-8, in which the object then
 /// is. Labels are called as in their file; what cuts and pieces made as a person called those, or by the
 /// ranges of the pieces in `unit` (of the scalars; may be empty).
-void putSegmentNames(DcmItem& object, const Region& keep, const std::string& unit);
+void putSegmentNames(DcmItem& object, const Region& keep, const Grid& grid, const std::string& unit);
 
 } // namespace limn::dicom

@@ -148,6 +148,9 @@ TEST_F(WrittenSegmentation, callsItsSegmentsAsCutsWereCalledOrByTheirRanges) {
             (Names{"Cut away: all but piece 0.5 to 1500; 1 line", "Kept: piece 0.5 to 1500"}));
   EXPECT_EQ(namesAfter({slab(-0.1, 0.1, ""), piece(0.0, Fate::alone, "Heart")}, "HU"),
             (Names{"Cut away: all but Heart; 1 line", "Heart"}));
+  // A piece whose seed was cut away before found nothing.
+  EXPECT_EQ(namesAfter({slab(-0.1, 0.1, "Jaw"), piece(6.0, Fate::alone, "Heart")}, "HU"),
+            (Names{"Cut away: Jaw", "Kept"}));
 }
 
 TEST_F(WrittenSegmentation, namesThePatientUnlessThatIsLeftOut) {
