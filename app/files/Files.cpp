@@ -8,6 +8,7 @@
 #include "app/window/WindowContext.h"
 #include "widgets/controls/MessageBar.h"
 
+#include <QDirIterator>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QFontMetricsF>
@@ -23,11 +24,14 @@
 namespace limn {
 namespace {
 
-// Of one image of a series, which alone shows little; nothing of other volumes.
+// Of one image beside others, which alone shows little; nothing of other volumes.
 QString folderOfSingleImage(const Volume& volume, const std::string& path) {
   const QFileInfo file(QString::fromStdString(path));
-  return volume.info().format == "DICOM" && volume.grid().dims.z == 1 && file.isFile() ? file.absolutePath()
-                                                                                       : QString();
+  if (volume.info().format != "DICOM" || volume.grid().dims.z != 1 || !file.isFile())
+    return {};
+  QDirIterator files(file.absolutePath(), QDir::Files);
+  files.next();
+  return files.hasNext() ? file.absolutePath() : QString();
 }
 
 QStringList filesIn(const QMimeData& data) {
@@ -74,8 +78,8 @@ void RemarksController::say() {
   const MessageBar::Action openFolder{tr("Open its folder"), [this, folder] { m_opening.open(folder); }};
   const VolumeInfo& info = m_volume->info();
   m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1),
-                          !info.spacingKnown       ? setSpacing // nothing else offers that
-                          : !folder.isEmpty()      ? openFolder
+                          !folder.isEmpty()        ? openFolder
+                          : !info.spacingKnown     ? setSpacing
                           : !info.orientationKnown ? setOrientation
                                                    : MessageBar::Action{});
 }

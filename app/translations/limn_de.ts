@@ -5199,7 +5199,7 @@
     </message>
     <message>
         <source>Boundary emphasis (O)</source>
-        <translation>Grenzflächenbetonung (O)</translation>
+        <translation>Grenzflächen­betonung (O)</translation>
     </message>
     <message>
         <source>Curve over boundary strength</source>
@@ -8536,7 +8536,7 @@
     </message>
     <message>
         <source>Boundary emphasis (O)</source>
-        <translation>Grenzflächenbetonung (O)</translation>
+        <translation>Grenzflächen­betonung (O)</translation>
     </message>
     <message>
         <source>Multiplies opacity: by the first number on flat tissue, which below 1 fades, and by the second at strong boundaries, which above 1 stand out.</source>

@@ -132,13 +132,21 @@ TEST_F(DicomWindow, aSingleImageOffersItsFolder) {
   const fs::path image = *fs::directory_iterator(folder.path() / "series");
   ASSERT_TRUE(open(QString::fromStdString(image.string())));
   ASSERT_EQ(scene().volume->grid().dims.z, 1);
-  QToolButton* offered = nullptr;
-  for (QToolButton* button : messages().findChildren<QToolButton*>())
-    if (button->isVisible() && button->text() == QStringLiteral("Open its folder"))
-      offered = button;
-  ASSERT_NE(offered, nullptr) << messages().sentence().toStdString();
-  QTest::mouseClick(offered, Qt::LeftButton);
+  const auto offered = [this]() -> QToolButton* {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == QStringLiteral("Open its folder"))
+        return button;
+    return nullptr;
+  };
+  ASSERT_NE(offered(), nullptr) << messages().sentence().toStdString();
+  QTest::mouseClick(offered(), Qt::LeftButton);
   EXPECT_TRUE(test::waitUntil([&] { return scene().volume && scene().volume->grid().dims.z == slices; }));
+  // Where it lies alone there is no more to open.
+  fs::create_directory(folder.path() / "alone");
+  fs::copy_file(image, folder.path() / "alone" / image.filename());
+  ASSERT_TRUE(open(QString::fromStdString((folder.path() / "alone" / image.filename()).string())));
+  ASSERT_EQ(scene().volume->grid().dims.z, 1);
+  EXPECT_EQ(offered(), nullptr);
 }
 
 TEST_F(DicomWindow, closesWithEsc) {
