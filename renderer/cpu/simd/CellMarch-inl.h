@@ -15,14 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
-/// What a ray has gathered of its pieces, front to back, in an order that does not depend on which of them
-/// are computed together.
-struct PieceSum {
-  glm::dvec3 color{0.0};
-  double transmittance = 1.0;
-  bool hasEnded = false;
-};
-
 /// Some consecutive pieces of a ray, integrated together.
 template <VoxelSource::Kind kind>
 class PieceBatch {
@@ -57,7 +49,7 @@ public:
 
   /// Adds the light of the pieces to a sum; of those whose light does not stand still part by part, `cuts`
   /// times at most.
-  void addTo(PieceSum& sum, int cuts) {
+  void addTo(Sum& sum, int cuts) {
     for (int first = 0; first < m_pieces.count && !sum.hasEnded;) {
       const int behind = behindSeen(first, sum.transmittance);
       integrate(first, behind, sum.transmittance);
@@ -133,7 +125,8 @@ private:
     std::uint32_t open = worthMore(first, behind, transmittance);
     for (int stride = last / 4; open != 0 && stride >= 1; stride /= 2) {
       for (int node = stride; node < last; node += 2 * stride) {
-        findSlopes(node, open);
+        if (m_readsGradient)
+          findSlopes(node, open);
         evaluate(node, open, true);
       }
       open = refine(stride, open);
@@ -144,9 +137,12 @@ private:
   // Looks at both ends and the middle of some pieces.
   void begin(int first, int behind) {
     const std::uint32_t open = bitsOfPieces(first, behind);
-    for (int node = 0; node <= last; node += last / 2)
-      findSlopes(node, open);
-    shareSlopes(first, behind);
+    if (m_readsGradient) {
+      findSlopes(0, open);
+      findSlopesOfAll(last / 2, first, behind);
+      findSlopesOfAll(last, first, behind);
+      shareSlopes(first, behind);
+    }
     for (int node = 0; node <= last; node += last / 2)
       evaluate(node, open, m_changesOpacity);
   }
@@ -197,8 +193,6 @@ private:
   // The slopes of the field at a node of some pieces. Where one piece ends and the next begins they are the
   // same.
   HWY_NOINLINE void findSlopes(int node, std::uint32_t open) {
-    if (!m_readsGradient)
-      return;
     Node& at = m_nodes[node];
     HWY_ALIGN float places[most + HWY_MAX_BYTES / 4];
     HWY_ALIGN float wanted[most + HWY_MAX_BYTES / 4];
@@ -226,6 +220,17 @@ private:
       for (int axis = 0; axis < 3; ++axis)
         for (int lane = 0; lane < here; ++lane)
           at.slope[axis][pieceOf[done + lane]] = found[axis][lane];
+    }
+  }
+
+  // The same of pieces side by side, and perhaps of some before them.
+  HWY_INLINE void findSlopesOfAll(int node, int first, int behind) {
+    for (int part = first / lanes() * lanes(); part < behind; part += lanes()) {
+      const V3 slope = slopeAt(m_terms, m_samples.field, m_samples.indexAt(placesOf(node, part)),
+                               std::min(lanes(), behind - part));
+      hn::Store(slope.x, floats, m_nodes[node].slope[0] + part);
+      hn::Store(slope.y, floats, m_nodes[node].slope[1] + part);
+      hn::Store(slope.z, floats, m_nodes[node].slope[2] + part);
     }
   }
 
@@ -469,21 +474,28 @@ private:
   }
 
   // Composites the pieces front to back.
-  HWY_NOINLINE void take(int first, int behind, PieceSum& sum, int cuts) {
+  HWY_NOINLINE void take(int first, int behind, Sum& sum, int cuts) {
     const bool ends = !m_terms.effects.has(Effect::xray);
+    HWY_ALIGN float reaching[most] = {};
     for (int n = first; n < behind && !sum.hasEnded; ++n) {
       if ((m_moving >> n & 1u) != 0 && cuts > 0) {
         addParts(n, sum, cuts - 1);
         continue;
       }
-      sum.color += sum.transmittance * glm::dvec3(m_color[0][n], m_color[1][n], m_color[2][n]);
+      reaching[n] = static_cast<float>(sum.transmittance);
       sum.transmittance -= sum.transmittance * m_alpha[n];
       sum.hasEnded = ends && sum.transmittance <= m_terms.lastTransmittance;
+    }
+    for (int part = 0; part < behind; part += lanes()) {
+      const VF weight = hn::Load(floats, reaching + part);
+      sum.color = {hn::MulAdd(weight, hn::Load(floats, m_color[0] + part), sum.color.x),
+                   hn::MulAdd(weight, hn::Load(floats, m_color[1] + part), sum.color.y),
+                   hn::MulAdd(weight, hn::Load(floats, m_color[2] + part), sum.color.z)};
     }
   }
 
   // Cuts a piece into equal parts, so that only those in which something happens are looked at more closely.
-  HWY_NOINLINE void addParts(int n, PieceSum& sum, int cuts) const {
+  HWY_NOINLINE void addParts(int n, Sum& sum, int cuts) const {
     PieceBatch parts(m_terms, m_samples);
     Pieces& pieces = parts.pieces();
     pieces.count = cellParts;
@@ -522,14 +534,10 @@ public:
         m_maker(terms, m_samples, terms.brick ? 0.0 : beforeSeen(terms, ray)), m_batch(terms, m_samples) {}
 
   glm::vec4 gathered() {
-    PieceSum sum;
+    Sum sum{zero(), 1.0, false};
     while (!sum.hasEnded && m_batch.fillFrom(m_maker))
       m_batch.addTo(sum, cellCuts);
-    const Mask first = hn::FirstN(floats, 1);
-    const V3 color{hn::IfThenElseZero(first, all(static_cast<float>(sum.color.r))),
-                   hn::IfThenElseZero(first, all(static_cast<float>(sum.color.g))),
-                   hn::IfThenElseZero(first, all(static_cast<float>(sum.color.b)))};
-    return pixelOf({color, sum.transmittance, sum.hasEnded}, m_terms.effects);
+    return pixelOf(sum, m_terms.effects);
   }
 
 private:

@@ -19,16 +19,19 @@ namespace limn::cpu::HWY_NAMESPACE {
 /// Some consecutive pieces, column by column. As many on every instruction set, so that all decide alike.
 struct Pieces {
   static constexpr int most = 8;
+  static constexpr int room = 2 * most; ///< registers are stored whole behind the last piece
 
   int count = 0;
-  HWY_ALIGN float from[most] = {}, to[most] = {}; ///< lengths behind the span's begin
-  HWY_ALIGN float cubic[4][most] = {};            ///< Bernstein coefficients of the scalars
+  HWY_ALIGN float from[room] = {}, to[room] = {}; ///< lengths behind the span's begin
+  HWY_ALIGN float cubic[4][room] = {};            ///< Bernstein coefficients of the scalars
+  HWY_ALIGN std::int32_t segment[room] = {};      ///< of the function, that all of a piece lies in
   HWY_ALIGN float start[most] = {}, low[most] = {}, high[most] = {}; ///< of the segment; the scalars it holds
   HWY_ALIGN float values[4][most] = {}, slopes[4][most] = {};        ///< its colour and opacity
 
   void move(int n, int place) {
     for (float* column : {from, to, start, low, high})
       column[place] = column[n];
+    segment[place] = segment[n];
     for (int i = 0; i < 4; ++i) {
       cubic[i][place] = cubic[i][n];
       values[i][place] = values[i][n];
@@ -52,6 +55,7 @@ inline void cutPiece(const Pieces& of, int n, int part, Pieces& pieces) {
   pieces.to[part] = part + 1 == cellParts ? of.to[n] : of.from[n] + b * length;
   const ChordCubic cubic{{of.cubic[0][n], of.cubic[1][n], of.cubic[2][n], of.cubic[3][n]}};
   cutCubic(cubic, a, b, pieces, part);
+  pieces.segment[part] = of.segment[n];
   pieces.start[part] = of.start[n];
   pieces.low[part] = of.low[n];
   pieces.high[part] = of.high[n];
@@ -72,8 +76,16 @@ public:
   /// Adds the next pieces that show to those that are there; false where none is left.
   bool fill(Pieces& pieces) {
     const int before = pieces.count;
-    while (pieces.count < Pieces::most && (isInCell() || enterCell()))
-      cut(pieces);
+    while (pieces.count < Pieces::most && (isInCell() || m_open != 0 || walk())) {
+      if (isInCell())
+        cut(pieces);
+      else if (const std::uint32_t run = wholeCells(Pieces::most - pieces.count); run != 0)
+        addWhole(run, pieces);
+      else
+        enterCell();
+    }
+    if (pieces.count > before)
+      describe(pieces);
     return pieces.count > before;
   }
 
@@ -81,34 +93,72 @@ private:
   static constexpr int cells = 8;
   static constexpr float leastShare = 1e-6f; // of a chord, by which a cut goes on at least
 
+  // What the first and the last segment hold, which reach on without end.
+  static constexpr float lowest = -3e38f, highest = 3e38f;
+
   bool isInCell() const { return m_shares < 1.0f; }
 
-  // Goes on to the next cell in which something may show.
-  bool enterCell() {
-    while (true) {
-      while (m_open == 0) {
-        m_count = m_walk.next(m_entries, m_exits, cells);
-        if (m_count == 0)
-          return false;
-        look();
-      }
-      m_cell = std::countr_zero(m_open);
-      m_open &= m_open - 1;
+  // Goes on to the next cells in some of which something may show.
+  bool walk() {
+    while (m_open == 0) {
+      m_count = m_walk.next(m_entries, m_exits, cells);
+      if (m_count == 0)
+        return false;
+      look();
+    }
+    return true;
+  }
+
+  // The next open cells, `most` at most, that lie in one segment each.
+  std::uint32_t wholeCells(int most) const {
+    const std::uint32_t others = m_open & ~m_whole;
+    std::uint32_t run = others == 0 ? m_open : m_open & ((others & (~others + 1)) - 1);
+    while (std::popcount(run) > most)
+      run ^= std::bit_floor(run);
+    return run;
+  }
+
+  // Takes some open cells as they are.
+  HWY_NOINLINE void addWhole(std::uint32_t run, Pieces& pieces) {
+    m_open ^= run;
+    for (int part = 0; part < cells; part += lanes()) {
+      const auto bits = static_cast<std::uint8_t>(run >> part & ((1u << lanes()) - 1));
+      if (bits == 0)
+        continue;
+      const std::uint8_t bytes[8] = {bits};
+      const Mask taken = hn::LoadMaskBits(floats, bytes);
+      const auto add = [&](const float* column, float* to) {
+        hn::StoreU(hn::Compress(hn::Load(floats, column + part), taken), floats, to + pieces.count);
+      };
+      add(m_entries, pieces.from);
+      add(m_exits, pieces.to);
       for (int i = 0; i < 4; ++i)
-        m_cubic.b[i] = m_cubics[i][m_cell];
-      m_lowest = m_cubic.low();
-      m_highest = m_cubic.high();
-      m_segment = m_samples.function.segmentOf(m_cubic.b[0]);
-      m_shares = 0.0f;
-      return true;
+        add(m_cubics[i], pieces.cubic[i]);
+      hn::StoreU(hn::Compress(hn::Load(ints, m_segments + part), hn::RebindMask(ints, taken)), ints,
+                 pieces.segment + pieces.count);
+      pieces.count += std::popcount(bits);
     }
   }
 
-  // The scalars in the cells that were walked, and in which of them something may show.
+  // Goes on to the next open cell, to cut it.
+  void enterCell() {
+    m_cell = std::countr_zero(m_open);
+    m_open &= m_open - 1;
+    for (int i = 0; i < 4; ++i)
+      m_cubic.b[i] = m_cubics[i][m_cell];
+    m_lowest = m_cubic.low();
+    m_highest = m_cubic.high();
+    m_segment = static_cast<std::size_t>(m_segments[m_cell]);
+    m_shares = 0.0f;
+  }
+
+  // The scalars in the cells that were walked, in which of them something may show, and which lie in one
+  // segment.
   HWY_NOINLINE void look() {
     for (int cell = m_count; cell < cells; ++cell)
       m_entries[cell] = m_exits[cell] = m_exits[m_count - 1];
-    for (int part = 0; part < cells; part += lanes()) {
+    m_whole = 0;
+    for (int part = 0; part < m_count; part += lanes()) {
       VF cubic[4];
       m_samples.field.cubicsAlong(m_samples.indexAt(hn::Load(floats, m_entries + part)),
                                   m_samples.indexAt(hn::Load(floats, m_exits + part)), cubic);
@@ -117,11 +167,59 @@ private:
       Mask seen = m_samples.function.mayBeSeenBetween(low, high);
       if (m_samples.terms.effects.has(Effect::region))
         seen = hn::And(seen, hn::Gt(largestWeight(part), hn::Zero(floats)));
-      m_open |= bitsOf(seen) << part;
+      if (hn::AllFalse(floats, seen))
+        continue;
+      const VI segment = m_samples.function.segmentsOf(cubic[0]);
+      const VF start = m_samples.function.startOf(segment);
+      const Mask isWhole =
+          hn::And(hn::Lt(high, endOf(segment)), hn::Not(hn::Lt(low, beginOf(segment, start))));
+      // An opacity that is linear shows somewhere if it does at an end.
+      const VF slope = m_samples.function.template slopeOf<3>(segment);
+      const VF gain = hn::Max(hn::Mul(hn::Sub(low, start), slope), hn::Mul(hn::Sub(high, start), slope));
+      const Mask shows =
+          hn::Gt(hn::Add(gain, m_samples.function.template valueOf<3>(segment)), hn::Zero(floats));
+      m_open |= bitsOf(hn::And(seen, hn::Or(shows, hn::Not(isWhole)))) << part;
+      m_whole |= bitsOf(isWhole) << part;
       for (int i = 0; i < 4; ++i)
         hn::Store(cubic[i], floats, m_cubics[i] + part);
+      hn::Store(segment, ints, m_segments + part);
     }
     m_open &= (1u << m_count) - 1;
+  }
+
+  // The scalars that segments hold.
+  HWY_INLINE VF beginOf(VI segment, VF start) const {
+    const Mask isFirst = hn::RebindMask(floats, hn::Eq(segment, hn::Zero(ints)));
+    return hn::IfThenElse(isFirst, all(lowest), start);
+  }
+
+  HWY_INLINE VF endOf(VI segment) const {
+    const Mask isLast = hn::RebindMask(floats, hn::Eq(segment, hn::Set(ints, m_table.segmentCount - 1)));
+    return hn::IfThenElse(isLast, all(highest), m_samples.function.endOf(segment));
+  }
+
+  // Adds to pieces what their segments say.
+  HWY_NOINLINE void describe(Pieces& pieces) const {
+    const Function& function = m_samples.function;
+    for (int part = 0; part < pieces.count; part += lanes()) {
+      const VI segment = hn::Load(ints, pieces.segment + part);
+      const VF start = function.startOf(segment);
+      hn::Store(start, floats, pieces.start + part);
+      hn::Store(beginOf(segment, start), floats, pieces.low + part);
+      hn::Store(endOf(segment), floats, pieces.high + part);
+      hn::Store(function.template valueOf<0>(segment), floats, pieces.values[0] + part);
+      hn::Store(function.template valueOf<1>(segment), floats, pieces.values[1] + part);
+      hn::Store(function.template valueOf<2>(segment), floats, pieces.values[2] + part);
+      hn::Store(function.template valueOf<3>(segment), floats, pieces.values[3] + part);
+      hn::Store(function.template slopeOf<0>(segment), floats, pieces.slopes[0] + part);
+      hn::Store(function.template slopeOf<1>(segment), floats, pieces.slopes[1] + part);
+      hn::Store(function.template slopeOf<2>(segment), floats, pieces.slopes[2] + part);
+      hn::Store(function.template slopeOf<3>(segment), floats, pieces.slopes[3] + part);
+    }
+    // A look is asked for its own value: where it steps at the end of a piece, for that on this side.
+    if (m_samples.looks.areAny())
+      for (int n = 0; n < pieces.count; ++n)
+        pieces.high[n] = std::nextafter(pieces.high[n], pieces.low[n]);
   }
 
   // The most that the kept region leaves of opacities in some cells.
@@ -142,8 +240,8 @@ private:
     const glm::vec4* texels = &m_table.segments[4 * m_segment];
     const bool isFirst = m_segment == 0;
     const bool isLast = static_cast<int>(m_segment) + 1 == m_table.segmentCount;
-    const float low = isFirst ? -3e38f : texels[2].x;
-    const float high = isLast ? 3e38f : texels[2].y;
+    const float low = isFirst ? lowest : texels[2].x;
+    const float high = isLast ? highest : texels[2].y;
     const float from = m_shares;
     std::size_t next = m_segment;
     m_shares = 1.0f;
@@ -154,7 +252,7 @@ private:
     const float dense = std::clamp(m_highest, low, high) - texels[2].x;
     const bool shows = std::max(faint * texels[1].a, dense * texels[1].a) + texels[0].a > 0.0f;
     if (shows && m_shares > from)
-      add(pieces, from, texels, low, high);
+      add(pieces, from);
     m_segment = next;
   }
 
@@ -183,34 +281,29 @@ private:
     }
   }
 
-  void add(Pieces& pieces, float from, const glm::vec4* texels, float low, float high) {
+  void add(Pieces& pieces, float from) {
     const int n = pieces.count++;
     const float begin = m_entries[m_cell], length = m_exits[m_cell] - begin;
     pieces.from[n] = from == 0.0f ? begin : begin + from * length;
     pieces.to[n] = m_shares == 1.0f ? m_exits[m_cell] : begin + m_shares * length;
     cutCubic(m_cubic, from, m_shares, pieces, n);
-    pieces.start[n] = texels[2].x;
-    pieces.low[n] = low;
-    // A look is asked for its own value: where it steps at the end of a piece, for that on this side.
-    pieces.high[n] = m_samples.looks.areAny() ? std::nextafter(high, low) : high;
-    for (int channel = 0; channel < 4; ++channel) {
-      pieces.values[channel][n] = texels[0][channel];
-      pieces.slopes[channel][n] = texels[1][channel];
-    }
+    pieces.segment[n] = static_cast<std::int32_t>(m_segment);
   }
 
   const Samples<kind>& m_samples;
   const PiecewiseTable& m_table;
   CellWalk m_walk;
-  int m_count = 0;          // of the chords that were walked
-  std::uint32_t m_open = 0; // which of them are yet to be cut
-  int m_cell = 0;           // the one that is cut
-  float m_shares = 1.0f;    // of its chord that are cut
+  int m_count = 0;           // of the chords that were walked
+  std::uint32_t m_open = 0;  // which of them are yet to be taken
+  std::uint32_t m_whole = 0; // which of them lie in one segment
+  int m_cell = 0;            // the one that is cut
+  float m_shares = 1.0f;     // of its chord that are cut
   std::size_t m_segment = 0;
   ChordCubic m_cubic;
   float m_lowest = 0.0f, m_highest = 0.0f;
   HWY_ALIGN float m_entries[cells] = {}, m_exits[cells] = {};
   HWY_ALIGN float m_cubics[4][cells] = {};
+  HWY_ALIGN std::int32_t m_segments[cells] = {};
 };
 
 } // namespace limn::cpu::HWY_NAMESPACE

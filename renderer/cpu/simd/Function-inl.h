@@ -139,7 +139,41 @@ public:
     return segment;
   }
 
+  /// The segments that hold some scalars.
+  HWY_NOINLINE VI segmentsOf(VF x) const {
+    if (m_few)
+      return fewAt(x);
+    VI segment =
+        hn::ConvertTo(ints, hn::GatherIndex(floats, &m_table.bins.data()->w, hn::ShiftLeft<2>(binOf(x))));
+    while (true) {
+      const Mask isBehind = hn::Ge(x, endOf(segment));
+      if (hn::AllFalse(floats, isBehind))
+        return segment;
+      segment = hn::Sub(segment, hn::VecFromMask(ints, hn::RebindMask(ints, isBehind)));
+    }
+  }
+
+  /// Where some segments begin and end; colour and opacity (channel 3) at their start, and what those gain.
+  HWY_INLINE VF startOf(VI segment) const {
+    return m_few ? picked(m_few->starts, segment) : listed<8>(segment);
+  }
+  HWY_INLINE VF endOf(VI segment) const { return m_few ? picked(m_few->ends, segment) : listed<9>(segment); }
+  template <int channel>
+  HWY_INLINE VF valueOf(VI segment) const {
+    return m_few ? picked(m_few->values[channel], segment) : listed<channel>(segment);
+  }
+  template <int channel>
+  HWY_INLINE VF slopeOf(VI segment) const {
+    return m_few ? picked(m_few->slopes[channel], segment) : listed<4 + channel>(segment);
+  }
+
 private:
+  // A number of each segment among the sixteen of its texels.
+  template <int place>
+  HWY_INLINE VF listed(VI segment) const {
+    return hn::GatherIndex(floats, &m_table.segments.data()->x + place, hn::ShiftLeft<4>(segment));
+  }
+
   // The segments of a run of samples are few among many: each is read once for all of them.
   struct Stretch {
     const glm::vec4* texels; ///< of the first of them
