@@ -254,6 +254,10 @@ void Panels::connectProperties() {
   connect(panel, &PropertiesPanel::isovalueEdited, session, &Session::setIsovalue);
   connect(panel, &PropertiesPanel::fogEdited, session, &Session::setFog);
   connect(panel, &PropertiesPanel::cropEdited, session, &Session::setCrop);
+  connect(panel->labelSection(), &LabelSection::opened, this, [this] {
+    if (!m_context.docks.isFolded(Qt::RightDockWidgetArea)) // or the picture has its room
+      m_context.docks.show(SessionDocument::Panel::properties);
+  });
   connect(panel, &PropertiesPanel::projectionEdited, this,
           [this](Projection projection, const Gesture& gesture) {
             m_context.session.edit(

@@ -3,6 +3,7 @@
 
 #include "app/asking/FileDialogs.h"
 #include "app/window/WindowContext.h"
+#include "io/labels/LabelNames.h"
 #include "io/labels/MaskFolder.h"
 #include "regions/Cutting.h"
 #include "regions/LabelVoxels.h"
@@ -16,7 +17,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -87,7 +87,7 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
                           {.text = tr("&Body only"),
                            .place = {Menu::view, 2, 8},
                            .toolTip = tr("Finds the body and hides the table, the head holder and what "
-                                         "else lies beside it."),
+                                         "else lies beside it; labels that are open stay open."),
                            .isCheckable = true,
                            .needsVolume = true});
   connect(open, &QAction::triggered, this, &RegionController::askForLabels);
@@ -376,14 +376,7 @@ void RegionController::end() {
 }
 
 bool opensAsLabels(const QString& path) {
-  return isNamedLikeLabels(path) || isMaskFolder(path.toStdString());
-}
-
-bool isNamedLikeLabels(const QString& path) {
-  static const QRegularExpression word(
-      QStringLiteral("(^|[._ -])(seg|segmentation|label|labels|labelmap|mask)([._ -]|$)"),
-      QRegularExpression::CaseInsensitiveOption);
-  return word.match(QFileInfo(path).fileName()).hasMatch();
+  return isNamedLikeLabels(path.toStdString()) || isMaskFolder(path.toStdString());
 }
 
 } // namespace limn

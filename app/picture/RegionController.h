@@ -92,12 +92,8 @@ private:
   BackgroundWork m_offering; ///< of a body
 };
 
-/// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",
-/// "label_Brain.nrrd".
-bool isNamedLikeLabels(const QString& path);
-
-/// Whether what is dropped beside an open volume becomes its labels: a file that is named so, or a folder of
-/// masks.
+/// Whether what is dropped beside an open volume becomes its labels: a file that is named so (LabelNames.h),
+/// or a folder of masks.
 bool opensAsLabels(const QString& path);
 
 } // namespace limn

@@ -105,7 +105,8 @@ std::vector<int> valuesIn(const Volume& volume, const StoredVoxels<T>& stored) {
   return all;
 }
 
-std::vector<Label> labelsFor(const std::vector<int>& values, const std::vector<Label>& described) {
+std::vector<Label> labelsFor(const std::vector<int>& values, const std::vector<Label>& described,
+                             const std::string& alone) {
   std::map<int, Label> known;
   for (const Label& label : described)
     known.emplace(label.value, label);
@@ -114,7 +115,9 @@ std::vector<Label> labelsFor(const std::vector<int>& values, const std::vector<L
     const auto found = known.find(value);
     Label label = found != known.end() ? found->second : Label{value, {}, labelColor(labels.size())};
     if (label.name.empty())
-      label.name = value == 0 ? "Background" : "Label " + std::to_string(value);
+      label.name = value == 0                             ? "Background"
+                   : values.size() == 2 && !alone.empty() ? alone
+                                                          : "Label " + std::to_string(value);
     labels.push_back(std::move(label));
   }
   if (labels.front().name == "Background")
@@ -305,9 +308,10 @@ glm::dvec3 labelColor(std::size_t n) {
 }
 
 std::shared_ptr<const LabelMap> labelsOnGrid(const Volume& labels, const std::vector<Label>& described,
-                                             const Grid& grid, const Effort& effort) {
+                                             const Grid& grid, const Effort& effort,
+                                             const std::string& alone) {
   return visitVoxels(labels, [&](const auto& stored) {
-    std::vector<Label> found = labelsFor(valuesIn(labels, stored), described);
+    std::vector<Label> found = labelsFor(valuesIn(labels, stored), described, alone);
     LabelMap::Places places;
     if (found.size() <= 256)
       places = placesOn<std::uint8_t>(grid, labels, stored, found, effort);

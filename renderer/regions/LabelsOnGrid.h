@@ -12,11 +12,13 @@ namespace limn {
 
 /// A volume whose values are labels as a label map on `grid`, which may be another: each voxel takes the
 /// label that is nearest to its centre, and the background (0) outside. `described` are names and colours
-/// by value, of which those matter that occur; others are called "Label 3" and get a colour of their own.
-/// Labels are listed by their value, the background first. Throws Error (input) where a value is no whole
-/// number or where there are more than 65535 labels; Cancelled.
+/// by value, of which those matter that occur; others get a colour of their own and are called "Label 3", the
+/// only one beside the background `alone` where that is not empty. Labels are listed by their value, the
+/// background first. Throws Error (input) where a value is no whole number or where there are more than 65535
+/// labels; Cancelled.
 std::shared_ptr<const LabelMap> labelsOnGrid(const Volume& labels, const std::vector<Label>& described,
-                                             const Grid& grid, const Effort& effort = {});
+                                             const Grid& grid, const Effort& effort = {},
+                                             const std::string& alone = {});
 
 /// Whether a volume is the mask of one structure: beside 0 it has one value, above 0, or none.
 bool isMask(const Volume& volume);

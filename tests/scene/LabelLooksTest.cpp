@@ -5,6 +5,7 @@
 #include "scene/effects/EffectPlan.h"
 #include "scene/framing/VisibleVoxels.h"
 #include "scene/regions/BlockLooks.h"
+#include "scene/regions/LabelColor.h"
 #include "scene/regions/Reduction.h"
 #include "scene/steps/BlockWalk.h"
 
@@ -246,6 +247,55 @@ TEST(LabelLooks, aCoarserRegionKeepsThem) {
   const Region coarse = reduced(region, glm::ivec3(2));
   EXPECT_EQ(coarse.looks, region.looks);
   EXPECT_EQ(coarse.lookOf, region.lookOf);
+}
+
+TEST(ShownColors, areThoseOfEachLabelWhateverChanged) {
+  Scene scene = labelledScene(3, {1.0, 1.0, 1.0});
+  const auto isRight = [](const ShownColors& colors, const Scene& shown) {
+    for (std::size_t place = 0; place < 3; ++place)
+      if (colors.of(place) != shownColor(*shown.volume, shown.keep, place))
+        return false;
+    return true;
+  };
+  // From 2 on blue comes in, so that values decide about the colour.
+  const TransferFunction look{1.0, {{0.0, {1, 0, 0}, 0.5}, {2.0, {1, 0, 0}, 0.5}, {9.0, {0, 0, 1}, 0.5}}};
+  ShownColors colors;
+  colors.follow(scene.volume, scene.keep);
+  EXPECT_TRUE(isRight(colors, scene)) << "of the file";
+  scene.keep = withLooks(scene.keep, {{1, look}});
+  colors.follow(scene.volume, scene.keep);
+  EXPECT_TRUE(isRight(colors, scene));
+  const glm::dvec3 first = colors.of(1);
+  EXPECT_GT(first.r, 0.0);
+  EXPECT_GT(first.b, 0.0);
+  scene.keep = withLookOf(scene.keep, 2, inOneColor(look, {0, 1, 0}));
+  scene.keep = withLookOf(scene.keep, 1, inOneColor(look, {1, 1, 0}));
+  colors.follow(scene.volume, scene.keep);
+  EXPECT_TRUE(isRight(colors, scene));
+  EXPECT_EQ(colors.of(1), glm::dvec3(1, 1, 0));
+  // Other voxels by the same curve: of other labels, and of another volume.
+  scene.keep = withLooks(scene.keep, {{1, look}});
+  colors.follow(scene.volume, scene.keep);
+  ASSERT_EQ(colors.of(1), first);
+  Scene other = labelledScene(4, {1.0, 1.0, 1.0});
+  other.keep = withLooks(other.keep, {{1, look}});
+  colors.follow(scene.volume, other.keep);
+  EXPECT_NE(colors.of(1), first);
+  const glm::dvec3 second = colors.of(1);
+  colors.follow(other.volume, other.keep);
+  EXPECT_TRUE(isRight(colors, other));
+  EXPECT_NE(colors.of(1), second);
+}
+
+TEST(ShownColors, holdNoVolumeOfWhichNoneIsAsked) {
+  Scene scene = labelledScene(3, {1.0, 1.0, 1.0});
+  const std::weak_ptr<const Volume> volume = scene.volume;
+  ShownColors colors;
+  colors.follow(scene.volume, withLooks(scene.keep, {{1, bandAt(3.0)}}));
+  colors.follow(scene.volume, scene.keep);
+  scene.volume.reset();
+  EXPECT_TRUE(volume.expired());
+  EXPECT_EQ(colors.of(1), glm::dvec3(1.0));
 }
 
 } // namespace

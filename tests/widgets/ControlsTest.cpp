@@ -404,6 +404,9 @@ TEST(ColorPicker, allThatIsPickedIsOneGestureThatCanBeTakenBack) {
   std::vector<std::pair<glm::dvec3, std::uint64_t>> picked;
   QObject::connect(&picker, &ColorPicker::colorPicked, &picker,
                    [&](const glm::dvec3& color, std::uint64_t id) { picked.emplace_back(color, id); });
+  std::vector<std::uint64_t> takenBack;
+  QObject::connect(&picker, &ColorPicker::takenBack, &picker,
+                   [&](std::uint64_t id) { takenBack.push_back(id); });
   drag(picker, {100, 100}, {0, 0});
   ASSERT_GE(picked.size(), 2u);
   EXPECT_EQ(picked.back().first, glm::dvec3(1.0)); // the field's corner of no saturation and full brightness
@@ -419,6 +422,7 @@ TEST(ColorPicker, allThatIsPickedIsOneGestureThatCanBeTakenBack) {
   const std::size_t count = picked.size();
   picker.takeBack();
   EXPECT_EQ(picked.size(), count) << "nothing was picked since";
+  EXPECT_EQ(takenBack, std::vector{picked.front().second}) << "once";
   QTest::mouseClick(&picker, Qt::LeftButton, {}, {100, 100});
   EXPECT_NE(picked.back().second, picked.front().second) << "another one";
 }

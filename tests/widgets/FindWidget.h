@@ -3,7 +3,11 @@
 
 #include "widgets/controls/LabelledRow.h"
 
+#include <QImage>
+#include <QPixmap>
 #include <QWidget>
+
+#include <optional>
 
 namespace limn {
 
@@ -24,6 +28,22 @@ Row* rowNamed(const QWidget& parent, const char* name) {
         row && label->text() == QString::fromUtf8(name))
       return row;
   return nullptr;
+}
+
+/// The middle of the first run of pixels of a colour along the middle line of a part of a widget, in its
+/// logical pixels; nothing where that has none.
+inline std::optional<QPoint> placeOfColor(QWidget& widget, const QRect& part, const QColor& color) {
+  const QImage shown = widget.grab(part).toImage();
+  const int y = shown.height() / 2;
+  int first = 0;
+  while (first < shown.width() && shown.pixelColor(first, y).rgb() != color.rgb())
+    ++first;
+  int end = first;
+  while (end < shown.width() && shown.pixelColor(end, y).rgb() == color.rgb())
+    ++end;
+  if (first == end)
+    return std::nullopt;
+  return part.topLeft() + (QPointF(first + end - 1, 2 * y) / (2.0 * shown.devicePixelRatio())).toPoint();
 }
 
 } // namespace limn

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/LabelSection.h"
 
+#include "scene/LabelLooks.h"
 #include "scene/regions/LabelColor.h"
 #include "scene/volume/Phantom.h"
 #include "widgets/FindWidget.h"
+#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/FoldingSection.h"
 #include "widgets/properties/LabelGroups.h"
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -17,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <set>
 
 namespace limn {
 namespace {
@@ -39,6 +43,7 @@ protected:
                      [this](const Region& region, const Gesture& gesture) {
                        scene.keep = region;
                        texts.push_back(gesture.text);
+                       gestures.insert(gesture.id);
                        section.setScene(scene);
                      });
     section.resize(320, 400);
@@ -51,6 +56,17 @@ protected:
   QVariant at(int row, int column, int role = Qt::DisplayRole) {
     return model().data(model().index(row, column), role);
   }
+  // A click on the square of a row; the picker that it opens, null where it opens none.
+  ColorPicker* clickSquare(int row) {
+    const QModelIndex label = model().index(row, 0);
+    const QImage swatch = label.data(Qt::DecorationRole).value<QPixmap>().toImage();
+    const auto place = placeOfColor(*table().viewport(), table().visualRect(label),
+                                    swatch.pixelColor(swatch.rect().center()));
+    if (!place)
+      return nullptr;
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, *place);
+    return section.findChild<ColorPicker*>();
+  }
   QPushButton& button(const QString& text) {
     for (QPushButton* one : section.findChildren<QPushButton*>())
       if (one->text() == text)
@@ -61,6 +77,7 @@ protected:
   Scene scene;
   LabelSection section;
   std::vector<QString> texts;
+  std::set<std::uint64_t> gestures;
 };
 
 TEST_F(LabelSectionTest, restingOnALabelTellsItsSizeAndValues) {
@@ -151,7 +168,8 @@ TEST_F(LabelSectionTest, aGroupIsShownAndHiddenAtOnceAndOpensForASearch) {
   EXPECT_EQ(ribs.data().toString(), QStringLiteral("rib (12)"));
   EXPECT_EQ(model().rowCount(ribs), 12);
   EXPECT_FALSE(table().isExpanded(ribs)) << "a hundred labels are a dozen rows";
-  EXPECT_TRUE(model().setData(ribs, Qt::Unchecked, Qt::CheckStateRole));
+  const QRect cell = table().visualRect(ribs);
+  QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, QPoint(cell.left() + 12, cell.center().y()));
   ASSERT_EQ(texts.size(), 1u);
   EXPECT_EQ(texts.back(), QStringLiteral("hide rib"));
   EXPECT_EQ(std::accumulate(scene.keep.weights.begin(), scene.keep.weights.end(), 0.0), 2.0);
@@ -179,6 +197,97 @@ TEST_F(LabelSectionTest, aLabelWithItsOwnCurveHasTheColourThatALegendGivesIt) {
   const glm::dvec3 legend = shownColor(*scene.volume, scene.keep, 0);
   EXPECT_EQ(swatch.pixelColor(swatch.rect().center()), QColor(0, 255, 0));
   EXPECT_EQ(legend, glm::dvec3(0, 1, 0));
+}
+
+TEST_F(LabelSectionTest, aColourPickedAtItsSquareGivesALabelItsOwnCurveInThatColour) {
+  scene.transferFunction = {2.0,
+                            {{-100.0, {0, 0, 1}, 0.0}, {50.0, {0, 1, 0}, 0.25}, {300.0, {1, 1, 1}, 0.75}}};
+  section.setScene(scene);
+  std::vector<std::size_t> inHand;
+  QObject::connect(&section, &LabelSection::curveRequested, &section,
+                   [&](std::size_t place) { inHand.push_back(place); });
+  ColorPicker* picker = clickSquare(1);
+  ASSERT_NE(picker, nullptr);
+  EXPECT_TRUE(texts.empty()) << "nothing was picked yet";
+  EXPECT_EQ(scene.keep.weights, std::vector<double>(3, 1.0)) << "the mark is beside it";
+  QTest::mouseClick(picker, Qt::LeftButton, {}, {1, 1});   // white: no saturation, full brightness
+  QTest::mouseClick(picker, Qt::LeftButton, {}, {1, 139}); // black
+  picker->window()->close();
+  ASSERT_EQ(lookOfLabel(scene.keep, 1), 1u);
+  EXPECT_EQ(lookOfLabel(scene.keep, 2), 0u);
+  const TransferFunction black = scene.keep.looks[0];
+  EXPECT_LT(black.points[2].color.r, 0.02);
+  EXPECT_EQ(black, inOneColor(scene.transferFunction, black.points[0].color))
+      << "the opacities of all tissue";
+  EXPECT_EQ(texts.back(), QStringLiteral("colour of Liver"));
+  EXPECT_EQ(gestures.size(), 1u) << "one step for all that was tried";
+  EXPECT_EQ(inHand, std::vector<std::size_t>{1});
+}
+
+TEST_F(LabelSectionTest, aLabelWithItsOwnCurveIsRecolouredAndKeepsItsOpacities) {
+  const TransferFunction own{1.0, {{-5000.0, {0, 1, 0}, 0.5}, {5000.0, {0, 1, 1}, 0.125}}};
+  scene.keep = withLooks(scene.keep, {{1, own}});
+  section.setScene(scene);
+  ColorPicker* picker = clickSquare(1);
+  ASSERT_NE(picker, nullptr);
+  QTest::mouseClick(picker, Qt::LeftButton, {}, {1, 1});
+  ASSERT_EQ(scene.keep.looks.size(), 1u);
+  const TransferFunction white = scene.keep.looks[0];
+  EXPECT_GT(white.points[1].color.g, 0.98);
+  EXPECT_EQ(white, inOneColor(own, white.points[0].color));
+  // Esc brings back a curve of several colours, which no colour of the picker's is.
+  QTest::keyClick(picker->window(), Qt::Key_Escape);
+  EXPECT_EQ(scene.keep.looks, std::vector<TransferFunction>{own});
+  EXPECT_EQ(gestures.size(), 1u) << "so that no step is left";
+}
+
+TEST_F(LabelSectionTest, escTakesTheCurveBackThatAColourHasBegun) {
+  const Region before = scene.keep;
+  table().setCurrentIndex(model().index(1, 0)); // selected it has its colour, too
+  ColorPicker* picker = clickSquare(1);
+  ASSERT_NE(picker, nullptr);
+  QTest::mouseClick(picker, Qt::LeftButton, {}, {1, 1});
+  ASSERT_NE(scene.keep, before);
+  QTest::keyClick(picker->window(), Qt::Key_Escape);
+  EXPECT_EQ(scene.keep, before);
+}
+
+TEST_F(LabelSectionTest, aColourIsAskedForByTheMenuOfARowToo) {
+  table().setFocus();
+  table().setCurrentIndex(model().index(1, LabelTable::weightColumn));
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
+  QCoreApplication::sendEvent(&table(), &key);
+  auto* menu = section.findChild<QMenu*>(QStringLiteral("labelMenu"));
+  ASSERT_NE(menu, nullptr);
+  ASSERT_EQ(menu->actions().size(), 1);
+  EXPECT_EQ(menu->actions().front()->text(), QStringLiteral("Colour…"));
+  menu->actions().front()->trigger();
+  menu->close();
+  auto* picker = section.findChild<ColorPicker*>();
+  ASSERT_NE(picker, nullptr);
+  QTest::mouseClick(picker, Qt::LeftButton, {}, {1, 1});
+  EXPECT_EQ(texts, std::vector<QString>{QStringLiteral("colour of Liver")});
+}
+
+TEST_F(LabelSectionTest, itSaysOnceThatASegmentationIsOpened) {
+  int opened = 0;
+  QObject::connect(&section, &LabelSection::opened, &section, [&opened] { ++opened; });
+  const Scene open = scene;
+  section.setScene({});
+  EXPECT_EQ(opened, 0);
+  section.setScene(open);
+  EXPECT_EQ(opened, 1);
+  // A cut makes another map of the same segmentation.
+  scene.keep.labels = std::make_shared<const LabelMap>(glm::ivec3(1), std::vector<std::uint8_t>{1},
+                                                       open.keep.labels->labels());
+  section.setScene(scene);
+  EXPECT_EQ(opened, 1);
+  scene.keep.source = "other.nrrd";
+  section.setScene(scene);
+  EXPECT_EQ(opened, 2);
+  scene.volume = phantomVolume({12.0, 0.0, 1});
+  section.setScene(scene);
+  EXPECT_EQ(opened, 3) << "of another volume";
 }
 
 TEST_F(LabelSectionTest, listsNameColourAndWeight) {
@@ -252,6 +361,12 @@ TEST_F(LabelSectionTest, hasRoomForTenThousandLabels) {
   table().setCurrentIndex(model().index(10000, 0));
   QTest::keyClick(&table(), Qt::Key_Space);
   EXPECT_EQ(scene.keep.weights.back(), 0.0);
+  // A view measures its columns anew each time that it is told of changes.
+  int told = 0;
+  QObject::connect(&model(), &QAbstractItemModel::dataChanged, &section, [&told] { ++told; });
+  QTest::keyClick(&table(), Qt::Key_Space);
+  EXPECT_EQ(scene.keep.weights.back(), 1.0);
+  EXPECT_EQ(told, 1) << "at once, not row by row";
 }
 
 TEST_F(LabelSectionTest, withoutLabelsOffersToOpenSome) {

@@ -58,8 +58,9 @@ void saveEditor(const QString& prefix) {
   wide.points.back().value = 9000.0; // beyond the values of the histogram
   editor.setTransferFunction(wide);
   save(editor, {1200, 260}, prefix + "editor_wide.png");
-  auto* popup = new PointPopup(CurveSubject::value, sampleFunction(), 2, QStringLiteral("HU"), 1,
-                               &editor); // deletes itself
+  auto* popup =
+      new PointPopup(CurveSubject::value, sampleFunction(), PointIndices{2}, QStringLiteral("HU"), 1,
+                     &editor); // deletes itself
   save(*popup, popup->sizeHint(), prefix + "popup.png");
   popup->close();
   TransferFunctionEditor empty;
@@ -82,8 +83,8 @@ void saveGradientEditor(const QString& prefix) {
   editor.editor()->canvas()->selectPoints({1});
   save(panel, {1200, 260}, prefix + "gradient.png");
   save(panel, {780, 220}, prefix + "gradient_narrow.png");
-  auto* popup =
-      new PointPopup(CurveSubject::gradient, sampleFunction(), 2, QStringLiteral("HU/mm"), 1, &panel);
+  auto* popup = new PointPopup(CurveSubject::gradient, sampleFunction(), PointIndices{2},
+                               QStringLiteral("HU/mm"), 1, &panel);
   save(*popup, popup->sizeHint(), prefix + "gradient_popup.png");
   popup->close();
 }

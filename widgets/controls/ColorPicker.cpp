@@ -75,8 +75,10 @@ void ColorPicker::setColor(const glm::dvec3& color) {
 void ColorPicker::takeBack() {
   const std::uint64_t gesture = m_gestureId;
   setColor(m_before);
-  if (gesture != 0)
-    emit colorPicked(m_before, gesture);
+  if (gesture == 0)
+    return;
+  emit colorPicked(m_before, gesture);
+  emit takenBack(gesture);
 }
 
 void ColorPicker::showColor(const QColor& wanted) {
@@ -191,6 +193,13 @@ void ColorPicker::pick(const QColor& color) {
   emit colorPicked(toSceneColor(color), m_gestureId);
 }
 
+ColorPicker* openColorPicker(const glm::dvec3& color, const QRect& anchor, QWidget* parent) {
+  auto* picker = new ColorPicker;
+  picker->setColor(color);
+  showPopupAt(*new PickerPopup(*picker, parent), anchor);
+  return picker;
+}
+
 ColorButton::ColorButton(const QString& undoText, QWidget* parent)
     : QAbstractButton(parent), m_undoText(undoText) {
   setFocusPolicy(Qt::StrongFocus);
@@ -223,14 +232,12 @@ void ColorButton::paintEvent(QPaintEvent*) {
 }
 
 void ColorButton::openPicker() {
-  auto* picker = new ColorPicker;
-  picker->setColor(m_color);
-  auto* popup = new PickerPopup(*picker, this);
+  const ColorPicker* picker = openColorPicker(m_color, QRect(mapToGlobal(QPoint(0, 0)), size()), this);
   connect(picker, &ColorPicker::colorPicked, this, [this](const glm::dvec3& color, std::uint64_t id) {
     setColor(color);
     emit colorEdited(color, {id, m_undoText});
   });
-  showPopupAt(*popup, QRect(mapToGlobal(QPoint(0, 0)), size()));
+  connect(picker, &ColorPicker::takenBack, this, &ColorButton::takenBack);
 }
 
 } // namespace limn

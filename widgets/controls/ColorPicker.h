@@ -33,6 +33,9 @@ public:
 signals:
   /// The user picked a colour, sRGB 0..1.
   void colorPicked(const glm::dvec3& color, std::uint64_t gestureId);
+  /// What was picked by this gesture was taken back, behind colorPicked with the colour that was set: what
+  /// had other colours than that has them again.
+  void takenBack(std::uint64_t gestureId);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -61,6 +64,10 @@ private:
   QLineEdit* m_hex;
 };
 
+/// Opens a ColorPicker with this colour in a pop-up beside `anchor` (global pixels), which closes on a click
+/// elsewhere, and on Esc, which takes back what was picked. The pop-up goes when it is closed.
+ColorPicker* openColorPicker(const glm::dvec3& color, const QRect& anchor, QWidget* parent);
+
 /// A swatch that opens a ColorPicker below itself. Esc there takes back what was picked.
 class ColorButton : public QAbstractButton {
   Q_OBJECT
@@ -77,6 +84,8 @@ public:
 signals:
   /// sRGB, 0..1.
   void colorEdited(const glm::dvec3& color, const limn::Gesture& gesture);
+  /// As the picker's.
+  void takenBack(std::uint64_t gestureId);
 
 protected:
   void paintEvent(QPaintEvent* event) override;

@@ -5,6 +5,7 @@
 #include "widgets/theme/Theme.h"
 
 #include <QAccessibleWidget>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -181,6 +182,12 @@ void SectionPanel::stack(const std::vector<QWidget*>& sections) {
     layout->addWidget(section);
   layout->addStretch(1);
   setWidget(content);
+}
+
+void SectionPanel::scrollTo(const QWidget& section) {
+  // A layout that changes asks the one around it with an event, and so on up to the scroll bar.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  verticalScrollBar()->setValue(section.mapTo(widget(), QPoint()).y());
 }
 
 // Nothing may hide under the scroll bar, nor beyond the frame that shows the focus.

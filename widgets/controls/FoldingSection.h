@@ -75,6 +75,10 @@ public:
   /// Fills it with sections.
   void stack(const std::vector<QWidget*>& sections);
 
+  /// Scrolls to where one of them begins at the top, or as near to that as the last of them lets it; what was
+  /// unfolded or filled just now has its place first. The keyboard stays where it is.
+  void scrollTo(const QWidget& section);
+
   /// Asked for anew whenever the panel is laid out: fonts and styles come later than panels.
   QSize minimumSizeHint() const override;
 

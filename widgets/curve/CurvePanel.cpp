@@ -12,6 +12,8 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -28,6 +30,12 @@ QToolButton* makeButton(const QString& text, const QString& name, const QString&
 // Logical pixels.
 constexpr int mostOfAName = 200;
 constexpr int swatchSize = 12;
+
+QIcon curveSwatch(const QColor& color) {
+  QPixmap swatch(swatchSize, swatchSize);
+  swatch.fill(color);
+  return swatch;
+}
 
 } // namespace
 
@@ -54,16 +62,21 @@ CurvePanel::CurvePanel(QWidget* parent)
 
 void CurvePanel::setLabelCurves(const QList<LabelCurve>& curves, std::optional<std::size_t> inHand) {
   const QSignalBlocker blocker(m_whose);
-  if (curves != m_labelCurves || m_whose->count() == 0) {
-    m_labelCurves = curves;
+  const bool areListed =
+      m_whose->count() > 0 &&
+      std::ranges::equal(curves, m_labelCurves, [](const LabelCurve& a, const LabelCurve& b) {
+        return a.place == b.place && a.name == b.name;
+      });
+  if (!areListed) {
     m_whose->clear();
     m_whose->addItem(tr("All tissue"));
-    for (const LabelCurve& curve : curves) {
-      QPixmap swatch(swatchSize, swatchSize);
-      swatch.fill(curve.color);
-      m_whose->addItem(swatch, curve.name);
-    }
+    for (const LabelCurve& curve : curves)
+      m_whose->addItem(curve.name);
   }
+  for (int n = 0; n < curves.size(); ++n)
+    if (!areListed || curves[n].color != m_labelCurves[n].color)
+      m_whose->setItemIcon(n + 1, curveSwatch(curves[n].color));
+  m_labelCurves = curves;
   int row = 0;
   for (qsizetype n = 0; n < curves.size(); ++n)
     if (inHand == curves[n].place)

@@ -31,12 +31,17 @@ TransferFunction withColorAt(const TransferFunction& function, const PointIndice
   return edited;
 }
 
+QString pickedColorText(const PointIndices& indices) {
+  return indices.size() > 1 ? PointFields::tr("change colour of %1 points").arg(indices.size())
+                            : PointFields::tr("change colour of point");
+}
+
 } // namespace
 
 PointFields::PointFields(CurveSubject subject, QWidget* parent)
     : QWidget(parent), m_subject(subject), m_which(new QLabel), m_opacityName(new QLabel(tr("Opacity"))),
       m_value(new NumberField(std::max(-1e9, lowestPlace(subject)), 1e9, 1)),
-      m_opacity(new NumberField(0.0, 1.0, 4)), m_color(new ColorButton(tr("change colour of point"))) {
+      m_opacity(new NumberField(0.0, 1.0, 4)), m_color(new ColorButton(pickedColorText({}))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
@@ -68,9 +73,9 @@ PointFields::PointFields(CurveSubject subject, QWidget* parent)
     emit functionEdited(withOpacityAt(m_function, m_selected, opacity),
                         {nextGestureId(), tr("set opacity to %1").arg(opacityText(opacity))});
   });
-  connect(m_color, &ColorButton::colorEdited, this, [this](const glm::dvec3& color, const Gesture& gesture) {
-    emit functionEdited(withColorAt(m_function, m_selected, color), gesture);
-  });
+  connect(m_color, &ColorButton::colorEdited, this,
+          [this](const glm::dvec3& color, const Gesture& gesture) { pickColor(color, gesture.id); });
+  connect(m_color, &ColorButton::takenBack, this, &PointFields::takeBackColor);
   for (NumberField* field : {m_value, m_opacity})
     field->installEventFilter(this);
   setPoints({}, {}, {}, 1);
@@ -113,6 +118,23 @@ void PointFields::setPoints(const TransferFunction& function, const PointIndices
   m_color->setColor(point.color);
 }
 
+void PointFields::pickColor(const glm::dvec3& color, std::uint64_t gestureId) {
+  if (m_picking != gestureId) {
+    m_picking = gestureId;
+    m_beforePick = m_function;
+  }
+  emit functionEdited(withColorAt(m_function, m_selected, color), {gestureId, pickedColorText(m_selected)});
+}
+
+void PointFields::takeBackColor(std::uint64_t gestureId) {
+  if (m_picking != gestureId || m_beforePick.points.size() != m_function.points.size())
+    return;
+  TransferFunction before = m_function;
+  for (const std::size_t i : m_selected)
+    before = withPointColored(before, i, m_beforePick.points[i].color);
+  emit functionEdited(before, {gestureId, pickedColorText(m_selected)});
+}
+
 void PointFields::focusValue() {
   NumberField* field = m_selected.size() == 1 ? m_value : m_opacity;
   field->setFocus(Qt::ShortcutFocusReason);
@@ -147,9 +169,9 @@ QString PointFields::describedSelection() const {
   return tr("Point %1 of %2").arg(m_selected.front() + 1).arg(m_function.points.size());
 }
 
-PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, std::size_t index,
+PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, const PointIndices& points,
                        const QString& unit, int decimals, QWidget* parent)
-    : QFrame(parent, Qt::Popup), m_function(function), m_index(index), m_unit(unit), m_decimals(decimals),
+    : QFrame(parent, Qt::Popup), m_points(points), m_unit(unit), m_decimals(decimals),
       m_fields(new PointFields(subject)), m_picker(new ColorPicker) {
   setAttribute(Qt::WA_DeleteOnClose);
   setFrameShape(QFrame::StyledPanel);
@@ -159,8 +181,8 @@ PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, s
   layout->addWidget(m_fields);
   layout->addWidget(m_picker);
   m_picker->setVisible(hasColors(subject));
-  m_fields->setPoints(function, {index}, unit, decimals);
-  m_picker->setColor(function.points[index].color);
+  m_fields->setPoints(function, points, unit, decimals);
+  m_picker->setColor(function.points[points.front()].color);
 
   connect(m_fields, &PointFields::functionEdited, this, &PointPopup::change);
   connect(m_fields, &PointFields::typingEnded, this, [this](bool isTakenBack) {
@@ -168,9 +190,8 @@ PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, s
       m_picker->takeBack();
     close();
   });
-  connect(m_picker, &ColorPicker::colorPicked, this, [this](const glm::dvec3& color, std::uint64_t id) {
-    change(withPointColored(m_function, m_index, color), {id, tr("change colour of point")});
-  });
+  connect(m_picker, &ColorPicker::colorPicked, m_fields, &PointFields::pickColor);
+  connect(m_picker, &ColorPicker::takenBack, m_fields, &PointFields::takeBackColor);
 }
 
 // Wherever in it the keyboard is.
@@ -181,8 +202,7 @@ void PointPopup::keyPressEvent(QKeyEvent* event) {
 }
 
 void PointPopup::change(const TransferFunction& function, const Gesture& gesture) {
-  m_function = function;
-  m_fields->setPoints(function, {m_index}, m_unit, m_decimals);
+  m_fields->setPoints(function, m_points, m_unit, m_decimals);
   emit functionEdited(function, gesture);
 }
 

@@ -8,6 +8,8 @@
 #include <QFrame>
 #include <QWidget>
 
+#include <cstdint>
+
 class QLabel;
 
 namespace limn {
@@ -31,6 +33,11 @@ public:
 
   void focusValue();
 
+  /// Gives the selected points a colour, by a gesture of a picker, and back the colours that they had before
+  /// it.
+  void pickColor(const glm::dvec3& color, std::uint64_t gestureId);
+  void takeBackColor(std::uint64_t gestureId);
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -53,16 +60,18 @@ private:
   NumberField* m_value;
   NumberField* m_opacity;
   ColorButton* m_color;
+  std::uint64_t m_picking = 0;   ///< the gesture that picks a colour
+  TransferFunction m_beforePick; ///< the curve as it began
 };
 
-/// Numbers and, where its curve has colours, colour of one control point beside it; closes on a click
+/// Numbers and, where its curve has colours, colour of control points beside one of them; closes on a click
 /// elsewhere, Enter or Esc, which takes the colour back that was picked in it.
 class PointPopup : public QFrame {
   Q_OBJECT
 
 public:
-  PointPopup(CurveSubject subject, const TransferFunction& function, std::size_t index, const QString& unit,
-             int decimals, QWidget* parent);
+  PointPopup(CurveSubject subject, const TransferFunction& function, const PointIndices& points,
+             const QString& unit, int decimals, QWidget* parent);
 
   PointFields* fields() const { return m_fields; }
 
@@ -75,8 +84,7 @@ signals:
 private:
   void change(const TransferFunction& function, const Gesture& gesture);
 
-  TransferFunction m_function;
-  std::size_t m_index;
+  PointIndices m_points;
   QString m_unit;
   int m_decimals;
   PointFields* m_fields;

@@ -306,7 +306,10 @@ void TransferFunctionEditor::showPinOrPoints() {
 
 void TransferFunctionEditor::openDetails(std::size_t index) {
   const TransferFunction& function = m_canvas->transferFunction();
-  auto* popup = new PointPopup(m_canvas->subject(), function, index, m_canvas->unit(), typedDecimals(), this);
+  const PointIndices& selected = m_canvas->selected();
+  auto* popup = new PointPopup(m_canvas->subject(), function,
+                               contains(selected, index) ? selected : PointIndices{index}, m_canvas->unit(),
+                               typedDecimals(), this);
   connect(popup, &PointPopup::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
   const QPoint centre = positionOf(m_canvas->transform(), function.points[index]).toPoint();
   showPopupAt(*popup, QRect(m_canvas->mapToGlobal(centre) - QPoint(10, 10), QSize(20, 20)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/LabelGroups.h"
 
-#include "widgets/properties/LabelSection.h"
+#include "widgets/properties/LabelTable.h"
 
 #include <QRegularExpression>
 
@@ -96,13 +96,16 @@ void LabelTree::regroup() {
                                                                         static_cast<int>(n)};
 }
 
-// What labels show their groups sum up.
+// Once for each parent, because a view measures its columns anew each time. What labels show their groups sum
+// up.
 void LabelTree::passOn(const QModelIndex& first, const QModelIndex& last) {
-  for (int row = first.row(); row <= last.row(); ++row)
-    emit dataChanged(mapFromSource(first.siblingAtRow(row)), mapFromSource(last.siblingAtRow(row)));
-  for (std::size_t group = 0; group < m_groups.size(); ++group)
-    if (!m_groups[group].name.isEmpty())
-      emit dataChanged(index(static_cast<int>(group), 0), index(static_cast<int>(group), 0));
+  const auto tell = [&](const QModelIndex& parent) {
+    emit dataChanged(index(0, first.column(), parent), index(rowCount(parent) - 1, last.column(), parent));
+  };
+  tell({});
+  for (int group = 0; group < rowCount(); ++group)
+    if (const QModelIndex parent = index(group, 0); isGroup(parent))
+      tell(parent);
 }
 
 bool LabelTree::isGroup(const QModelIndex& index) const {

@@ -122,9 +122,9 @@ void PropertiesPanel::connectSections() {
   connect(m_projection, &ProjectionSection::projectionEdited, this, &PropertiesPanel::projectionEdited);
   connect(m_projection, &ProjectionSection::isovalueEdited, this, &PropertiesPanel::isovalueEdited);
   connect(m_crop, &CropSection::cropEdited, this, &PropertiesPanel::cropEdited);
-  // It lies below what is always there; once the rows have their place.
+  // It lies below what is always there; once the scene has come to all sections.
   connect(
-      m_labels, &LabelSection::opened, this, [this] { ensureWidgetVisible(m_labels); }, Qt::QueuedConnection);
+      m_labels, &LabelSection::opened, this, [this] { scrollTo(*m_labels); }, Qt::QueuedConnection);
   connect(
       m_measures, &MeasureSection::begun, this, [this] { ensureWidgetVisible(m_measures); },
       Qt::QueuedConnection);

@@ -14,6 +14,7 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/properties/ProjectionSection.h"
+#include "widgets/theme/Theme.h"
 
 #include <algorithm>
 
@@ -25,18 +26,6 @@ QString nameOf(const Region& region, std::size_t label) {
   const std::size_t own = ownLabels(region);
   return label < own ? QString::fromStdString(region.labels->labels()[label].name)
                      : CurveController::tr("Piece %1").arg(label - own + 1);
-}
-
-// A label's own colour; of a piece that of what its curve shows most.
-QColor colorOf(const Region& region, std::size_t label) {
-  glm::dvec3 color = region.labels->labels()[label].color;
-  const std::vector<ControlPoint>& points = region.looks[lookOfLabel(region, label) - 1].points;
-  if (label >= ownLabels(region) && !points.empty())
-    color = std::max_element(points.begin(), points.end(), [](const ControlPoint& a, const ControlPoint& b) {
-              return a.opacity < b.opacity;
-            })->color;
-  return QColor::fromRgbF(static_cast<float>(color.r), static_cast<float>(color.g),
-                          static_cast<float>(color.b));
 }
 
 const TransferFunction& curveOf(const Scene& scene, std::optional<std::size_t> label) {
@@ -176,10 +165,11 @@ void CurveController::edit(const TransferFunction& function, const Gesture& gest
 void CurveController::showLabels(const Scene& scene) {
   if (m_label && lookOfLabel(scene.keep, *m_label) == 0)
     m_label.reset();
+  m_colors.follow(scene.volume, scene.keep);
   QList<CurvePanel::LabelCurve> curves;
   for (std::size_t place = 0; place < scene.keep.lookOf.size(); ++place)
     if (lookOfLabel(scene.keep, place) > 0)
-      curves.append({place, nameOf(scene.keep, place), colorOf(scene.keep, place)});
+      curves.append({place, nameOf(scene.keep, place), toQColor(m_colors.of(place))});
   m_panel.setLabelCurves(curves, m_label);
 }
 

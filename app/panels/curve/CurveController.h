@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/regions/LabelColor.h"
 #include "scene/view/HistogramView.h"
 #include "scene/volume/Histogram.h"
 #include "widgets/Gesture.h"
@@ -103,6 +104,7 @@ private:
   HistogramController m_histograms;
   std::shared_ptr<const Volume> m_volume;
   std::optional<std::size_t> m_label;      ///< whose curve is in hand
+  ShownColors m_colors;                    ///< of labels that have curves
   std::shared_ptr<const Volume> m_counted; ///< whose gradients were asked for last; null: of none
   double m_smoothing = 0.0;                ///< of gradients, mm
   double m_countedSmoothing = 0.0;         ///< of those that were asked for

@@ -7,10 +7,12 @@
 #include "io/formats/nrrd/NrrdFile.h"
 #include "io/formats/voxels/Bytes.h"
 #include "io/labels/CaretLabels.h"
+#include "io/labels/LabelNames.h"
 #include "io/labels/MaskFolder.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <vector>
@@ -59,10 +61,11 @@ std::vector<Label> slicerSegments(const NrrdHeader& header) {
 
 namespace fs = std::filesystem;
 
-// Labels as a volume on a grid of their own, and what the file says of them.
+// Labels as a volume on a grid of their own, and what the file and its name say of them.
 struct LabelVolume {
   std::shared_ptr<const Volume> volume;
   std::vector<Label> described;
+  std::string structure{}; ///< where the file itself names none
 };
 
 LabelVolume readLabelVolume(const fs::path& path, const Progress& progress) {
@@ -78,6 +81,8 @@ LabelVolume readLabelVolume(const fs::path& path, const Progress& progress) {
   for (const std::string& extension : niftiExtensions(path))
     for (Label& label : caretLabels(extension))
       labels.described.push_back(std::move(label));
+  if (std::ranges::all_of(labels.described, [](const Label& label) { return label.name.empty(); }))
+    labels.structure = structureName(path);
   return labels;
 }
 
@@ -115,8 +120,9 @@ Segmentation readSegmentation(const fs::path& path, const Grid& grid, const Prog
   const LabelVolume labels = readLabelVolume(path, part(progress, 0.0, 0.6));
   requireNear(path, labels.volume->grid(), grid);
   return naming(path, [&] {
-    const auto map = labelsOnGrid(*labels.volume, labels.described, grid,
-                                  effortOf(part(progress, 0.6, 1.0), Message::tr("Placing labels")));
+    const auto map =
+        labelsOnGrid(*labels.volume, labels.described, grid,
+                     effortOf(part(progress, 0.6, 1.0), Message::tr("Placing labels")), labels.structure);
     return Segmentation{
         {Region::Kind::labels, sourceOf(path), map, std::vector<double>(map->labels().size(), 1.0)}, {}};
   });

@@ -2,28 +2,24 @@
 #include "io/labels/MaskFolder.h"
 
 #include "io/VolumeReader.h"
+#include "io/labels/LabelNames.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
 
 #include <algorithm>
-#include <array>
 
 namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array volumeEndings{".nii.gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd"};
 constexpr std::size_t longestMaskName = 200;
 constexpr std::size_t mostNamed = 3;
 
-// "liver" of "liver.nii.gz"; empty of what is no volume by its ending.
-std::string structureOf(const fs::path& file) {
-  const std::string name = file.filename().string();
-  for (const std::string_view ending : volumeEndings)
-    if (name.size() > ending.size() && name.ends_with(ending))
-      return name.substr(0, name.size() - ending.size());
-  return {};
+// Whatever the name tells: masks side by side must be told apart.
+std::string maskName(const fs::path& file) {
+  const std::string structure = structureName(file);
+  return structure.empty() ? plainText(volumeStem(file), longestMaskName) : structure;
 }
 
 // The files of a folder by name; hidden ones are none of the user's.
@@ -72,7 +68,7 @@ bool isMaskFolder(const fs::path& path) {
   try {
     const std::vector<fs::path> files = fs::is_directory(path) ? filesIn(path) : std::vector<fs::path>();
     return std::any_of(files.begin(), files.end(),
-                       [](const fs::path& file) { return !structureOf(file).empty(); });
+                       [](const fs::path& file) { return !volumeStem(file).empty(); });
   } catch (const fs::filesystem_error&) {
     return false;
   }
@@ -84,13 +80,12 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
   std::optional<MasksOnGrid> masks;
   int value = 0;
   for (std::size_t n = 0; n < files.size(); ++n) {
-    const std::string structure = structureOf(files[n]);
-    value += structure.empty() ? 0 : 1;
+    const bool isVolume = !volumeStem(files[n]).empty();
+    value += isVolume ? 1 : 0;
     const auto share = [&](double done) {
       return (static_cast<double>(n) + done) / static_cast<double>(files.size());
     };
-    const auto mask =
-        structure.empty() ? nullptr : readVolume(files[n], {}, part(progress, share(0.0), share(0.8)));
+    const auto mask = isVolume ? readVolume(files[n], {}, part(progress, share(0.0), share(0.8))) : nullptr;
     if (!mask || !isMask(*mask)) {
       skipped.push_back(files[n].filename().string());
       continue;
@@ -98,7 +93,7 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
     requireNear(files[n], mask->grid(), grid);
     if (!masks)
       masks.emplace(grid, files.size(), mask->room());
-    masks->add(*mask, value, plainText(structure, longestMaskName),
+    masks->add(*mask, value, maskName(files[n]),
                effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
   }
   if (!masks)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -40,6 +41,29 @@ glm::dvec3 shownColor(const Volume& volume, const Region& region, std::size_t pl
   for (int step = stride; count == 0.0 && step > 0; step /= 2)
     ask(step);
   return opacity > 0.0 ? weighed / opacity : count > 0.0 ? plain / count : map.labels()[place].color;
+}
+
+void ShownColors::follow(const std::shared_ptr<const Volume>& volume, const Region& region) {
+  const bool areSame = volume == m_volume && region.labels == m_labels;
+  m_volume = volume;
+  m_labels = region.labels;
+  const std::map<std::size_t, Found> before = std::exchange(m_found, {});
+  for (std::size_t place = 0; volume && region.labels && place < region.lookOf.size(); ++place) {
+    const std::size_t n = lookOfLabel(region, place);
+    if (n == 0)
+      continue;
+    const TransferFunction& look = region.looks[n - 1];
+    const auto known = before.find(place);
+    const bool isKnown = areSame && known != before.end() && known->second.look == look;
+    m_found[place] = isKnown ? known->second : Found{look, shownColor(*volume, region, place)};
+  }
+  if (m_found.empty())
+    m_volume.reset(); // nobody shall wait for its memory
+}
+
+glm::dvec3 ShownColors::of(std::size_t place) const {
+  const auto found = m_found.find(place);
+  return found != m_found.end() ? found->second.color : m_labels->labels()[place].color;
 }
 
 } // namespace limn

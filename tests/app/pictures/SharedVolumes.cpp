@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pictures/SharedVolumes.h"
 
-#include "app/picture/RegionController.h"
+#include "io/labels/LabelNames.h"
 
 #include <algorithm>
 #include <set>
@@ -29,7 +29,7 @@ void addVolumes(const fs::path& folder, std::vector<fs::path>& found) {
     found.push_back(folder);
   else
     std::ranges::copy_if(files, std::back_inserter(found), [](const fs::path& file) {
-      return volumes.contains(file.extension()) && !isNamedLikeLabels(QString::fromStdString(file.string()));
+      return volumes.contains(file.extension()) && !isNamedLikeLabels(file);
     });
   for (const fs::path& below : folders)
     if (below.filename() != "thumbs") // pictures of the volumes beside it

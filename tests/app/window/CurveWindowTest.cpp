@@ -67,6 +67,28 @@ TEST_F(CurveWindow, escInThePopUpOfAPointLeavesTheColourOfBefore) {
   }
 }
 
+TEST_F(CurveWindow, aDoubleClickOnOneOfSeveralPointsEditsAllOfThem) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const TransferFunction before = scene().transferFunction;
+  ASSERT_GT(before.points.size(), 3u);
+  plot().selectPoints({1, 2});
+  const QPoint at = plot().mapTo(window.get(), positionOf(plot().transform(), before.points[2]).toPoint());
+  QTest::mouseDClick(window->windowHandle(), Qt::LeftButton, {}, at);
+  const QPointer<PointPopup> popup = window->findChild<PointPopup*>();
+  ASSERT_TRUE(popup && test::waitUntilExposed(*popup));
+  EXPECT_EQ(plot().selected(), (PointIndices{1, 2}));
+  const QPoint white =
+      popup->findChild<ColorPicker*>()->mapTo(popup->window(), QPoint(1, 1)); // of the field of colours
+  QTest::mouseClick(popup->windowHandle(), Qt::LeftButton, {}, white);
+  const std::vector<ControlPoint>& now = scene().transferFunction.points;
+  EXPECT_GT(now[1].color.b, 0.98);
+  EXPECT_EQ(now[1].color, now[2].color);
+  EXPECT_EQ(now[3], before.points[3]);
+  EXPECT_EQ(undo().count(), 1);
+  popup->close();
+  EXPECT_EQ(plot().selected(), (PointIndices{1, 2}));
+}
+
 TEST_F(CurveWindow, enterAndEscInTheNumbersOfAPointLeadBackToIt) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   plot().setFocus();

@@ -22,7 +22,7 @@
 namespace limn {
 namespace {
 
-constexpr int size = 32;
+constexpr int curvedSize = 32;
 
 class LabelCurveWindow : public test::WindowHarness {
 protected:
@@ -45,7 +45,7 @@ protected:
 
   template <class Value>
   void write(const char* name, const Value& value) {
-    test::writeShorts(folder.path() / name, size, value);
+    test::writeShorts(folder.path() / name, curvedSize, value);
   }
 
   RegionController& regions() { return *window->findChild<RegionController*>(); }

@@ -499,12 +499,5 @@ TEST_F(RegionWindow, whatIsNoLabelMapIsRefusedInASentence) {
   EXPECT_EQ(scene().keep, before);
 }
 
-TEST(LabelNames, tellLabelsFromImages) {
-  for (const char* name : {"a/liver.seg.nrrd", "label_Brain.nrrd", "Segmentation-1.nii.gz", "organ mask.nii"})
-    EXPECT_TRUE(isNamedLikeLabels(QString::fromLatin1(name))) << name;
-  for (const char* name : {"labels/head.nrrd", "segment.nrrd", "masked.nii", "head.nii.gz"})
-    EXPECT_FALSE(isNamedLikeLabels(QString::fromLatin1(name))) << name;
-}
-
 } // namespace
 } // namespace limn

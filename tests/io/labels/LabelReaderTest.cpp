@@ -79,6 +79,25 @@ TEST_F(LabelReader, takesNamesAndColoursOfSlicersSegmentations) {
   EXPECT_EQ(countsIn(*region.labels), (std::map<int, std::size_t>{{0, 2}, {3, 2}, {5, 3}, {9, 1}}));
 }
 
+TEST_F(LabelReader, theOnlyLabelOfAFileThatNamesNoneIsCalledAfterTheFile) {
+  const auto nameIn = [&](const char* name, const std::string& keys, const char* voxels) {
+    return readLabels(file(name, nrrdStart + keys + voxels), cube(2)).labels->labels()[1].name;
+  };
+  const char* const one = "\n0 3 3 0 0 0 3 0\n";
+  EXPECT_EQ(nameIn("label_Brain.nrrd", "", one), "Brain");
+  EXPECT_EQ(nameIn("vessels_of_head.seg.nrrd", "", one), "vessels of head");
+  EXPECT_EQ(nameIn("segmentation.nrrd", "", one), "Label 3") << "which tells nothing";
+  EXPECT_EQ(nameIn("label_7.nrrd", "", one), "Label 3");
+  EXPECT_EQ(nameIn("organs.nrrd", "", "\n0 3 3 0 0 0 5 0\n"), "Label 3") << "one of several";
+  const std::string named = "Segment0_ID:=Segment_1\nSegment0_Name:=Cortex\nSegment0_LabelValue:=3\n";
+  EXPECT_EQ(nameIn("label_Brain.nrrd", named, one), "Cortex") << "as the file has it";
+  const std::string unnamed =
+      "Segment0_ID:=Segment_1\nSegment0_Name:=\nSegment0_LabelValue:=3\nSegment0_Color:=1 0 0\n";
+  EXPECT_EQ(nameIn("label_Brain.nrrd", unnamed, one), "Brain");
+  EXPECT_EQ(readLabels(folder.path() / "label_Brain.nrrd", cube(2)).labels->labels()[1].color,
+            glm::dvec3(1.0, 0.0, 0.0));
+}
+
 TEST_F(LabelReader, refusesWhatIsNoLabelMapOfTheVolume) {
   const auto image = file("image.nrrd", "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\n"
                                         "encoding: ascii\n\n0 1.5 2 3 4 5 6 7\n");
@@ -92,16 +111,17 @@ TEST_F(LabelReader, refusesWhatIsNoLabelMapOfTheVolume) {
 }
 
 TEST_F(LabelReader, laysRealLabelsOnTheirVolumes) {
-  for (const auto& [volume, labels] :
-       {std::pair("mr_t1_head/mr_t1_head.nii.gz", "mr_t1_head/label_Brain.nrrd"),
-        {"mr_t1_head/mr_t1_head.nii.gz", "mr_t1_head/label_Skull.nrrd"},
-        {"mr_brain_nrrd/brain1_image.nrrd", "mr_brain_nrrd/brain1_label.nrrd"}}) {
+  for (const auto& [volume, labels, name] :
+       {std::tuple("mr_t1_head/mr_t1_head.nii.gz", "mr_t1_head/label_Brain.nrrd", "Brain"),
+        {"mr_t1_head/mr_t1_head.nii.gz", "mr_t1_head/label_Skull.nrrd", "Skull"},
+        {"mr_brain_nrrd/brain1_image.nrrd", "mr_brain_nrrd/brain1_label.nrrd", "brain1"}}) {
     LIMN_NEEDS_SHARED(std::string("data/") + volume);
     const auto image = readVolume(test::sharedFolder() / "data" / volume);
     const auto path = test::sharedFolder() / "data" / labels;
     const Region region = readLabels(path, image->grid());
     EXPECT_EQ(region.labels->dims(), image->grid().dims);
     ASSERT_EQ(region.labels->labels().size(), 2u) << labels;
+    EXPECT_EQ(region.labels->labels()[1].name, name);
     // One grid, or its mirror image: each labelled voxel lands on exactly one.
     EXPECT_EQ(countsIn(*region.labels)[1], countOf(*readVolume(path), 1.0)) << labels;
   }

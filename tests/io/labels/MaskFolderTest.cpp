@@ -85,7 +85,7 @@ TEST_F(MaskFolder, becomesOneLabelMapCalledAfterItsFiles) {
   EXPECT_EQ(read.region.kind, Region::Kind::labels);
   EXPECT_EQ(read.region.source, masks().string());
   EXPECT_EQ(readSegmentation(masks() / "", grid).region.source, masks().string()) << "with a slash behind it";
-  EXPECT_EQ(namesIn(read.region), (std::vector<std::string>{"Background", "kidney_left", "liver", "spleen"}));
+  EXPECT_EQ(namesIn(read.region), (std::vector<std::string>{"Background", "kidney left", "liver", "spleen"}));
   // Files are numbered by name, the empty one, too: what a scene says of a number holds whatever they hold.
   EXPECT_EQ(read.region.labels->labels()[1].value, 2);
   EXPECT_EQ(read.region.labels->labels()[3].value, 4);
@@ -117,6 +117,14 @@ TEST_F(MaskFolder, ofTwoMasksTheLaterByNameHasTheVoxelWhichIsSaid) {
   EXPECT_EQ(readSegmentation(masks(), grid).remark.english(),
             "2 voxels lie in two masks and belong to the one whose name comes last: to stomach and not to "
             "colon.");
+}
+
+TEST_F(MaskFolder, callsAMaskWhoseNameTellsNothingAfterItsWholeName) {
+  mask("label_1.nii.gz", boxOf({0, 0, 0}, {1, 1, 1}));
+  mask("label_Brain.nii.gz", boxOf({2, 0, 0}, {3, 1, 1}));
+  mask("mask.nii.gz", boxOf({4, 0, 0}, {5, 1, 1}));
+  EXPECT_EQ(namesIn(readSegmentation(masks(), grid).region),
+            (std::vector<std::string>{"Background", "label_1", "Brain", "mask"}));
 }
 
 TEST_F(MaskFolder, leavesOutWhatIsNoMaskAndSaysSo) {
@@ -190,8 +198,8 @@ TEST_F(MaskFolder, mayHaveMoreThan255Masks) {
   }
   const LabelMap map = *readSegmentation(masks(), grid).region.labels;
   EXPECT_EQ(map.labels().size(), 301u);
-  EXPECT_EQ(map.labels()[map.placeAt(0)].name, "part_240") << "the last that has the voxel: 0, 120, 240";
-  EXPECT_EQ(map.labels()[map.placeAt(59)].name, "part_299");
+  EXPECT_EQ(map.labels()[map.placeAt(0)].name, "part 240") << "the last that has the voxel: 0, 120, 240";
+  EXPECT_EQ(map.labels()[map.placeAt(59)].name, "part 299");
 }
 
 TEST_F(MaskFolder, tellsHowFarItIsAndCanBeCancelled) {
@@ -206,6 +214,14 @@ TEST_F(MaskFolder, tellsHowFarItIsAndCanBeCancelled) {
   EXPECT_GT(told.back(), 0.75);
   int asked = 0;
   EXPECT_THROW((void)readSegmentation(masks(), grid, {{}, [&] { return ++asked > 6; }}), Cancelled);
+}
+
+TEST_F(MaskFolder, aMaskThatIsOpenedAloneIsCalledAsInItsFolder) {
+  mask("label_kidney_left.nii.gz", boxOf({0, 0, 0}, {3, 2, 2}));
+  for (const auto& path : {masks(), masks() / "label_kidney_left.nii.gz"})
+    EXPECT_EQ(namesIn(readSegmentation(path, grid).region),
+              (std::vector<std::string>{"Background", "kidney left"}))
+        << path;
 }
 
 // A label map as TotalSegmentator's --ml writes it: an extension of code 0 with a table in XML, in a NIfTI-1

@@ -71,6 +71,32 @@ TEST_F(CanvasFixture, aDoubleClickOnAPointAsksForItsDetails) {
   EXPECT_TRUE(m_edits.empty());
 }
 
+TEST_F(CanvasFixture, aDoubleClickOnOneOfSeveralPointsKeepsThemInHand) {
+  std::vector<PointIndices> inHand;
+  QObject::connect(&m_canvas, &TransferFunctionCanvas::pointDetailsRequested, &m_canvas,
+                   [&](std::size_t) { inHand.push_back(m_canvas.selected()); });
+  // As a window gets it: the second press comes as a double click.
+  const auto doubleClick = [this](std::size_t point) {
+    const QPointF at = pixelOf(point);
+    QTest::mouseClick(&m_canvas, Qt::LeftButton, {}, at.toPoint());
+    QMouseEvent second(QEvent::MouseButtonDblClick, at, m_canvas.mapToGlobal(at), Qt::LeftButton,
+                       Qt::LeftButton, {});
+    QApplication::sendEvent(&m_canvas, &second);
+    QTest::mouseRelease(&m_canvas, Qt::LeftButton, {}, at.toPoint());
+  };
+  m_canvas.selectPoints({1, 3});
+  doubleClick(3);
+  EXPECT_EQ(inHand, (std::vector<PointIndices>{{1, 3}}));
+  EXPECT_EQ(m_canvas.selected(), (PointIndices{1, 3}));
+  doubleClick(2);
+  EXPECT_EQ(inHand.back(), PointIndices{2}) << "which was none of them";
+  // One click takes one of several, as ever.
+  m_canvas.selectPoints({1, 3});
+  QTest::mouseClick(&m_canvas, Qt::LeftButton, {}, pixelOf(3));
+  EXPECT_EQ(m_canvas.selected(), PointIndices{3});
+  EXPECT_TRUE(m_edits.empty());
+}
+
 TEST_F(CanvasFixture, aClickOnEmptySpaceClearsTheSelectionAndChangesNothing) {
   m_canvas.selectPoints({1, 2});
   QTest::mouseClick(&m_canvas, Qt::LeftButton, {}, emptyPlace());

@@ -162,6 +162,43 @@ TEST_F(TransferFunctionEditorTest, aDoubleClickOnAPointOpensColourAndNumbers) {
   popup->close();
 }
 
+TEST_F(TransferFunctionEditorTest, thePopUpOfOneOfSeveralPointsIsOfAllOfThem) {
+  TransferFunctionCanvas& canvas = *m_editor.canvas();
+  const std::vector<ControlPoint> before = canvas.transferFunction().points;
+  canvas.selectPoints({1, 3});
+  emit canvas.pointDetailsRequested(3);
+  auto* popup = m_editor.findChild<PointPopup*>();
+  ASSERT_NE(popup, nullptr);
+  auto* picker = popup->findChild<ColorPicker*>();
+  QTest::mouseClick(picker, Qt::LeftButton, {}, QPoint(1, 1)); // white
+  ASSERT_EQ(m_edits.size(), 1u);
+  const std::vector<ControlPoint> white = m_edits.back().first.points;
+  EXPECT_EQ(white[1].color, white[3].color);
+  EXPECT_GT(white[1].color.b, 0.98);
+  EXPECT_EQ(white[2], before[2]);
+  EXPECT_EQ(m_edits.back().second.text, QStringLiteral("change colour of 2 points"));
+  EXPECT_FALSE(widgetNamed<NumberField>(*popup, "Value of the selected point")->isEnabled());
+  EXPECT_EQ(canvas.selected(), (PointIndices{1, 3}));
+  // Esc gives each its own colour back.
+  ASSERT_NE(before[1].color, before[3].color);
+  QTest::keyClick(picker, Qt::Key_Escape);
+  EXPECT_EQ(m_edits.back().first.points, before);
+  EXPECT_EQ(m_edits.back().second.id, m_edits.front().second.id);
+}
+
+TEST_F(TransferFunctionEditorTest, escInTheColourOfSeveralPointsGivesEachItsOwnBack) {
+  const std::vector<ControlPoint> before = m_editor.canvas()->transferFunction().points;
+  m_editor.canvas()->selectPoints({1, 3});
+  auto* button = m_editor.findChild<ColorButton*>();
+  button->click();
+  auto* picker = button->findChild<ColorPicker*>();
+  ASSERT_NE(picker, nullptr);
+  QTest::mouseClick(picker, Qt::LeftButton, {}, QPoint(1, 1));
+  ASSERT_NE(m_editor.canvas()->transferFunction().points, before);
+  QTest::keyClick(picker->window(), Qt::Key_Escape);
+  EXPECT_EQ(m_editor.canvas()->transferFunction().points, before);
+}
+
 TEST_F(TransferFunctionEditorTest, whatFindsNoRoomStandsBehindAButtonAndWorksThere) {
   EXPECT_LE(m_editor.minimumSizeHint().width(), 300);
   auto* more = m_editor.findChild<QToolButton*>(QStringLiteral("moreCurveTools"));

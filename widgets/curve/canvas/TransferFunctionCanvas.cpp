@@ -166,6 +166,7 @@ void TransferFunctionCanvas::mousePressEvent(QMouseEvent* event) {
 
 void TransferFunctionCanvas::press(const CurveHit& hit, const QMouseEvent& event) {
   m_addedByPress.reset();
+  m_inHandBefore.clear();
   if (hit.part == CurveHit::Part::curve)
     return pressCurve(event.position());
   const bool isSelected = contains(m_plot.selected, hit.index);
@@ -241,8 +242,10 @@ void TransferFunctionCanvas::endDrag() {
   const CurveDrag ended = std::exchange(m_drag, {});
   if (!ended.started && ended.kind == CurveDrag::Kind::band)
     selectPoints(ended.selectedBefore);
-  if (!ended.started && ended.kind == CurveDrag::Kind::points)
+  if (!ended.started && ended.kind == CurveDrag::Kind::points) {
+    m_inHandBefore = ended.moved;
     selectPoints({ended.grabbed});
+  }
   update();
 }
 
@@ -259,6 +262,9 @@ void TransferFunctionCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
   const PlotTransform plot = transform();
   const CurveHit hit = hitAt(plot, m_plot.function, event->position());
   if (hit.part == CurveHit::Part::point) {
+    // Its first click has taken one point of several.
+    if (contains(m_inHandBefore, hit.index))
+      selectPoints(m_inHandBefore);
     if (hit.index != m_addedByPress)
       emit pointDetailsRequested(hit.index);
   } else if (plot.plot.contains(event->position())) {

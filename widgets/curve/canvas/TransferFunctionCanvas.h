@@ -92,7 +92,8 @@ signals:
   void pinChanged();
   /// The user wants to type numbers (Enter).
   void numbersRequested();
-  /// The user wants colour and numbers of a point in a pop-up (double click).
+  /// The user wants colour and numbers of a point, and of all that are in hand with it, in a pop-up (double
+  /// click).
   void pointDetailsRequested(std::size_t index);
 
 protected:
@@ -145,7 +146,8 @@ private:
   CurveHit m_hovered;
   std::optional<double> m_hoveredValue;
   std::optional<std::size_t>
-      m_addedByPress; ///< so that a double click on the curve does not also open details
+      m_addedByPress;          ///< so that a double click on the curve does not also open details
+  PointIndices m_inHandBefore; ///< a click took one of several points: they, for the second one of two
   // What the last arrow key left; the next one along the same axis goes on from it as one gesture.
   struct Nudged {
     std::uint64_t gestureId = 0;
