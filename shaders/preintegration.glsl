@@ -2,10 +2,8 @@
 // The mean extinction and the mean colour, weighted by extinction, of the transfer function between two values
 // (DEFINITION section 7): exact integrals over its linear pieces, so they depend on no step and on no resolution.
 
-// Whether anything between two scalars may have an opacity.
-bool mayBeSeenBetween(float a, float b) {
-  vec2 low = occupancyOf(min(a, b));
-  vec2 high = occupancyOf(max(a, b));
+// Whether anything may have an opacity between two scalars, by what is known of their bins, the lower first.
+bool isSeenBetween(vec2 low, vec2 high) {
   return high.g + (high.r > 0.0 ? 1.0 : 0.0) > low.g;
 }
 
@@ -32,12 +30,13 @@ vec4 meanOfPiece(float segment, float start, float from, float to) {
   return vec4(faintColor * (mean - moment) + denseColor * moment, mean);
 }
 
-Material meanMaterial(float a, float b) {
+// The same between any two scalars, of the function whose segments begin behind so many others.
+vec4 meanBetween(float a, float b, float others) {
   float from = min(a, b);
   float to = max(a, b);
   float firstStart, lastStart;
-  float first = segmentOf(from, firstStart);
-  float last = segmentOf(to, lastStart);
+  float first = segmentOf(from, firstStart) + others;
+  float last = segmentOf(to, lastStart) + others;
   bool isOnePiece = first == last;
   float firstEnd = isOnePiece ? to : segmentTexel(u_functionSegments, first, 2).y;
   vec4 mean = meanOfPiece(first, firstStart, from, firstEnd);
@@ -47,9 +46,43 @@ Material meanMaterial(float a, float b) {
                (segmentTexel(u_functionSegments, last, 3) - segmentTexel(u_functionSegments, first + 1.0, 3));
     mean = sum / (to - from);
   }
-  Material material;
-  material.extinction = max(mean.a, 0.0);
-  material.opacity = oneMinusExpNeg(material.extinction);
-  material.color = mean.a > 0.0 ? clamp(mean.rgb / mean.a, 0.0, 1.0) : vec3(0.0);
-  return material;
+  return vec4(mean.a > 0.0 ? clamp(mean.rgb / mean.a, 0.0, 1.0) : vec3(0.0), max(mean.a, 0.0));
 }
+
+#ifdef EFFECT_LABEL_LOOKS
+// What a step within one look has of it.
+struct MeanOfLook {
+  float look;
+  vec3 color;
+  float extinction; // per unit distance of the look
+};
+
+bool mayBeSeenBetween(float a, float b, float look) {
+  return isSeenBetween(occupancyOf(min(a, b), look), occupancyOf(max(a, b), look));
+}
+
+MeanOfLook meanOfLook(float a, float b, float look) {
+  vec4 mean = meanBetween(a, b, look * u_lookSegments);
+  return MeanOfLook(look, mean.rgb, mean.a);
+}
+
+// One look at the place that stands for its step, its opacity times a factor.
+Mixed alikeAt(vec3 position, MeanOfLook mean, float factor) {
+#ifdef EFFECT_REGION
+  factor *= weightAt(position);
+#endif
+  float extinction = mean.extinction;
+  if (factor != 1.0)
+    extinction = minusLog1mOpacity(factor * oneMinusExpNeg(extinction));
+  return Mixed(mean.color, extinction * u_lookUnits[int(mean.look)]);
+}
+#else
+bool mayBeSeenBetween(float a, float b) {
+  return isSeenBetween(occupancyOf(min(a, b)), occupancyOf(max(a, b)));
+}
+
+Material meanMaterial(float a, float b) {
+  vec4 mean = meanBetween(a, b, 0.0);
+  return Material(mean.rgb, oneMinusExpNeg(mean.a), mean.a);
+}
+#endif

@@ -71,14 +71,15 @@ void appendGathering(ShaderSource& source, EffectSet effects, const Decisions& d
   if (effects.has(Effect::localSteps)) {
     appendBlock(source, "local_steps.glsl");
     appendBlock(source, "gather_local_steps.glsl");
-  } else if (effects.has(Effect::preintegration)) {
-    appendBlock(source, "gather_segments.glsl");
   } else {
-    const bool isInterpolatedFirst = decisions.classification == ClassificationOrder::afterInterpolation;
+    // Whole steps classify what lies between scalars.
+    const bool isPreintegrated = effects.has(Effect::preintegration);
+    const bool isInterpolatedFirst =
+        isPreintegrated || decisions.classification == ClassificationOrder::afterInterpolation;
     appendBlock(source, effects.has(Effect::labelLooks) ? "fetched_by_label.glsl"
                         : isInterpolatedFirst           ? "fetched.glsl"
                                                         : "fetched_classified.glsl");
-    appendBlock(source, "gather.glsl");
+    appendBlock(source, isPreintegrated ? "gather_segments.glsl" : "gather.glsl");
   }
 }
 
