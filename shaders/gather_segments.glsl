@@ -26,7 +26,7 @@ Step stepBetween(March march, int i, bool isInside, Fetched before, Fetched behi
 #endif
 }
 
-// What lies between looks is looked at when it is added, lest every step be fetched once more.
+// Whether a step may be seen, or lies between looks: lest every step be fetched once more, those are asked by themselves.
 bool mayBeSeen(Step here) {
 #ifdef EFFECT_LABEL_LOOKS
   return here.look < 0.0 || mayBeSeenBetween(here.before.x, here.behind.x, here.look);
@@ -36,6 +36,10 @@ bool mayBeSeen(Step here) {
 }
 
 #ifdef EFFECT_LABEL_LOOKS
+Fetched sampleOfStep(March march, int i, bool isAsked) {
+  return fetchedAt(isAsked ? positionOf(march, float(i)) : u_textureLower);
+}
+
 void addWithin(inout Gathered gathered, March march, int i, Step here) {
   MeanOfLook mean = meanOfLook(here.before.x, here.behind.x, here.look);
   Shaded piece = shadedAlike(march, positionOf(march, float(i)), mean, float(i));
@@ -110,6 +114,12 @@ void findVisible(March march, int count, inout int i, inout Step here) {
       before = here.behind;
       isLooking = isSearching && i < end;
     }
+#ifdef EFFECT_LABEL_LOOKS
+    // A step between looks shows by its sample.
+    bool isBetween = !isSearching && i < count && here.look < 0.0;
+    isSearching = isSearching || (isBetween && !mayBeSeen(sampleOfStep(march, i, isBetween)));
+    i += isBetween && isSearching ? 1 : 0;
+#endif
     isSearching = isSearching && i < count;
   }
 }
@@ -130,21 +140,22 @@ Gathered gather(March march, int count) {
   while (i < count) {
     bool isVisible = true;
 #ifdef EFFECT_LABEL_LOOKS
-    // First those within one look, then those between: a software driver runs the body of a loop for all rays.
-    while (isVisible) {
-      bool isWithin = here.look >= 0.0;
-      while (isWithin) {
-        addWithin(gathered, march, i, here);
-        isVisible = goOn(march, count, gathered, i, here);
-        isWithin = isVisible && here.look >= 0.0;
+    // First those within one look, then those between: a software driver runs the body of a loop for all rays, and
+    // of one that asks at its begin once more.
+    do {
+      if (here.look >= 0.0) {
+        do {
+          addWithin(gathered, march, i, here);
+          isVisible = goOn(march, count, gathered, i, here);
+        } while (isVisible && here.look >= 0.0);
       }
-      bool isBetween = isVisible;
-      while (isBetween) {
-        addSample(gathered, march, i);
-        isVisible = goOn(march, count, gathered, i, here);
-        isBetween = isVisible && here.look < 0.0;
+      if (isVisible && here.look < 0.0) {
+        do {
+          addSample(gathered, march, i);
+          isVisible = goOn(march, count, gathered, i, here);
+        } while (isVisible && here.look < 0.0);
       }
-    }
+    } while (isVisible);
 #else
     while (isVisible) {
       addStep(gathered, march, i, here);
