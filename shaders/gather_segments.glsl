@@ -1,62 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gather a ray from its pre-integrated steps (DEFINITION section 7): the field is taken as linear within each. The ends
-// of step i lie half a step before and behind its sample. Where labels have looks of their own a step is
-// pre-integrated within one look, and otherwise its sample stands for it (section 10).
-
-// What is fetched at the ends of a step, and the look within which it lies, otherwise -1.
-struct Step {
-  Fetched before, behind;
-#ifdef EFFECT_LABEL_LOOKS
-  float look;
-#endif
-};
-
-// At k steps behind sample 0; of rays that have ended, at a place that stays in a software driver's cache.
-Fetched endOfStep(March march, float k, bool isInside) {
-  return fetchedAt(isInside ? positionOf(march, k) : u_textureLower);
-}
-
-// Between two ends that are known.
-Step stepBetween(March march, int i, bool isInside, Fetched before, Fetched behind) {
-#ifdef EFFECT_LABEL_LOOKS
-  float look = lookOfCell(isInside ? positionOf(march, float(i)) : u_textureLower);
-  return Step(before, behind, before.y == look && behind.y == look ? look : -1.0);
-#else
-  return Step(before, behind);
-#endif
-}
-
-// Whether a step may be seen, or lies between looks: lest every step be fetched once more, those are asked by themselves.
-bool mayBeSeen(Step here) {
-#ifdef EFFECT_LABEL_LOOKS
-  return here.look < 0.0 || mayBeSeenBetween(here.before.x, here.behind.x, here.look);
-#else
-  return mayBeSeenBetween(here.before, here.behind);
-#endif
-}
-
-#ifdef EFFECT_LABEL_LOOKS
-Fetched sampleOfStep(March march, int i, bool isAsked) {
-  return fetchedAt(isAsked ? positionOf(march, float(i)) : u_textureLower);
-}
-
-void addWithin(inout Gathered gathered, March march, int i, Step here) {
-  MeanOfLook mean = meanOfLook(here.before.x, here.behind.x, here.look);
-  Shaded piece = shadedAlike(march, positionOf(march, float(i)), mean, float(i));
-  add(gathered, piece, march.units, oneMinusExpNeg(piece.extinction * march.units));
-}
-
-void addSample(inout Gathered gathered, March march, int i) {
-  vec3 position = positionOf(march, float(i));
-  Fetched fetched = fetchedAt(position);
-  if (mayBeSeen(fetched))
-    addMaterial(gathered, march, position, materialOf(fetched), float(i));
-}
-#else
-void addStep(inout Gathered gathered, March march, int i, Step here) {
-  addMaterial(gathered, march, positionOf(march, float(i)), meanMaterial(here.before, here.behind), float(i));
-}
-#endif
+// of step i lie half a step before and behind its sample.
 
 #ifdef EFFECT_LONG_RAYS
 // One loop: drivers limit the iterations of all loops of a fragment together. Each either leaps over the
@@ -70,26 +14,24 @@ Gathered gather(March march, int count) {
     leap = max(emptySamples(march.blocks, float(i) - 0.5) - 1, 0);
 #endif
     if (leap == 0) {
-      Step here = stepBetween(march, i, true, endOfStep(march, float(i) - 0.5, true),
-                              endOfStep(march, float(i) + 0.5, true));
-      if (mayBeSeen(here)) {
-#ifdef EFFECT_LABEL_LOOKS
-        if (here.look >= 0.0)
-          addWithin(gathered, march, i, here);
-        else
-          addSample(gathered, march, i);
-#else
-        addStep(gathered, march, i, here);
-#endif
-      }
+      float before = scalarAt(positionOf(march, float(i) - 0.5));
+      float behind = scalarAt(positionOf(march, float(i) + 0.5));
+      if (mayBeSeenBetween(before, behind))
+        addMaterial(gathered, march, positionOf(march, float(i)), meanMaterial(before, behind), float(i));
     }
     i += max(leap, 1);
   }
   return gathered;
 }
 #else
-// Moves i to the next step that may be seen, `count` or beyond where there is none.
-void findVisible(March march, int count, inout int i, inout Step here) {
+// The scalar k steps behind sample 0; of rays that have ended, one that stays in a software driver's cache.
+float endOfStep(March march, float k, bool isInside) {
+  return scalarAt(isInside ? positionOf(march, k) : u_textureLower);
+}
+
+// Moves i to the next step that may be seen, `count` or beyond where there is none; `before` and `behind`
+// receive the scalars at its ends.
+void findVisible(March march, int count, inout int i, inout float before, inout float behind) {
   bool isSearching = i < count;
   while (isSearching) {
     int end = count;
@@ -105,65 +47,37 @@ void findVisible(March march, int count, inout int i, inout Step here) {
     end = min(i + alike, count);
 #endif
     // Look at the steps that begin in this block.
-    Fetched before = endOfStep(march, float(i) - 0.5, i < count);
+    before = endOfStep(march, float(i) - 0.5, i < count);
     bool isLooking = true;
     while (isLooking) {
-      here = stepBetween(march, i, i < count, before, endOfStep(march, float(i) + 0.5, i < count));
-      isSearching = i < count && !mayBeSeen(here);
+      behind = endOfStep(march, float(i) + 0.5, i < count);
+      isSearching = i < count && !mayBeSeenBetween(before, behind);
       i += isSearching ? 1 : 0;
-      before = here.behind;
+      before = isSearching ? behind : before;
       isLooking = isSearching && i < end;
     }
-#ifdef EFFECT_LABEL_LOOKS
-    // A step between looks shows by its sample.
-    bool isBetween = !isSearching && i < count && here.look < 0.0;
-    isSearching = isSearching || (isBetween && !mayBeSeen(sampleOfStep(march, i, isBetween)));
-    i += isBetween && isSearching ? 1 : 0;
-#endif
     isSearching = isSearching && i < count;
   }
-}
-
-// Goes on to the step behind one that was added; whether it may be seen.
-bool goOn(March march, int count, Gathered gathered, inout int i, inout Step here) {
-  i = isFinished(gathered) ? count : i + 1;
-  here = stepBetween(march, i, i < count, here.behind, endOfStep(march, float(i) + 0.5, i < count));
-  return i < count && mayBeSeen(here);
 }
 
 // Find the next visible step, then shade until none is visible.
 Gathered gather(March march, int count) {
   Gathered gathered = nothingGathered();
   int i = 0;
-  Step here = stepBetween(march, 0, false, Fetched(0.0), Fetched(0.0));
-  findVisible(march, count, i, here);
+  float before = 0.0;
+  float behind = 0.0;
+  findVisible(march, count, i, before, behind);
   while (i < count) {
     bool isVisible = true;
-#ifdef EFFECT_LABEL_LOOKS
-    // First those within one look, then those between: a software driver runs the body of a loop for all rays, and
-    // of one that asks at its begin once more.
-    do {
-      if (here.look >= 0.0) {
-        do {
-          addWithin(gathered, march, i, here);
-          isVisible = goOn(march, count, gathered, i, here);
-        } while (isVisible && here.look >= 0.0);
-      }
-      if (isVisible && here.look < 0.0) {
-        do {
-          addSample(gathered, march, i);
-          isVisible = goOn(march, count, gathered, i, here);
-        } while (isVisible && here.look < 0.0);
-      }
-    } while (isVisible);
-#else
     while (isVisible) {
-      addStep(gathered, march, i, here);
-      isVisible = goOn(march, count, gathered, i, here);
+      addMaterial(gathered, march, positionOf(march, float(i)), meanMaterial(before, behind), float(i));
+      i = isFinished(gathered) ? count : i + 1;
+      before = behind;
+      behind = endOfStep(march, float(i) + 0.5, i < count);
+      isVisible = i < count && mayBeSeenBetween(before, behind);
     }
-#endif
     ++i; // that one is known
-    findVisible(march, count, i, here);
+    findVisible(march, count, i, before, behind);
   }
   return gathered;
 }
