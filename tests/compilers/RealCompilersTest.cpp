@@ -133,10 +133,10 @@ constexpr Room togetherByLabel{96, 96, 128, 126};
 // Smooth normals read a second volume; the numbers of its place and scale are the same for all rays.
 constexpr Room togetherSmooth{64, 76, 88, 122};
 // Light on its way classifies two more places for each sample; a tolerance is not for shaders there.
-constexpr Room togetherTravelling{80, 76, 0, 0, 34};
+constexpr Room togetherTravelling{80, 76, 0, 0, 35};
 constexpr Room togetherTravellingWeighing{128, 84, 0, 0, 0};
 constexpr Room togetherTravellingByLabel{96, 0, 0, 0, 24};
-constexpr Room togetherTravellingByLabelPreintegrated{0, 96, 0, 0, 52};
+constexpr Room togetherTravellingByLabelPreintegrated{0, 96, 0, 0, 46};
 
 Room togetherOf(EffectSet effects) {
   const bool travels = effects.hasAny(travellingLight);
