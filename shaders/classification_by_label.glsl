@@ -31,9 +31,14 @@ float lookOfCell(vec3 position) {
   return floor(texelFetch(u_cellLooks, ivec3(voxelAt(position)), 0).r * 255.0 + 0.5) - 1.0;
 }
 
+// Of a look, or where that is -1 of all together.
+vec2 occupancyOf(float scalar, float look) {
+  return texelFetch(u_functionOccupancy, ivec2(binOf(u_functionDomain, scalar), int(look) + 1), 0).rg;
+}
+
 // Whether a scalar may have an opacity at all under a look, or where that is -1 under any.
 bool mayBeSeen(float scalar, float look) {
-  return texelFetch(u_functionOccupancy, ivec2(binOf(u_functionDomain, scalar), int(look) + 1), 0).r > 0.0;
+  return occupancyOf(scalar, look).r > 0.0;
 }
 
 bool mayBeSeen(float scalar) {

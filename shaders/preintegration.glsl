@@ -2,10 +2,16 @@
 // The mean extinction and the mean colour, weighted by extinction, of the transfer function between two values
 // (DEFINITION section 7): exact integrals over its linear pieces, so they depend on no step and on no resolution.
 
-// Whether anything between two scalars may have an opacity.
+// Whether anything between two scalars may have an opacity; under a look, where labels have looks of their own.
+#ifdef EFFECT_LABEL_LOOKS
+bool mayBeSeenBetween(float a, float b, float look) {
+  vec2 low = occupancyOf(min(a, b), look);
+  vec2 high = occupancyOf(max(a, b), look);
+#else
 bool mayBeSeenBetween(float a, float b) {
   vec2 low = occupancyOf(min(a, b));
   vec2 high = occupancyOf(max(a, b));
+#endif
   return high.g + (high.r > 0.0 ? 1.0 : 0.0) > low.g;
 }
 
@@ -32,12 +38,27 @@ vec4 meanOfPiece(float segment, float start, float from, float to) {
   return vec4(faintColor * (mean - moment) + denseColor * moment, mean);
 }
 
+#ifdef EFFECT_LABEL_LOOKS
+// What a step within one look has of it.
+struct MeanOfLook {
+  float look;
+  vec3 color;
+  float extinction; // per unit distance of the look
+};
+
+MeanOfLook meanOfLook(float a, float b, float look) {
+#else
 Material meanMaterial(float a, float b) {
+#endif
   float from = min(a, b);
   float to = max(a, b);
   float firstStart, lastStart;
   float first = segmentOf(from, firstStart);
   float last = segmentOf(to, lastStart);
+#ifdef EFFECT_LABEL_LOOKS
+  first += look * u_lookSegments;
+  last += look * u_lookSegments;
+#endif
   bool isOnePiece = first == last;
   float firstEnd = isOnePiece ? to : segmentTexel(u_functionSegments, first, 2).y;
   vec4 mean = meanOfPiece(first, firstStart, from, firstEnd);
@@ -47,9 +68,26 @@ Material meanMaterial(float a, float b) {
                (segmentTexel(u_functionSegments, last, 3) - segmentTexel(u_functionSegments, first + 1.0, 3));
     mean = sum / (to - from);
   }
+#ifdef EFFECT_LABEL_LOOKS
+  return MeanOfLook(look, mean.a > 0.0 ? clamp(mean.rgb / mean.a, 0.0, 1.0) : vec3(0.0), max(mean.a, 0.0));
+#else
   Material material;
   material.extinction = max(mean.a, 0.0);
   material.opacity = oneMinusExpNeg(material.extinction);
   material.color = mean.a > 0.0 ? clamp(mean.rgb / mean.a, 0.0, 1.0) : vec3(0.0);
   return material;
+#endif
 }
+
+#ifdef EFFECT_LABEL_LOOKS
+// One look at the place that stands for its step, its opacity times a factor.
+Mixed alikeAt(vec3 position, MeanOfLook mean, float factor) {
+#ifdef EFFECT_REGION
+  factor *= weightAt(position);
+#endif
+  float extinction = mean.extinction;
+  if (factor != 1.0)
+    extinction = minusLog1mOpacity(factor * oneMinusExpNeg(extinction));
+  return Mixed(mean.color, extinction * u_lookUnits[int(mean.look)]);
+}
+#endif

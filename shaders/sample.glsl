@@ -115,6 +115,16 @@ Shaded shadedAlike(March march, vec3 position, Material material, float i) {
   Mixed alike = alikeAt(position, material, opacityFactor(gradient.w, r));
   return Shaded(shaded(alike.color, march, gradient, r, i), alike.extinction);
 }
+
+#ifdef EFFECT_PREINTEGRATION
+// The same of a step within one look.
+Shaded shadedAlike(March march, vec3 position, MeanOfLook mean, float i) {
+  float r;
+  vec4 gradient = gradientOf(position, r);
+  Mixed alike = alikeAt(position, mean, opacityFactor(gradient.w, r));
+  return Shaded(shaded(alike.color, march, gradient, r, i), alike.extinction);
+}
+#endif
 #else
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float r;

@@ -34,6 +34,13 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
 Shaded shadedAlike(March march, vec3 position, Material material, float i) {
   return Shaded(vec3(0.0), alikeAt(position, material, 1.0).extinction);
 }
+
+#ifdef EFFECT_PREINTEGRATION
+// The same of a step within one look.
+Shaded shadedAlike(March march, vec3 position, MeanOfLook mean, float i) {
+  return Shaded(vec3(0.0), alikeAt(position, mean, 1.0).extinction);
+}
+#endif
 #else
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float extinction = material.extinction;

@@ -84,7 +84,7 @@ ErrorEstimate errorBeforeHalvings(const ImageError& first, const ImageError& sec
 }
 
 bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegrated) {
-  if (isPreintegrated || !integrates(scene.projection))
+  if ((isPreintegrated && !hasLabelLooks(scene)) || !integrates(scene.projection))
     return true;
   const double perStep = steepestPerMm * stepMm(scene);
   const std::vector<TransferFunction> functions = labelLooks(scene).functions;

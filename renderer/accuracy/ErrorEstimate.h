@@ -63,8 +63,8 @@ inline constexpr double leastBandHeight = 0.1;
 /// Whether steps of the scene's length can see the transfer function: no band of it that shows in the picture
 /// is narrower than what the value commonly changes by in a step, `steepestPerMm` times its length. Where one
 /// is, a picture and that of half the step may both step over it, and their difference says nothing.
-/// Pre-integrated steps pass through every band, so they see it however narrow; so do projections that
-/// classify no samples.
+/// Pre-integrated steps pass through every band, so they see it however narrow, but for those between looks
+/// of labels, for which samples stand; so do projections that classify no samples.
 bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegrated);
 
 } // namespace limn

@@ -147,12 +147,19 @@ struct PictureTerms {
 template <class T>
 class RaySamples {
 public:
+  /// What a pre-integrated step within one look has of it.
+  struct LookMean {
+    std::size_t look = 0;    ///< among LabelLooks::functions
+    double extinction = 0.0; ///< mean, over that look's unit distance
+  };
+
   /// What one step absorbs: its opacity and extinction over the unit distance, and its colour.
   struct Material {
     double opacity = 0.0;
     double extinction = 0.0;
     glm::dvec3 color{0.0};
     std::optional<std::size_t> gap; ///< of looks (LookSegments) where a piece of the functions is known
+    std::optional<LookMean> mean{}; ///< where the step lies within one look
   };
 
   /// What a material absorbs at a place, over the unit distance, and its colour there.
@@ -203,11 +210,13 @@ public:
   bool isKept(double place) const { return weightAt(place) >= keptWeight; }
 
   Material materialAt(double place) const {
-    if (m_terms.hasLooks)
-      return mixedMaterial(place, scalarAt(place), std::nullopt);
-    if (m_terms.effects.has(Effect::preintegration)) {
-      const MeanMaterial mean = meanMaterial(m_terms.scene.transferFunction, scalarAt(place - m_offset),
-                                             scalarAt(place + 1.0 - m_offset));
+    const bool isPreintegrated = m_terms.effects.has(Effect::preintegration);
+    if (m_terms.hasLooks) {
+      const std::optional<std::size_t> look = isPreintegrated ? lookOfStep(place) : std::nullopt;
+      return look ? meanOfLook(place, *look) : mixedMaterial(place, scalarAt(place), std::nullopt);
+    }
+    if (isPreintegrated) {
+      const MeanMaterial mean = meanOver(m_terms.scene.transferFunction, place);
       return {oneMinusExpNeg(mean.extinction), mean.extinction, mean.color, {}};
     }
     const Classified classified = classify(m_terms.scene.transferFunction, scalarAt(place));
@@ -249,6 +258,8 @@ public:
       double factor = mapped(steepness.ratio, o.atFlat, o.atBoundary);
       if (m_terms.hasGradientOpacity)
         factor *= gradientOpacityAt(*m_terms.scene.gradientOpacity, steepness.gradient.w);
+      if (material.mean)
+        return {extinctionOf(*material.mean, weightAt(place) * factor), material.color};
       return mixedAt(place, scalarAt(place), material.gap, factor);
     }
     if (!m_terms.changesOpacity)
@@ -309,6 +320,40 @@ private:
                : m_field.gradientAt(cellAt(place));
   }
 
+  // The means of a function over the step around a place.
+  MeanMaterial meanOver(const TransferFunction& function, double place) const {
+    return meanMaterial(function, scalarAt(place - m_offset), scalarAt(place + 1.0 - m_offset));
+  }
+
+  // The look within which the step around a place lies; absent where there is none.
+  std::optional<std::size_t> lookOfStep(double place) const {
+    const auto lookAt = [this](double at) {
+      return lookOfCell(m_terms.looks, m_terms.scene.keep, centredAt(at) + m_terms.centre);
+    };
+    const std::optional<std::size_t> look = lookAt(place);
+    const bool isOne = look && lookAt(place - m_offset) == look && lookAt(place + 1.0 - m_offset) == look;
+    return isOne ? look : std::nullopt;
+  }
+
+  Material meanOfLook(double place, std::size_t look) const {
+    const MeanMaterial over = meanOver(m_terms.looks.functions[look], place);
+    const LookMean mean{look, over.extinction};
+    const double extinction = extinctionOf(mean, weightAt(place));
+    return {oneMinusExpNeg(extinction), extinction, over.color, {}, mean};
+  }
+
+  // Over the unit of extinctions, the opacity times `factor`.
+  double extinctionOf(const LookMean& mean, double factor) const {
+    const double extinction =
+        factor == 1.0 ? mean.extinction : minusLog1mOpacity(factor * oneMinusExpNeg(mean.extinction));
+    return extinction * unitsOf(mean.look);
+  }
+
+  // Unit distances of a look in the unit of extinctions.
+  double unitsOf(std::size_t look) const {
+    return std::min(m_terms.unitMm / m_terms.looks.functions[look].unitDistanceMm, beyondAll);
+  }
+
   // What the looks of the voxels around a place absorb together (DEFINITION section 10), each opacity times
   // `factor`.
   Absorbed mixedAt(double place, double scalar, const std::optional<std::size_t>& gap, double factor) const {
@@ -324,8 +369,8 @@ private:
         const Classified classified = classify(function, scalar);
         material = {classified.opacity, 0.0, classified.color, {}};
       }
-      const double extinction = one.share * minusLog1mOpacity(one.weight * factor * material.opacity) *
-                                std::min(m_terms.unitMm / function.unitDistanceMm, beyondAll);
+      const double extinction =
+          one.share * minusLog1mOpacity(one.weight * factor * material.opacity) * unitsOf(one.look);
       mixed.extinction += extinction;
       mixed.color += extinction * material.color;
     }

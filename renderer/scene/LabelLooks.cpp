@@ -139,6 +139,22 @@ LookShares lookSharesAt(const LabelLooks& looks, const Region& region, const glm
   return shares;
 }
 
+std::optional<std::size_t> lookOfCell(const LabelLooks& looks, const Region& region,
+                                      const glm::dvec3& index) {
+  const LabelMap& map = *region.labels;
+  const glm::ivec3 last = map.dims() - 1;
+  const glm::ivec3 low(glm::clamp(index, glm::dvec3(0.0), glm::dvec3(last)));
+  std::optional<std::size_t> look;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 at = glm::min(low + glm::ivec3(corner & 1, (corner >> 1) & 1, corner >> 2), last);
+    const std::size_t own = looks.ofLabel[map.placeAt(voxelOffset(map.dims(), at.x, at.y, at.z))];
+    if (look && *look != own)
+      return std::nullopt;
+    look = own;
+  }
+  return look;
+}
+
 LookSegments lookSegments(const std::vector<TransferFunction>& functions) {
   LookSegments all;
   for (const TransferFunction& function : functions)

@@ -58,6 +58,10 @@ struct LookShares {
 /// outermost centres, as weightAt. `looks` are any of this region.
 LookShares lookSharesAt(const LabelLooks& looks, const Region& region, const glm::dvec3& index);
 
+/// The look of all eight voxels of the cell that holds a continuous voxel index, clamped as above; absent
+/// where they have several.
+std::optional<std::size_t> lookOfCell(const LabelLooks& looks, const Region& region, const glm::dvec3& index);
+
 /// Values in ascending order between which each of several functions is one line, and where each is there.
 struct LookSegments {
   std::vector<double> values; ///< all different

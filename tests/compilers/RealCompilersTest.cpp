@@ -127,20 +127,24 @@ constexpr Room together{64, 76, 88, 78};
 constexpr Room aloneWeighing{64, 60, 84, 0};
 constexpr Room togetherWeighing{64, 84, 128, 78};
 // Where looks of labels meet, looks, shares and weights of eight voxels are held while one look after the
-// other is gathered; such steps are not pre-integrated.
+// other is gathered; pre-integrated steps within one look hold both their ends besides.
 constexpr Room aloneByLabel{84, 0, 84, 0};
-constexpr Room togetherByLabel{96, 0, 128, 126};
+constexpr Room togetherByLabel{96, 96, 128, 126};
 // Smooth normals read a second volume; the numbers of its place and scale are the same for all rays.
 constexpr Room togetherSmooth{64, 76, 88, 122};
 // Light on its way classifies two more places for each sample; a tolerance is not for shaders there.
-constexpr Room togetherTravelling{80, 76, 0, 0, 34};
+constexpr Room togetherTravelling{80, 76, 0, 0, 35};
 constexpr Room togetherTravellingWeighing{128, 84, 0, 0, 0};
 constexpr Room togetherTravellingByLabel{96, 0, 0, 0, 24};
+constexpr Room togetherTravellingByLabelPreintegrated{0, 96, 0, 0, 46};
 
 Room togetherOf(EffectSet effects) {
   const bool travels = effects.hasAny(travellingLight);
+  if (effects.has(Effect::labelLooks) && travels)
+    return effects.has(Effect::preintegration) ? togetherTravellingByLabelPreintegrated
+                                               : togetherTravellingByLabel;
   if (effects.has(Effect::labelLooks))
-    return travels ? togetherTravellingByLabel : togetherByLabel;
+    return togetherByLabel;
   if (effects.has(Effect::ownWeights))
     return travels ? togetherTravellingWeighing : togetherWeighing;
   return travels ? togetherTravelling : effects.has(Effect::smoothNormals) ? togetherSmooth : together;

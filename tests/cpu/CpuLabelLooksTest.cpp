@@ -19,8 +19,12 @@ namespace limn {
 namespace {
 
 using test::cubesOfLooks;
+using test::depthOfFourSteps;
+using test::exactRamp;
 using test::lookMsOf;
 using test::medianLookMs;
+using test::rampOfFourSteps;
+using test::rampOfTwoLooks;
 using test::sceneToTime;
 using test::withEightLooks;
 
@@ -38,9 +42,17 @@ void expectAsTheReference(const Scene& scene, const std::string& what) {
 TEST(CpuLooks, eightOfThemTakeLittleMoreTimeThanNone) {
   const Scene plain = sceneToTime();
   const Scene looks = withEightLooks(plain);
-  for (const auto tolerance : {std::optional<double>(), std::optional<double>(1.0)}) {
+  struct Way {
+    const char* name;
+    Preintegration choice;
+    std::optional<double> tolerance;
+  };
+  for (const Way& way : {Way{"8 looks, equal steps", Preintegration::never, {}},
+                         {"8 looks, pre-integrated steps", Preintegration::always, {}},
+                         {"8 looks, cell by cell", Preintegration::never, 1.0}}) {
     Scene without = plain, with = looks;
-    without.quality.toleranceLevels = with.quality.toleranceLevels = tolerance;
+    without.quality.preintegrated = with.quality.preintegrated = way.choice;
+    without.quality.toleranceLevels = with.quality.toleranceLevels = way.tolerance;
     CpuRenderer one, other;
     std::vector<double> msWithout, msWith;
     one.render(without, {256, 256});
@@ -49,8 +61,7 @@ TEST(CpuLooks, eightOfThemTakeLittleMoreTimeThanNone) {
       msWithout.push_back(lookMsOf([&] { one.render(without, {256, 256}); }));
       msWith.push_back(lookMsOf([&] { other.render(with, {256, 256}); }));
     }
-    test::judgeMs(tolerance ? "8 looks, cell by cell" : "8 looks, equal steps", medianLookMs(msWith),
-                  1.6 * medianLookMs(msWithout));
+    test::judgeMs(way.name, medianLookMs(msWith), 1.6 * medianLookMs(msWithout));
   }
 }
 
@@ -66,6 +77,49 @@ TEST(CpuLooks, allModelsAndCamerasAgreeWithTheReference) {
       }
 }
 
+TEST(CpuLooks, preintegratedStepsAgreeWithTheReference) {
+  for (const ShadingModel model : {ShadingModel::none, ShadingModel::classic, ShadingModel::robust})
+    for (const double step : {0.5, 2.0})
+      for (const Projection projection : {Projection::composite, Projection::xray}) {
+        Scene scene = cubesOfLooks(model, 8, Camera::Projection::perspective);
+        scene.projection = projection;
+        scene.quality.preintegrated = Preintegration::always;
+        scene.quality.stepVoxels = step;
+        expectAsTheReference(scene, std::string(nameOf(model)) + ", " + nameOf(projection) +
+                                        ", pre-integrated, step " + std::to_string(step));
+      }
+}
+
+TEST(CpuLooks, aStepIsPreintegratedWithinOneLook) {
+  CpuRenderer renderer;
+  for (const double weight : {1.0, 0.5})
+    for (const double factor : {1.0, 0.7})
+      for (const Projection projection : {Projection::composite, Projection::xray}) {
+        Scene scene = rampOfFourSteps(weight);
+        scene.projection = projection;
+        scene.shading.model = ShadingModel::enhanced;
+        scene.shading.opacityRange = {factor, factor};
+        const double counts = projection == Projection::xray ? 1.0 : factor;
+        // A few roundings of a float.
+        EXPECT_NEAR(renderer.render(scene, {1, 1}).pixels[0].a,
+                    -std::expm1(-depthOfFourSteps(weight, counts)), 2e-6);
+      }
+}
+
+TEST(CpuLooks, coarseStepsWithinOneLookLeaveNoBands) {
+  const Image exact = exactRamp(looksPicture);
+  Scene scene = rampOfTwoLooks();
+  CpuRenderer renderer;
+  scene.quality.preintegrated = Preintegration::never;
+  const double sampled = imageError(renderer.render(scene, looksPicture), exact).largest;
+  scene.quality.preintegrated = Preintegration::always;
+  const double integrated = imageError(renderer.render(scene, looksPicture), exact).largest;
+  std::cout << "largest of a step of 4 voxels: " << sampled << " levels by samples, " << integrated
+            << " pre-integrated\n";
+  EXPECT_GT(sampled, 50.0 * integrated);
+  EXPECT_LE(integrated, 0.5); // not to be seen
+}
+
 TEST(CpuLooks, whatElseAPictureMayHaveAgreesWithTheReference) {
   for (const Projection projection :
        {Projection::composite, Projection::xray, Projection::compositeIsosurface, Projection::mip}) {
@@ -75,7 +129,10 @@ TEST(CpuLooks, whatElseAPictureMayHaveAgreesWithTheReference) {
     scene.fog = distanceFog(200.0, 900.0);
     scene.gradientOpacity = GradientOpacity{{{0.0, 0.2}, {60.0, 1.0}}};
     scene.shading.opacityRange = {0.0, 3.0};
-    expectAsTheReference(scene, std::string("fog, crop, gradient opacity, ") + nameOf(projection));
+    for (const Preintegration choice : {Preintegration::always, Preintegration::never}) {
+      scene.quality.preintegrated = choice;
+      expectAsTheReference(scene, std::string("fog, crop, gradient opacity, ") + nameOf(projection));
+    }
     scene.quality.toleranceLevels = 1.0;
     scene.quality.fineness = 4.75;
     expectAsTheReference(scene, std::string("the same cell by cell, ") + nameOf(projection));
@@ -93,9 +150,12 @@ TEST(CpuLooks, equalLooksInAllLabelsAreOneLook) {
     one.keep = withLooks(scene.keep, {});
     one.transferFunction = look;
     CpuRenderer renderer;
-    const ImageError error =
-        imageError(renderer.render(scene, looksPicture), renderer.render(one, looksPicture));
-    EXPECT_LE(error.largest, 0.05);
+    for (const Preintegration choice : {Preintegration::never, Preintegration::always}) {
+      one.quality.preintegrated = scene.quality.preintegrated = choice;
+      const ImageError error =
+          imageError(renderer.render(scene, looksPicture), renderer.render(one, looksPicture));
+      EXPECT_LE(error.largest, 0.05);
+    }
   }
 }
 
@@ -103,7 +163,10 @@ TEST(CpuLooks, emptySpaceAndBricksChangeNoBitAndAlmostNone) {
   for (const double low : {1.0, 0.0}) { // with and without a gradient that decides what absorbs
     Scene scene = cubesOfLooks(ShadingModel::enhanced, 8, Camera::Projection::perspective);
     scene.shading.opacityRange = {low, 1.0};
-    for (const auto tolerance : {std::optional<double>(), std::optional<double>(1.0)}) {
+    for (const auto& [choice, tolerance] : {std::pair(Preintegration::never, std::optional<double>()),
+                                            {Preintegration::always, std::optional<double>()},
+                                            {Preintegration::never, std::optional<double>(1.0)}}) {
+      scene.quality.preintegrated = choice;
       scene.quality.toleranceLevels = tolerance;
       CpuRenderer skipping, searching(0, CpuRenderer::EmptySpace::sampled);
       const Image skipped = skipping.render(scene, looksPicture);
@@ -132,6 +195,10 @@ TEST(CpuLooks, aUsedRendererDrawsAsAFreshOneWhateverChanged) {
   scenes.push_back(scene);
   scene.projection = Projection::composite;
   scene.transferFunction = shifted(scene.transferFunction, 30.0);
+  scenes.push_back(scene);
+  scene.quality.toleranceLevels.reset();
+  scene.quality.preintegrated = Preintegration::always;
+  scene.quality.stepVoxels = 2.0;
   scenes.push_back(scene);
   for (const Scene& each : scenes) {
     CpuRenderer fresh;

@@ -182,6 +182,17 @@ const Row rows[] = {
        for (const double value : {40.0, 40.1, 40.2, 40.3, 40.4, 40.5})
          s.transferFunction = withPointAdded(s.transferFunction, value, value > 40.2 ? 0.3 : 0.05);
      }},
+    {"looks of labels in pre-integrated steps", Effect::labelLooks,
+     [](Scene& s) {
+       s.keep = withVariedLooks(cubes(s, {1.0, 0.0, 0.4, 1.0}), s.transferFunction);
+       s.quality.preintegrated = Preintegration::always;
+     }},
+    {"X-ray of looks of labels in pre-integrated steps", Effect::labelLooks,
+     [](Scene& s) {
+       s.projection = Projection::xray;
+       s.keep = withVariedLooks(cubes(s, {1.0, 0.3, 1.0}), s.transferFunction);
+       s.quality.preintegrated = Preintegration::always;
+     }},
     {"X-ray of looks of labels", Effect::labelLooks,
      [](Scene& s) {
        s.projection = Projection::xray;

@@ -6,6 +6,7 @@
 #include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
+#include "support/LookScenes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -99,6 +100,20 @@ TEST(ReferenceLooks, aCoefficientOfTheModelCountsBeforeAnOpacityBecomesAnExtinct
   EXPECT_NEAR(lookPixel(scene).a, -std::expm1(-depth), 1e-14);
 }
 
+TEST(ReferenceLooks, aStepIsPreintegratedWithinOneLook) {
+  for (const double weight : {1.0, 0.5})
+    for (const double factor : {1.0, 0.7}) {
+      Scene scene = test::rampOfFourSteps(weight);
+      scene.shading.model = ShadingModel::enhanced; // no light of its own
+      scene.shading.opacityRange = {factor, factor};
+      const double alpha = -std::expm1(-test::depthOfFourSteps(weight, factor));
+      EXPECT_NEAR(lookPixel(scene).a, alpha, 1e-14);
+    }
+  Scene scene = test::rampOfFourSteps(0.5);
+  scene.projection = Projection::xray;
+  EXPECT_NEAR(lookPixel(scene).a, -std::expm1(-test::depthOfFourSteps(0.5, 1.0)), 1e-14);
+}
+
 Scene cubesSeen(ShadingModel model, const std::vector<double>& weights) {
   Scene scene = headScene(phantomVolume({.spacingMm = 6.0}), model);
   scene.camera = orbited(scene.camera, 0.5, 0.3);
@@ -121,10 +136,12 @@ TEST(ReferenceLooks, equalLooksInAllLabelsAreOneLook) {
       Scene one = scene;
       one.keep = withLooks(scene.keep, {});
       one.transferFunction = look;
-      one.quality.preintegrated = scene.quality.preintegrated = Preintegration::never;
-      const ImageError error =
-          imageError(toImage(renderReference(scene, {40, 32})), toImage(renderReference(one, {40, 32})));
-      EXPECT_LE(error.largest, 0.05);
+      for (const Preintegration choice : {Preintegration::never, Preintegration::always}) {
+        one.quality.preintegrated = scene.quality.preintegrated = choice;
+        const ImageError error =
+            imageError(toImage(renderReference(scene, {40, 32})), toImage(renderReference(one, {40, 32})));
+        EXPECT_LE(error.largest, 0.05);
+      }
     }
 }
 

@@ -108,7 +108,7 @@ TEST(LabelLooks, ofOneLabelChangeWithoutTheOthers) {
   EXPECT_EQ(withLookOf(withLookOf(region, 1, {}), 3, {}), before);
 }
 
-TEST(LabelLooks, areAnEffectOfTheirOwnThatTakesPreintegrationsPlace) {
+TEST(LabelLooks, areAnEffectOfTheirOwnBesidePreintegration) {
   Scene scene = labelledScene(3, {1.0, 1.0, 1.0, 1.0});
   scene.transferFunction = bandAt(3.0);
   scene.quality.preintegrated = Preintegration::always;
@@ -116,7 +116,7 @@ TEST(LabelLooks, areAnEffectOfTheirOwnThatTakesPreintegrationsPlace) {
   EXPECT_TRUE(requiredEffects(scene, {}).effects.has(Effect::preintegration));
   scene.keep = withLooks(scene.keep, {{1, bandAt(9.0)}});
   EXPECT_TRUE(requiredEffects(scene, {}).effects.has(Effect::labelLooks));
-  EXPECT_FALSE(requiredEffects(scene, {}).effects.has(Effect::preintegration));
+  EXPECT_TRUE(requiredEffects(scene, {}).effects.has(Effect::preintegration));
   // What the scene's own function does not show, a look may.
   scene.transferFunction.points.clear();
   EXPECT_TRUE(isAnythingVisible(scene));
@@ -186,6 +186,28 @@ TEST(LabelLooks, aCellHasTheLookThatAllItsVoxelsHave) {
         several += there.size() > 1 ? 1 : 0;
       }
   EXPECT_GT(several, 0);
+}
+
+TEST(LabelLooks, aPlaceHasTheLookOfItsCell) {
+  Scene scene = labelledScene(5, {1.0, 1.0, 1.0, 1.0});
+  scene.transferFunction = bandAt(3.0);
+  scene.keep = withLooks(scene.keep, {{1, bandAt(5.0)}, {2, bandAt(7.0)}});
+  const LabelLooks looks = labelLooks(scene);
+  const RoomVector<std::uint8_t> cells =
+      cellLooks(lookDims, looksOfVoxels(*scene.keep.labels, looks.ofLabel));
+  for (int z = 0; z < lookDims.z; ++z)
+    for (int y = 0; y < lookDims.y; ++y)
+      for (int x = 0; x < lookDims.x; ++x) {
+        const std::uint8_t cell = cells[voxelOffset(lookDims, x, y, z)];
+        const auto expected = cell == severalLooks ? std::nullopt : std::optional<std::size_t>(cell);
+        for (const double within : {0.0, 0.4, 0.99})
+          ASSERT_EQ(lookOfCell(looks, scene.keep, glm::dvec3(x, y, z) + within), expected);
+      }
+  // Beyond the outermost centres it is theirs.
+  EXPECT_EQ(lookOfCell(looks, scene.keep, glm::dvec3(-0.5)), lookOfCell(looks, scene.keep, glm::dvec3(0.0)));
+  EXPECT_EQ(lookOfCell(looks, scene.keep, glm::dvec3(lookDims) - 0.5),
+            looks.ofLabel[scene.keep.labels->placeAt(
+                voxelOffset(lookDims, lookDims.x - 1, lookDims.y - 1, lookDims.z - 1))]);
 }
 
 TEST(LabelLooks, voxelsAreVisibleByTheLookOfTheirLabel) {

@@ -25,8 +25,8 @@ public:
         m_changesOpacity(terms.effects.hasAny(opacityChanges)),
         m_hasGradient(terms.effects.has(Effect::gradient)),
         m_mixesLate(samples.looks.areAny() && m_changesOpacity),
-        m_queuesColors(m_isPreintegrated || !m_hasGradient || (samples.looks.areAny() && !m_changesOpacity)) {
-  }
+        m_queuesColors(m_isPreintegrated || !m_hasGradient || (samples.looks.areAny() && !m_changesOpacity)),
+        m_queuesUnits(m_isPreintegrated && m_mixesLate) {}
 
   glm::vec4 gathered() {
     const EmptySteps empty(m_terms.empty, m_ray, m_isPreintegrated);
@@ -55,8 +55,9 @@ private:
   HWY_NOINLINE int look(int i) {
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
+    VF perUnit = hn::Zero(floats);
     const auto absorbed =
-        m_isPreintegrated ? m_samples.absorbedOver(step, isInside)
+        m_isPreintegrated ? m_samples.absorbedOver(step, isInside, perUnit)
                           : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside, m_queuesColors);
     if (hn::AllFalse(floats, absorbed.seen))
       return 0;
@@ -71,6 +72,8 @@ private:
       hn::StoreU(packed(absorbed.color.y, absorbed.seen), floats, m_greens + m_queued);
       hn::StoreU(packed(absorbed.color.z, absorbed.seen), floats, m_blues + m_queued);
     }
+    if (m_queuesUnits)
+      hn::StoreU(packed(perUnit, absorbed.seen), floats, m_units + m_queued);
     m_queued += seen;
     if (m_queued < lanes())
       return seen;
@@ -84,6 +87,8 @@ private:
       keepBehind(m_greens);
       keepBehind(m_blues);
     }
+    if (m_queuesUnits)
+      keepBehind(m_units);
     m_queued = rest;
     return seen;
   }
@@ -210,15 +215,29 @@ private:
       gradients = m_samples.light.gradientsOf(found.slope);
     }
     VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));
-    if (m_mixesLate) {
-      const Looks::Mixed mixed = mixedAt(step, m_samples.scalarAt(step), gradients, isQueued);
-      shares = taken(hn::IfThenElseZero(isQueued, alphaOf(mixed.extinction)));
-      color = mixed.color;
-    } else if (m_changesOpacity)
+    if (m_mixesLate)
+      shares = taken(hn::IfThenElseZero(isQueued, mixedLate(step, gradients, shares, isQueued, color)));
+    else if (m_changesOpacity)
       shares = taken(hn::IfThenElseZero(isQueued, changed(shares, gradients)));
     const V3 lit = m_samples.shaded(color, gradients, step);
     add(shares, lit, m_queued);
     m_queued = 0;
+  }
+
+  // What looks take of the light, of steps within one look by their opacities; the others get their colours.
+  HWY_NOINLINE VF mixedLate(VF step, const Gradients& gradients, VF opacities, Mask queued, V3& color) const {
+    const VF units = m_queuesUnits ? hn::Load(floats, m_units) : hn::Zero(floats);
+    const Mask isSampled = hn::And(queued, hn::Le(units, hn::Zero(floats)));
+    VF alpha = hn::Zero(floats);
+    if (m_queuesUnits) {
+      const VF factor = m_samples.light.opacityFactor(gradients);
+      alpha = alphaOf(hn::Mul(minusLog1mOpacity(hn::Mul(opacities, factor)), units));
+    }
+    if (hn::AllFalse(floats, isSampled))
+      return alpha;
+    const Looks::Mixed mixed = mixedAt(step, m_samples.scalarAt(step), gradients, isSampled);
+    color = chosen(isSampled, mixed.color, color);
+    return hn::IfThenElse(isSampled, alphaOf(mixed.extinction), alpha);
   }
 
   // What opacities that the gradient changes take of the light.
@@ -234,6 +253,7 @@ private:
   const bool m_hasGradient;
   const bool m_mixesLate;    // looks of labels are mixed once the gradient is known
   const bool m_queuesColors; // beside opacities
+  const bool m_queuesUnits;  // of steps within one look
   Sum m_sum;
   int m_queued = 0;
   int m_lane = 0; // of the sum, for the next sample
@@ -241,6 +261,7 @@ private:
   HWY_ALIGN float m_steps[3 * most] = {};
   HWY_ALIGN float m_opacities[3 * most] = {}; // or already shares
   HWY_ALIGN float m_reds[3 * most] = {}, m_greens[3 * most] = {}, m_blues[3 * most] = {};
+  HWY_ALIGN float m_units[3 * most] = {}; // unit distances in a length, 0 where a sample stands for its step
 };
 
 } // namespace limn::cpu::HWY_NAMESPACE

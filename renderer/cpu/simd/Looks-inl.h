@@ -45,16 +45,73 @@ public:
     return bySeveral(bits, look, meets, index, scalar, factor, wanted, withColor);
   }
 
+  /// Of pre-integrated steps those that lie within one look.
+  struct Within {
+    Mask steps; // they
+    Mask seen;  // where something of the look's means shows
+    V3 color;
+    VF opacity;    // over the look's unit distance
+    VF extinction; // likewise
+    VF perUnit;    // of its unit distances in a length
+  };
+
+  /// Steps between continuous voxel indices, with the scalars there, and the indices of their midpoints.
+  HWY_NOINLINE Within within(const V3& begin, const V3& middle, const V3& end, VF before, VF behind,
+                             Mask wanted) const {
+    HWY_ALIGN float first[most], mid[most], last[most];
+    const LookBits bits = looksOfCells(begin, wanted, first) & looksOfCells(middle, wanted, mid) &
+                          looksOfCells(end, wanted, last);
+    const VF look = hn::Load(floats, first);
+    const Mask isOne = hn::And(hn::Eq(look, hn::Load(floats, mid)), hn::Eq(look, hn::Load(floats, last)));
+    Within result;
+    result.steps = hn::And(wanted, hn::And(isOne, hn::Ge(look, hn::Zero(floats))));
+    result.seen = none();
+    result.color = zero();
+    result.opacity = result.extinction = result.perUnit = hn::Zero(floats);
+    for (LookBits left = bits; left != 0; left &= left - 1)
+      addMeans(std::countr_zero(left), look, before, behind, result);
+    if (m_hasRegion && !hn::AllFalse(floats, result.seen)) {
+      const VF weight = weightAt(middle);
+      result.opacity = hn::Mul(result.opacity, weight);
+      result.extinction = minusLog1mOpacity(result.opacity);
+      result.seen = hn::And(result.seen, hn::Gt(weight, hn::Zero(floats)));
+    }
+    return result;
+  }
+
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
   static constexpr int mostFunctions = static_cast<int>(mostLooks) + 1;
 
+  HWY_INLINE static Mask none() { return hn::Lt(all(0.0f), hn::Zero(floats)); }
+
+  // What one look makes of the steps that lie within it.
+  HWY_INLINE void addMeans(int number, VF look, VF before, VF behind, Within& result) const {
+    const Mask own = hn::And(result.steps, hn::Eq(look, all(static_cast<float>(number))));
+    if (hn::AllFalse(floats, own))
+      return;
+    const Function function = functionOf(number);
+    const Mask seen = hn::And(own, function.mayBeSeenBetween(before, behind));
+    if (hn::AllFalse(floats, seen))
+      return;
+    const Mean mean = function.meanBetween(before, behind, seen);
+    result.seen = hn::Or(result.seen, seen);
+    result.color = chosen(seen, mean.color, result.color);
+    result.extinction = hn::IfThenElse(seen, mean.extinction, result.extinction);
+    result.opacity = hn::IfThenElse(seen, oneMinusExpNeg(mean.extinction), result.opacity);
+    result.perUnit =
+        hn::IfThenElse(seen, all(m_looks.all[static_cast<std::size_t>(number)].perUnit), result.perUnit);
+  }
+
   // The looks of the cells of which each has one. `alone` says it for each sample, and -1 where looks meet.
   HWY_INLINE LookBits looksOfCells(const V3& index, Mask wanted, float alone[most]) const {
     const Cells cells = Field<VoxelSource::Kind::byte>(m_looks.voxels).cellsAt(index);
+    // At the end of an axis another cell begins, of that voxel alone.
+    const auto lowOf = [](VI low, VF weight) { return hn::Add(low, intOf(hn::Floor(weight))); };
+    const VI y = lowOf(cells.y, cells.weight.y), z = lowOf(cells.z, cells.weight.z);
     HWY_ALIGN std::int32_t x[most], row[most];
-    hn::Store(cells.x, ints, x);
-    hn::Store(hn::Add(hn::Mul(cells.z, hn::Set(ints, m_looks.voxels.dims.y)), cells.y), ints, row);
+    hn::Store(lowOf(cells.x, cells.weight.x), ints, x);
+    hn::Store(hn::Add(hn::Mul(z, hn::Set(ints, m_looks.voxels.dims.y)), y), ints, row);
     const std::uint32_t lanesWanted = bitsOf(wanted);
     const std::int64_t length = m_looks.voxels.dims.x;
     LookBits any = 0;
@@ -144,7 +201,7 @@ private:
 
   HWY_NOINLINE Mixed bySeveral(LookBits bits, VF alone, Mask meets, const V3& index, VF scalar, VF factor,
                                Mask wanted, bool withColor) const {
-    Mixed mixed{hn::Lt(all(0.0f), hn::Zero(floats)), zero(), hn::Zero(floats)};
+    Mixed mixed{none(), zero(), hn::Zero(floats)};
     const bool anyMeets = !hn::AllFalse(floats, meets);
     Around around;
     if (anyMeets) {
@@ -171,7 +228,7 @@ private:
     const bool mixes = anyMeets && !hn::AllFalse(floats, hn::And(meets, mixed.seen));
     if (mixes && m_hasRegion)
       weighAround(index, around);
-    mixed.seen = hn::Lt(all(0.0f), hn::Zero(floats));
+    mixed.seen = none();
     VF extinctions[mostFunctions];
     for (int i = 0; i < count; ++i) {
       VF share = all(1.0f), weight = ofAlone;

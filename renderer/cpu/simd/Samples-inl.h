@@ -83,11 +83,14 @@ struct Samples {
     return absorbed;
   }
 
-  /// Of the step around each sample.
-  HWY_NOINLINE Absorbed absorbedOver(VF step, Mask wanted) const {
+  /// Of the step around each sample. `perUnit` receives, where labels have looks, how many unit distances of
+  /// its look are in a length where a step lies within one; it stays where a step's sample stands for it.
+  HWY_NOINLINE Absorbed absorbedOver(VF step, Mask wanted, VF& perUnit) const {
     const VF first = hn::Sub(step, all(ray.offset));
     const VF before = field.scalarAt(indexAt(first));
     const VF behind = field.scalarAt(indexAt(hn::Add(first, all(1.0f))));
+    if (looks.areAny())
+      return absorbedByLook(first, step, before, behind, wanted, perUnit);
     Absorbed absorbed;
     absorbed.seen = hn::And(wanted, function.mayBeSeenBetween(before, behind));
     if (hn::AllFalse(floats, absorbed.seen))
@@ -103,6 +106,27 @@ struct Samples {
     return absorbed;
   }
 
+  /// The same where labels have looks: within one its means, elsewhere the sample in the middle
+  /// (DEFINITION section 10).
+  HWY_NOINLINE Absorbed absorbedByLook(VF first, VF step, VF before, VF behind, Mask wanted,
+                                       VF& perUnit) const {
+    const V3 middle = indexAt(step);
+    const Looks::Within within =
+        looks.within(indexAt(first), middle, indexAt(hn::Add(first, all(1.0f))), before, behind, wanted);
+    perUnit = hn::IfThenElse(within.seen, within.perUnit, perUnit);
+    Absorbed absorbed{within.seen, within.color, within.opacity, hn::Mul(within.extinction, within.perUnit)};
+    const Mask others = hn::AndNot(within.steps, wanted);
+    if (hn::AllFalse(floats, others))
+      return absorbed;
+    const Looks::Mixed mixed =
+        looks.mixedAt(middle, field.scalarAt(middle), all(1.0f), others, !terms.effects.has(Effect::xray));
+    const Mask seen = hn::And(others, mixed.seen);
+    absorbed.seen = hn::Or(absorbed.seen, seen);
+    absorbed.color = chosen(seen, mixed.color, absorbed.color);
+    absorbed.extinction = hn::IfThenElse(seen, mixed.extinction, absorbed.extinction);
+    return absorbed;
+  }
+
   /// What a sample says of the piece for which it stands.
   struct Shaded {
     Mask seen;
@@ -113,8 +137,9 @@ struct Samples {
   /// The samples at `step`, where `wanted`.
   HWY_NOINLINE Shaded at(VF step, Mask wanted) const {
     const EffectSet& effects = terms.effects;
+    VF perUnit = hn::Zero(floats);
     const Absorbed absorbed = effects.has(Effect::preintegration)
-                                  ? absorbedOver(step, wanted)
+                                  ? absorbedOver(step, wanted, perUnit)
                                   : absorbedBy(scalarAt(step), step, wanted, true);
     Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
     if (hn::AllFalse(floats, absorbed.seen))

@@ -71,13 +71,15 @@ void appendGathering(ShaderSource& source, EffectSet effects, const Decisions& d
   if (effects.has(Effect::localSteps)) {
     appendBlock(source, "local_steps.glsl");
     appendBlock(source, "gather_local_steps.glsl");
+  } else if (effects.has(Effect::labelLooks)) {
+    appendBlock(source, "fetched_by_label.glsl");
+    appendBlock(source,
+                effects.has(Effect::preintegration) ? "gather_segments_by_label.glsl" : "gather.glsl");
   } else if (effects.has(Effect::preintegration)) {
     appendBlock(source, "gather_segments.glsl");
   } else {
     const bool isInterpolatedFirst = decisions.classification == ClassificationOrder::afterInterpolation;
-    appendBlock(source, effects.has(Effect::labelLooks) ? "fetched_by_label.glsl"
-                        : isInterpolatedFirst           ? "fetched.glsl"
-                                                        : "fetched_classified.glsl");
+    appendBlock(source, isInterpolatedFirst ? "fetched.glsl" : "fetched_classified.glsl");
     appendBlock(source, "gather.glsl");
   }
 }

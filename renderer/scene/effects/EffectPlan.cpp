@@ -239,12 +239,14 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
   const Preintegration chosen = scene.quality.preintegrated;
   const bool isResolved = chosen != Preintegration::automatic || isConstant(*scene.volume) ||
                           stepResolvesFunction(scene, facts.steepestPerMm);
-  plan.clause(Effect::preintegration, chosen == Preintegration::always || !isResolved,
-              chosen == Preintegration::always
-                  ? Message::tr("it is set to \"always\"")
-                  : Message::tr("the curve changes faster than one step can follow"),
-              chosen == Preintegration::never ? Message::tr("it is set to \"never\"")
-                                              : Message::tr("the steps are fine enough for this curve"));
+  plan.clause(
+      Effect::preintegration, chosen == Preintegration::always || !isResolved,
+      hasLabelLooks(scene)
+          ? Message::tr("within one look steps follow its curve; where looks of labels meet, samples do")
+      : chosen == Preintegration::always ? Message::tr("it is set to \"always\"")
+                                         : Message::tr("the curve changes faster than one step can follow"),
+      chosen == Preintegration::never ? Message::tr("it is set to \"never\"")
+                                      : Message::tr("the steps are fine enough for this curve"));
   plan.clause(Effect::jitter, scene.quality.jitter,
               Message::tr("it is switched on: neighbouring pixels sample at other depths"),
               Message::tr("it is switched off"));
@@ -280,22 +282,20 @@ void explainDropped(EffectPlan& plan, Projection projection) {
   for (EffectReason& reason : plan.reasons) {
     const bool isKept = plan.effects.has(reason.effect);
     if (reason.isNeeded && !isKept)
-      reason.reason =
-          !plan.isVisible ? Message::tr("nothing of the volume can be seen")
-          : plan.effects.has(Effect::physical) && ofOtherLight.has(reason.effect)
-              ? Message::tr("physical light knows tissue, its key light and its sky alone")
-          : reason.effect == Effect::preintegration && plan.effects.has(Effect::labelLooks)
-              ? Message::tr("where looks of labels meet only samples can follow them, not whole steps")
-          : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
-              ? Message::tr("error-controlled steps follow the curve themselves")
-          : reason.effect == Effect::jitter && plan.effects.has(Effect::localSteps)
-              ? Message::tr("error-controlled steps leave no sample to shift")
-          : reason.effect == Effect::jitter
-              ? Message::tr("exact steps (pre-integration) leave no sample to shift")
-          : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
-              ? Message::tr("the steps are so small that rays take too many of them")
-          : projection == Projection::composite ? Message::tr("nothing that can be seen depends on it")
-                                                : Message::tr("this kind of picture has no use for it");
+      reason.reason = !plan.isVisible ? Message::tr("nothing of the volume can be seen")
+                      : plan.effects.has(Effect::physical) && ofOtherLight.has(reason.effect)
+                          ? Message::tr("physical light knows tissue, its key light and its sky alone")
+                      : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
+                          ? Message::tr("error-controlled steps follow the curve themselves")
+                      : reason.effect == Effect::jitter && plan.effects.has(Effect::localSteps)
+                          ? Message::tr("error-controlled steps leave no sample to shift")
+                      : reason.effect == Effect::jitter
+                          ? Message::tr("exact steps (pre-integration) leave no sample to shift")
+                      : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
+                          ? Message::tr("the steps are so small that rays take too many of them")
+                      : projection == Projection::composite
+                          ? Message::tr("nothing that can be seen depends on it")
+                          : Message::tr("this kind of picture has no use for it");
     reason.isDropped = reason.isNeeded && !isKept;
     reason.isNeeded = isKept;
   }

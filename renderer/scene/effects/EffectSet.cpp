@@ -131,8 +131,6 @@ EffectSet canonical(EffectSet effects) {
       effects = effects.without(useless);
   };
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
-  // Within a step the shares of looks change as the scalar does.
-  drop(has(Effect::labelLooks), {Effect::preintegration});
   drop(has(Effect::localSteps), {Effect::preintegration, Effect::jitter});
   drop(has(Effect::localSteps) && !has(Effect::hybrid), {Effect::longRays});
   drop(has(Effect::preintegration), {Effect::jitter});
