@@ -77,13 +77,6 @@ private:
     }
   };
 
-  // What is known at the end of the last piece that was taken.
-  struct End {
-    float place = -1.0f;
-    std::int32_t segment = 0;
-    float extinction = 0.0f, color[3] = {}, slope[3] = {};
-  };
-
   // What a piece absorbs and the light that it adds.
   struct Gathered {
     VF alpha;
@@ -99,10 +92,8 @@ private:
   HWY_NOINLINE int behindSeen(int first, double transmittance) {
     if (m_changesOpacity || m_terms.effects.has(Effect::xray))
       return m_pieces.count;
-    absorb(last / 2, bitsOfPieces(first, m_pieces.count));
-    absorb(last, bitsOfPieces(first, m_pieces.count));
-    absorb(0, notShared(first, m_pieces.count));
-    share(first, m_pieces.count, true, false);
+    for (int node = 0; node <= last; node += last / 2)
+      absorb(node, bitsOfPieces(first, m_pieces.count));
     for (int part = 0; part < most; part += lanes())
       hn::Store(oneMinusExpNeg(depthOf(part)), floats, m_alpha + part);
     for (int n = first; n < m_pieces.count; ++n) {
@@ -127,7 +118,9 @@ private:
   HWY_NOINLINE void integrate(int first, int behind, double transmittance) {
     if (!m_isBegun)
       begin(first, behind);
-    keepEnd(behind - 1);
+    m_end = m_pieces.to[behind - 1];
+    for (int i = 0; i < 3; ++i)
+      m_endSlope[i] = m_nodes[last].slope[i][behind - 1];
     estimate();
     std::uint32_t open = worthMore(first, behind, transmittance);
     for (int stride = last / 4; open != 0 && stride >= 1; stride /= 2) {
@@ -141,16 +134,6 @@ private:
     m_moving = open;
   }
 
-  // Keeps what is known at the end of a piece for the next that come.
-  void keepEnd(int n) {
-    const Node& node = m_nodes[last];
-    m_end = {m_pieces.to[n], m_pieces.segment[n], node.extinction[n], {}, {}};
-    for (int i = 0; i < 3; ++i) {
-      m_end.color[i] = node.color[i][n];
-      m_end.slope[i] = node.slope[i][n];
-    }
-  }
-
   // Looks at both ends and the middle of some pieces.
   void begin(int first, int behind) {
     const std::uint32_t open = bitsOfPieces(first, behind);
@@ -160,42 +143,8 @@ private:
       findSlopesOfAll(last, first, behind);
       shareSlopes(first, behind);
     }
-    evaluate(last / 2, open, m_changesOpacity);
-    evaluate(last, open, m_changesOpacity);
-    if (const std::uint32_t others = notShared(first, behind); others != 0)
-      evaluate(0, others, m_changesOpacity);
-    share(first, behind, m_changesOpacity, true);
-  }
-
-  // Which pieces begin otherwise than the one before ends: elsewhere, behind a step of the function, or with
-  // other looks.
-  std::uint32_t notShared(int first, int behind) const {
-    std::uint32_t others = 0;
-    for (int n = first; n < behind; ++n)
-      if (!isShared(n))
-        others |= 1u << n;
-    return others;
-  }
-
-  bool isShared(int n) const {
-    // Steps of the function are segments of no length.
-    const std::int32_t before = n == 0 ? m_end.segment : m_pieces.segment[n - 1];
-    return isJoined(n) && std::abs(m_pieces.segment[n] - before) <= 1 && !m_samples.looks.areAny();
-  }
-
-  // Takes from the ends of pieces what is known at the begin of those behind.
-  HWY_NOINLINE void share(int first, int behind, bool withExtinction, bool withColor) {
-    Node& begin = m_nodes[0];
-    const Node& end = m_nodes[last];
-    for (int n = first; n < behind; ++n) {
-      if (!isShared(n))
-        continue;
-      if (withExtinction)
-        begin.extinction[n] = n == 0 ? m_end.extinction : end.extinction[n - 1];
-      if (withColor)
-        for (int i = 0; i < 3; ++i)
-          begin.color[i][n] = n == 0 ? m_end.color[i] : end.color[i][n - 1];
-    }
+    for (int node = 0; node <= last; node += last / 2)
+      evaluate(node, open, m_changesOpacity);
   }
 
   // Drops the pieces from `first` on that absorb nothing wherever they were looked at.
@@ -286,13 +235,13 @@ private:
   }
 
   // Whether a piece begins where the one before ends.
-  bool isJoined(int n) const { return m_pieces.from[n] == (n == 0 ? m_end.place : m_pieces.to[n - 1]); }
+  bool isJoined(int n) const { return m_pieces.from[n] == (n == 0 ? m_end : m_pieces.to[n - 1]); }
 
   void shareSlopes(int first, int behind) {
     for (int n = first; n < behind; ++n)
       if (isJoined(n))
         for (int axis = 0; axis < 3; ++axis)
-          m_nodes[0].slope[axis][n] = n == 0 ? m_end.slope[axis] : m_nodes[last].slope[axis][n - 1];
+          m_nodes[0].slope[axis][n] = n == 0 ? m_endSlope[axis] : m_nodes[last].slope[axis][n - 1];
   }
 
   // Which of the pieces that registers hold together are open.
@@ -562,7 +511,8 @@ private:
   bool m_isLimited;       // lit colours lie within 0..1
   bool m_isBegun = false; // ends and middles of all pieces are known
   Pieces m_pieces;
-  End m_end;
+  float m_end = -1.0f; // of the last piece that was taken
+  float m_endSlope[3] = {};
   std::uint32_t m_moving = 0; // whose light does not stand still
   HWY_ALIGN float m_alpha[most] = {}, m_color[3][most] = {}, m_reaching[most] = {};
   Node m_nodes[cellNodes];
