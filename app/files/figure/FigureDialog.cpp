@@ -47,7 +47,6 @@ FigurePanel asDrawn(FigurePanel panel) {
   panel.name.clear();
   panel.errorLevels.reset();
   panel.paths.reset();
-  panel.middleMm.reset();
   panel.cropHidesNothing.reset();
   panel.isStated = panel.isAim = false;
   return panel;
@@ -76,6 +75,7 @@ struct FigureIngredients {
   std::optional<Preset> remembered; ///< the look remembered as "before"
   PlaneSettings planes;
   std::vector<Measurement> measurements;
+  std::optional<glm::dvec3> turnsAboutMm; ///< as on screen
   GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
   std::vector<NamedView> views;
@@ -159,8 +159,10 @@ std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   addViews(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
-  for (PanelSource& source : sources)
+  for (PanelSource& source : sources) {
     source.panel.measurements = from.measurements;
+    source.panel.turnsAboutMm = from.turnsAboutMm;
+  }
   return sources;
 }
 
@@ -313,6 +315,7 @@ void FigureDialog::refreshSources() {
                                looks.remembered,
                                m_context.session.planes(),
                                m_context.session.measurements(),
+                               m_context.view.turnsAbout(),
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
                                m_context.session.views(),
@@ -394,7 +397,6 @@ Figure FigureDialog::withWhatIsKnown(Figure figure) const {
         m_drawn.panels, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
     const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin());
     if (drawn != m_drawn.panels.end() && at < m_made.size()) {
-      panel.middleMm = m_made[at].middleMm;
       panel.cropHidesNothing = m_made[at].cropHidesNothing;
     }
     if (isPhysical(panel.scene))
