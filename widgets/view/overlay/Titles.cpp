@@ -126,6 +126,8 @@ QStringList sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
   if (state.measuredLevels)
     parts << QObject::tr("within %1 levels").arg(promisedLevels(*state.measuredLevels));
+  else if (state.chance)
+    parts << QObject::tr("within %1 levels").arg(promisedLevels(state.chance->levels));
   else if (state.estimate && !state.isRough && state.isResolved)
     parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)
