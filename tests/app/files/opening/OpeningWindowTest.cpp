@@ -4,6 +4,7 @@
 #include "support/FileBytes.h"
 
 #include <QPushButton>
+#include <QTreeView>
 
 // What the window remembers of what was opened, and where it looks and asks for it, in the window.
 
@@ -137,6 +138,29 @@ TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
   });
   window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
   EXPECT_EQ(asked, pathTo("labels"));
+}
+
+TEST_F(OpeningWindow, theDialogShowsFilesOfScannersWhichHaveNoEnding) {
+  ASSERT_TRUE(open(smallVolume("scans")));
+  for (const char* name : {"IM000001", "I10A", "1.2.840.113619.2.134", "notes.txt"})
+    test::writeBytes(folder.path() / "scans" / name, "anything");
+  QStringList shown;
+  onceAsked<QFileDialog>([&shown](QFileDialog& dialog) {
+    const auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
+    const auto names = [files] {
+      QStringList listed;
+      for (int row = 0; row < files->model()->rowCount(files->rootIndex()); ++row)
+        listed << files->model()->index(row, 0, files->rootIndex()).data().toString();
+      listed.sort();
+      return listed;
+    };
+    EXPECT_TRUE(test::waitUntil([&] { return names().size() >= 4; }));
+    shown = names();
+    dialog.reject();
+  });
+  window->findChild<QAction*>(QStringLiteral("open"))->trigger();
+  EXPECT_EQ(shown, (QStringList{QStringLiteral("1.2.840.113619.2.134"), QStringLiteral("I10A"),
+                                QStringLiteral("IM000001"), QStringLiteral("small.nrrd")}));
 }
 
 TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {
