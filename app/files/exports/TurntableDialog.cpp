@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -152,10 +151,10 @@ void TurntableDialog::save() {
   turntable.frames = frames();
   turntable.cameraAspect = m_context.view.pictureAspect();
   turntable.framesPerSecond = framesPerSecond();
-  exportTo({isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
-            isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
-            {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
-            QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)},
+  exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
+            .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
+            .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
+            .isPicture = true},
            [turntable, order = m_context.drawnLikeTheView(), volume = m_saving.volumeInPicture(),
             measurements = m_context.session.measurements()](const std::string& path, const Effort& effort) {
              MakingOptions told = order;

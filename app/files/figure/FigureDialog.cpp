@@ -23,7 +23,6 @@
 #include <QObject>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -461,11 +460,11 @@ void FigureDialog::save() {
                             labels = m_saving.labelsInPicture()](const std::string& name, const Volume&) {
     return name == volumePath ? volume : labels;
   };
-  exportTo({tr("Save the figure"),
-            usual,
-            {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"), tr("TIFF picture (*.tif)"),
+  exportTo({.title = tr("Save the figure"),
+            .suggested = usual,
+            .filters = {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"), tr("TIFF picture (*.tif)"),
              tr("OpenEXR with floats (*.exr)")},
-            QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)},
+            .isPicture = true},
            [figure = wanted(), named, volumePath,
             order = m_context.drawnLikeTheView()](const std::string& path, const Effort& effort) {
              const MadeFigure made =

@@ -14,7 +14,6 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QLabel>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
@@ -174,12 +173,11 @@ void PictureSaving::ask() {
       askHowToSave({screen.x, screen.y}, m_context.settings, &m_context.window);
   if (!options)
     return;
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QString path = askWhereToSave(&m_context.window,
-                                      {tr("Save the picture"),
-                                       suggestedName(m_context.document) + QStringLiteral(".png"),
-                                       {tr("Pictures (*.png *.tif *.jpg *.exr)")},
-                                       folder},
+                                      {.title = tr("Save the picture"),
+                                       .suggested = suggestedName(m_context.document) + QStringLiteral(".png"),
+                                       .filters = {tr("Pictures (*.png *.tif *.jpg *.exr)")},
+                                       .isPicture = true},
                                       m_context.settings);
   if (path.isEmpty())
     return;
@@ -359,9 +357,11 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   const double scale = scaleOf(options, savedSize(view.order().geometry).x);
   PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
                    scene.image.background, 0.0,     {},     {view.order(), view.pictureState()}};
+  const bool isOnScreen = scale == 1.0;
   if (options.size == PictureOptions::Size::print)
     file.dotsPerInch = printDotsPerInch;
-  const bool isOnScreen = scale == 1.0;
+  else if (!isOnScreen) // on paper it is as large as on screen
+    file.dotsPerInch = scale * view.logicalDpiX() * view.devicePixelRatioF();
   file.description =
       sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(view.pictureState()) : std::nullopt,
                   m_context.session.measurements());

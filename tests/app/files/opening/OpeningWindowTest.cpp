@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/core/sources/SceneSource.h"
+#include "app/files/saving/PictureDialog.h"
 #include "support/FileBytes.h"
 
 #include <QPushButton>
@@ -95,6 +96,19 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(fs::exists(folder.path() / "b" / "mine.limn.json"));
   EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "what is opened lies elsewhere than what is saved";
+  // Pictures go elsewhere than a session, which may lie beside the patient's files.
+  QString ofPictures;
+  onceAsked<PictureDialog>([&, this](PictureDialog& dialog) {
+    onceAsked<QFileDialog>([&ofPictures](QFileDialog& where) {
+      ofPictures = where.directory().absolutePath();
+      where.reject();
+    });
+    dialog.accept();
+  });
+  window->findChild<QAction*>(QStringLiteral("savePicture"))->trigger();
+  EXPECT_FALSE(ofPictures.isEmpty());
+  EXPECT_NE(ofPictures, pathTo("a"));
+  EXPECT_NE(ofPictures, pathTo("b"));
   const Settings inTheNextRun(UserFolders::below(folder.path()).settings);
   EXPECT_EQ(inTheNextRun.dialogFolder(), pathTo("a"));
   EXPECT_EQ(inTheNextRun.saveFolder(), pathTo("b"));
@@ -158,7 +172,7 @@ TEST_F(OpeningWindow, theDialogShowsFilesOfScannersWhichHaveNoEnding) {
     shown = names();
     dialog.reject();
   });
-  window->findChild<QAction*>(QStringLiteral("open"))->trigger();
+  window->findChild<QAction*>(QStringLiteral("openFile"))->trigger();
   EXPECT_EQ(shown, (QStringList{QStringLiteral("1.2.840.113619.2.134"), QStringLiteral("I10A"),
                                 QStringLiteral("IM000001"), QStringLiteral("small.nrrd")}));
 }
