@@ -63,18 +63,6 @@ bool takesBytes(const std::string& path) {
   return ending == QStringLiteral("png") || ending.startsWith(QStringLiteral("tif"));
 }
 
-// Marks over a picture, both premultiplied.
-Image withMarks(Image image, const QImage& marks) {
-  for (int y = 0; y < image.size.y; ++y) {
-    const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
-    for (int x = 0; x < image.size.x; ++x) {
-      const glm::vec4 mark = glm::vec4(qRed(row[x]), qGreen(row[x]), qBlue(row[x]), qAlpha(row[x])) / 255.0f;
-      image.at(x, y) = mark + (1.0f - mark.a) * image.at(x, y);
-    }
-  }
-  return image;
-}
-
 // As files have it: colours that are not multiplied by their alpha.
 BytePicture bytesWithAlpha(const Image& image) {
   BytePicture picture{image.size, true, {}, 0.0};
@@ -173,12 +161,13 @@ void PictureSaving::ask() {
       askHowToSave({screen.x, screen.y}, m_context.settings, &m_context.window);
   if (!options)
     return;
-  const QString path = askWhereToSave(&m_context.window,
-                                      {.title = tr("Save the picture"),
-                                       .suggested = suggestedName(m_context.document) + QStringLiteral(".png"),
-                                       .filters = {tr("Pictures (*.png *.tif *.jpg *.exr)")},
-                                       .isPicture = true},
-                                      m_context.settings);
+  const QString path =
+      askWhereToSave(&m_context.window,
+                     {.title = tr("Save the picture"),
+                      .suggested = suggestedName(m_context.document) + QStringLiteral(".png"),
+                      .filters = {tr("Pictures (*.png *.tif *.jpg *.exr)")},
+                      .isPicture = true},
+                     m_context.settings);
   if (path.isEmpty())
     return;
   m_awaited.await(path, asked, *options);
@@ -219,6 +208,17 @@ void PictureSaving::say(const QString& text) {
   m_text->setText(text);
   m_text->setVisible(!text.isEmpty());
   m_stop->setVisible(!text.isEmpty());
+}
+
+Image withMarks(Image image, const QImage& marks) {
+  for (int y = 0; y < image.size.y; ++y) {
+    const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
+    for (int x = 0; x < image.size.x; ++x) {
+      const glm::vec4 mark = glm::vec4(qRed(row[x]), qGreen(row[x]), qBlue(row[x]), qAlpha(row[x])) / 255.0f;
+      image.at(x, y) = mark + (1.0f - mark.a) * image.at(x, y);
+    }
+  }
+  return image;
 }
 
 Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,

@@ -68,7 +68,7 @@ TEST_F(ModelWindow, aComparisonHasAButtonForEachSideThatChangesItAndEndsNothing)
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
   EXPECT_TRUE(rest());
   ASSERT_EQ(undo().count(), 2);
-  EXPECT_EQ(undo().undoText(), QStringLiteral("Left: None"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("Left: Unlit"));
   undo().undo();
   EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::robust}));
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe) << "which is no part of the step";

@@ -139,6 +139,8 @@ QString badgeText(const PictureState& state) {
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
+  if (isResolved(state) && state.refinementEnd == RefinementEnd::withinHalfALevel)
+    return QObject::tr("○ nearly exact"); // no step would make it exact
   return isResolved(state) ? QObject::tr("○ not exact") : QObject::tr("○ not resolved");
 }
 

@@ -103,6 +103,8 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
   state.sides[0].chance->levels = 1.2;
   EXPECT_FALSE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")))
       << "beside 1.2 levels, whatever was estimated";
+  state.refinementEnd = RefinementEnd::withinHalfALevel;
+  EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact"));
   state.sides[0].measuredLevels = 0.347;
   state.sides[1].measuredLevels = 0.2;
   EXPECT_NE(lineOf(state).find("within 0.35 of 255 levels, measured"), std::string::npos)
