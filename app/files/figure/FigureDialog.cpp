@@ -31,7 +31,7 @@
 namespace limn {
 namespace {
 
-constexpr int sideWidth = 372;
+constexpr int sideWidth = 404;
 
 // The first picture of a preview has so many pixels each way as a share of the last, so that it comes at
 // once.

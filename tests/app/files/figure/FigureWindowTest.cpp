@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QStyleOptionComboBox>
 
 #include <algorithm>
 #include <set>
@@ -102,6 +103,19 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
     EXPECT_EQ(again[i].shading, shown[i].shading);
     EXPECT_EQ(again[i].transferFunction, shown[i].transferFunction);
   }
+}
+
+TEST_F(FigureWindow, theListOfPicturesHasRoomForTheNamesOfPresets) {
+  ASSERT_TRUE(ask());
+  const auto& list = part<QComboBox>("panelSource-a");
+  QStyleOptionComboBox option;
+  option.initFrom(&list);
+  option.editable = false;
+  const QRect field =
+      list.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list);
+  const QString longName = QStringLiteral("Compared: CT soft tissue");
+  EXPECT_GE(field.width(), list.fontMetrics().horizontalAdvance(longName));
+  EXPECT_EQ(list.toolTip(), list.currentText());
 }
 
 TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
