@@ -233,7 +233,7 @@ TEST_F(CameraWindow, shiftAndTheMiddleButtonHaveTurnsGoAboutWhatIsSeenThere) {
 TEST_F(CameraWindow, theScaleHoldsAtTheTurningPointWhateverLiesInTheMiddle) {
   const auto bar = [&] { return overlayOf({view().order(), view().pictureState()}).scale; };
   ASSERT_TRUE(bar());
-  EXPECT_EQ(bar()->text, QStringLiteral("%1 mm at the turning point").arg(bar()->bar.lengthMm));
+  EXPECT_EQ(bar()->text, QStringLiteral("%1 mm at the pivot").arg(bar()->bar.lengthMm));
   const double atTarget = bar()->bar.pixels / bar()->bar.lengthMm;
   drag({0, 0}, {60, 24}, Qt::MiddleButton);
   ASSERT_TRUE(rest());

@@ -41,7 +41,7 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   const QString length = QObject::tr("%1 mm").arg(bar.lengthMm);
   // In perspective a length holds at one distance only: one that moving the picture leaves as it is.
   const bool perspective = camera.projection == Camera::Projection::perspective;
-  const QString text = perspective ? QObject::tr("%1 at the turning point").arg(length) : length;
+  const QString text = perspective ? QObject::tr("%1 at the pivot").arg(length) : length;
   return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, source.written(0))};
 }
 

@@ -194,8 +194,8 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   if (source.comparison.scene.camera.projection == Camera::Projection::perspective)
     if (const std::optional<ScaleMark> scale = scaleMarkOf(source); scale && scale->plate.contains(point))
       return QObject::tr(
-          "What lies nearer looks larger: the length holds at the depth of the place about which the picture "
-          "turns. View ▸ Orthographic has one scale everywhere.");
+          "What lies nearer looks larger: the length holds at the depth of the turning point (pivot). View ▸ "
+          "Orthographic has one scale everywhere.");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};
