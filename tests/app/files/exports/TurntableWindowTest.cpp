@@ -72,8 +72,6 @@ TEST_F(TurntableWindow, goesAsFarAsItIsAskedToWithWhatStandsInASavedPicture) {
   EXPECT_NEAR(glm::dot(basisOf(camera).forward, basisOf(scene().camera).forward), -1.0, 1e-9)
       << "the last frame is seen from behind";
   marks.setChecked(false);
-  type("turntableAngle", QStringLiteral("90"));
-  EXPECT_EQ(turn.currentText(), QStringLiteral("Another angle"));
   save("plain.frames");
   ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
   const QImage marked(pathTo("marked.frames/frame-0001.png")), plain(pathTo("plain.frames/frame-0001.png"));
@@ -81,6 +79,9 @@ TEST_F(TurntableWindow, goesAsFarAsItIsAskedToWithWhatStandsInASavedPicture) {
   EXPECT_NE(marked, plain);
   const QRect middle = marked.rect().adjusted(40, 35, -40, -35);
   EXPECT_EQ(marked.copy(middle), plain.copy(middle)) << "marks stand at the edges";
+  type("turntableAngle", QStringLiteral("90"));
+  EXPECT_EQ(turn.currentText(), QStringLiteral("Another angle"));
+  EXPECT_TRUE(said().contains(QStringLiteral("a frame each 45.0°"))) << said().toStdString();
 }
 
 TEST_F(TurntableWindow, ofTwoPicturesTheOneThatIsChosenIsSaved) {

@@ -159,7 +159,8 @@ TEST_F(OpeningWindow, theDialogShowsFilesOfScannersWhichHaveNoEnding) {
   for (const char* name : {"IM000001", "I10A", "1.2.840.113619.2.134", "notes.txt"})
     test::writeBytes(folder.path() / "scans" / name, "anything");
   QStringList shown;
-  onceAsked<QFileDialog>([&shown](QFileDialog& dialog) {
+  onceAsked<QFileDialog>([&shown, this](QFileDialog& dialog) {
+    dialog.setDirectory(pathTo("scans"));
     const auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
     const auto names = [files] {
       QStringList listed;
