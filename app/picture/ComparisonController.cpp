@@ -331,7 +331,8 @@ void ComparisonController::compareWith(const Preset& look, int keptSide) {
     setLayout(CompareLayout::sideBySide);
   else
     show();
-  note(before, tr("Left: %1").arg(QString::fromStdString(comparedLook()->names[0])));
+  if (look.name != snapshotName) // that comes and goes by one key, like a way of looking
+    note(before, tr("Left: %1").arg(QString::fromStdString(comparedLook()->names[0])));
 }
 
 void ComparisonController::compareModels() {

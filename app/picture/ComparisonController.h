@@ -43,7 +43,7 @@ public:
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
   /// Where two models were compared, both are shown by that of the picture on `keptSide`, which nobody has
-  /// touched. An undo step.
+  /// touched. An undo step, unless it is the snapshot.
   void compareWith(const Preset& look, int keptSide = 1);
 
   /// The look that is compared with the scene's own, unless models are.
