@@ -61,7 +61,8 @@ public:
   QString saveFolder() const;
   void setSaveFolder(const QString& folder);
 
-  /// In which a picture was saved last, likewise: sessions may lie beside the patient's files, pictures go out.
+  /// In which a picture was saved last, likewise: sessions may lie beside the patient's files, pictures go
+  /// out.
   QString pictureFolder() const;
   void setPictureFolder(const QString& folder);
 

@@ -269,9 +269,9 @@ ComparisonController::Compared ComparisonController::compared() const {
 void ComparisonController::note(const Compared& before, const QString& text) {
   const Compared after = compared();
   if (after != before)
-    m_context.session.undoStack().push(
-        new ComparisonEdit(text, [this, before, after] { showCompared(before, after); },
-                           [this, before, after] { showCompared(after, before); }));
+    m_context.session.undoStack().push(new ComparisonEdit(
+        text, [this, before, after] { showCompared(before, after); },
+        [this, before, after] { showCompared(after, before); }));
 }
 
 void ComparisonController::showCompared(const Compared& wanted, const Compared& other) {

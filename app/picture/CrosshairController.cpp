@@ -26,7 +26,8 @@ constexpr int openingToldForMs = 6000;
 constexpr double keptOfVoxel = 0.25;
 
 QString noSlicesText() {
-  return CrosshairController::tr("Choose a layout with slices first (View ▸ Slices): they have the crosshair.");
+  return CrosshairController::tr(
+      "Choose a layout with slices first (View ▸ Slices): they have the crosshair.");
 }
 
 // The list without its last, which is the corner.

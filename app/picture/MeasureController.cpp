@@ -95,10 +95,11 @@ MeasureController::MeasureController(WindowContext& context)
     showBar();
   });
   // Once slices know the other volume, so that they take back nothing of the one before.
-  context.followers.add(SceneFollowers::Stage::after, [this, armedFor = m_volume](const Scene& scene) mutable {
-    if (std::exchange(armedFor, scene.volume) != scene.volume)
-      layAside();
-  });
+  context.followers.add(SceneFollowers::Stage::after,
+                        [this, armedFor = m_volume](const Scene& scene) mutable {
+                          if (std::exchange(armedFor, scene.volume) != scene.volume)
+                            layAside();
+                        });
 }
 
 void MeasureController::layAside() {

@@ -114,9 +114,8 @@ void PointFields::setPoints(const TransferFunction& function, const PointIndices
   m_opacityName->setVisible(!selected.empty());
   m_color->setVisible(!selected.empty() && hasColors(m_subject));
   m_value->setEnabled(selected.size() == 1);
-  m_value->setToolTip(selected.size() > 1
-                          ? tr("Several points are selected: move them together in the plot")
-                          : tr("Where the point stands on the axis, between its neighbours"));
+  m_value->setToolTip(selected.size() > 1 ? tr("Several points are selected: move them together in the plot")
+                                          : tr("Where the point stands on the axis, between its neighbours"));
   m_value->setSuffix(unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
   if (selected.empty())
     return;

@@ -119,7 +119,9 @@ void TurntableDialog::layOut(bool hasVideo) {
   auto* turn = new QHBoxLayout;
   turn->addWidget(m_turn, 1);
   turn->addWidget(m_angle);
-  m_form->addRow(tr("&Turn"), turn);
+  auto* ofTurn = new QLabel(tr("&Turn"), this);
+  ofTurn->setBuddy(m_turn);
+  m_form->addRow(ofTurn, turn);
   m_form->addRow(tr("&Frames"), m_frames);
   m_form->addRow(tr("Frames per s&econd"), m_perSecond);
   m_form->addRow(QString(), m_marks);

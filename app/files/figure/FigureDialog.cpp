@@ -75,7 +75,7 @@ struct FigureIngredients {
   PlaneSettings planes;
   std::vector<Measurement> measurements;
   std::optional<glm::dvec3> turnsAboutMm; ///< as on screen
-  GreyWindow firstWindow; ///< of slices whose settings have none
+  GreyWindow firstWindow;                 ///< of slices whose settings have none
   std::vector<Preset> presets;
   std::vector<NamedView> views;
   Histogram histogram; ///< of the volume
@@ -462,8 +462,8 @@ void FigureDialog::save() {
   };
   exportTo({.title = tr("Save the figure"),
             .suggested = usual,
-            .filters = {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"), tr("TIFF picture (*.tif)"),
-             tr("OpenEXR with floats (*.exr)")},
+            .filters = {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"),
+                        tr("TIFF picture (*.tif)"), tr("OpenEXR with floats (*.exr)")},
             .isPicture = true},
            [figure = wanted(), named, volumePath,
             order = m_context.drawnLikeTheView()](const std::string& path, const Effort& effort) {

@@ -298,8 +298,8 @@ void OpeningController::askForFile() {
            QStringList{tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
                           "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf "
                           "*.clut *.tfi *.1dt)")
-                          .chopped(1) +
-                      namesWithoutEnding() + QLatin1Char(')')} +
+                           .chopped(1) +
+                       namesWithoutEnding() + QLatin1Char(')')} +
            readLookFilters()},
       m_context.settings);
   m_asked = path;

@@ -22,12 +22,13 @@ struct LightStrengths {
 };
 
 /// A shading with a preset's light: where it comes from, shadow and occlusion; how tissue answers it stays.
-/// The strengths Ia and Id are those of a headlight, raised or lowered so that pictures keep their brightness:
-/// of the one that was there where that is known, so that it comes back whatever was changed in between, else
-/// of the one that the shading's own preset would give; of a light of one's own they are set anew. Over the shared volumes the mean of what shows
-/// changes by at most 11 % of heads, bone and brain, 21 % of an engine block and 42 % of a bonsai, which
-/// shines through. `physical` is the studio's lamp and a sky in physical light, which it makes the model; its
-/// exposure keeps the brightness of heads. Any other makes it the first model again.
+/// The strengths Ia and Id are those of a headlight, raised or lowered so that pictures keep their
+/// brightness: of the one that was there where that is known, so that it comes back whatever was changed in
+/// between, else of the one that the shading's own preset would give; of a light of one's own they are set
+/// anew. Over the shared volumes the mean of what shows changes by at most 11 % of heads, bone and brain, 21
+/// % of an engine block and 42 % of a bonsai, which shines through. `physical` is the studio's lamp and a sky
+/// in physical light, which it makes the model; its exposure keeps the brightness of heads. Any other makes
+/// it the first model again.
 Shading withLight(Shading shading, LightPreset preset,
                   const std::optional<LightStrengths>& ofHeadlight = std::nullopt);
 

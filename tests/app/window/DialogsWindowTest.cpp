@@ -9,8 +9,8 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
-#include <QToolBar>
 #include <QScrollBar>
+#include <QToolBar>
 #include <QUndoView>
 
 // Settings, history, stability checks and panels in windows of their own, in the program's window.

@@ -209,13 +209,13 @@ TEST_F(PlaneViewTest, oneClickAloneMeasuresNothingAndDeleteTakesTheOneInHandAway
   drag(view, {100, 100}, {160, 100});
   drag(view, {100, 200}, {160, 200});
   const std::vector<Measurement> measured = host.measurements();
-  for (const auto& end : std::vector<std::function<void()>>{
-           [&] { QTest::keyClick(&view, Qt::Key_Delete); }, [&] { QTest::keyClick(&view, Qt::Key_Escape); },
-           [&] { view.setTool(PlaneTool::distance); },
-           [&] {
-             QEvent left(QEvent::Leave);
-             QApplication::sendEvent(&view, &left);
-           }}) {
+  for (const auto& end : std::vector<std::function<void()>>{[&] { QTest::keyClick(&view, Qt::Key_Delete); },
+                                                            [&] { QTest::keyClick(&view, Qt::Key_Escape); },
+                                                            [&] { view.setTool(PlaneTool::distance); },
+                                                            [&] {
+                                                              QEvent left(QEvent::Leave);
+                                                              QApplication::sendEvent(&view, &left);
+                                                            }}) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 230});
     EXPECT_EQ(host.measurements().size(), 3u) << "it is begun";
     end();

@@ -193,9 +193,9 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
     return cubeFaces(source.volume())[cubeFaceLedTo(source, *face)].meaning;
   if (source.comparison.scene.camera.projection == Camera::Projection::perspective)
     if (const std::optional<ScaleMark> scale = scaleMarkOf(source); scale && scale->plate.contains(point))
-      return QObject::tr(
-          "What lies nearer looks larger: the length holds at the depth of the turning point (pivot). View ▸ "
-          "Orthographic has one scale everywhere.");
+      return QObject::tr("<p>What lies nearer looks larger: the length holds at the depth of the turning "
+                         "point (pivot). View ▸ "
+                         "Orthographic has one scale everywhere.</p>");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

@@ -243,7 +243,8 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   if (side.paths) {
     parts << QObject::tr("%1 of each pixel").arg(pathCount(side.paths->paths));
   } else if (side.toleranceLevels) {
-    parts << QObject::tr("steps chosen by error, to %1 of 255 levels").arg(exactNumber(*side.toleranceLevels));
+    parts
+        << QObject::tr("steps chosen by error, to %1 of 255 levels").arg(exactNumber(*side.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
     parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm")
