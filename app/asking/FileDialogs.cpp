@@ -20,6 +20,7 @@
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSplitter>
+#include <QStandardPaths>
 #include <QTemporaryFile>
 #include <QTreeView>
 
@@ -198,9 +199,26 @@ QString withEnding(const QString& path, const QStringList& filters, const QStrin
          endingsOf(chosen.isEmpty() ? filters.value(0) : chosen).value(0);
 }
 
+namespace {
+
+// Without a folder for pictures the home folder: an empty one would be that of the program.
+QString placeOfPictures() {
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  return QFileInfo(pictures).isDir() ? pictures : QDir::homePath();
+}
+
+QString folderFor(const SaveQuestion& question, const Settings& settings) {
+  const QString last = question.isPicture ? settings.pictureFolder() : settings.saveFolder();
+  if (!last.isEmpty())
+    return last;
+  return question.isPicture ? placeOfPictures() : question.usualFolder;
+}
+
+} // namespace
+
 QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& settings) {
   QString suggested = question.suggested;
-  const QString folder = settings.saveFolder().isEmpty() ? question.usualFolder : settings.saveFolder();
+  const QString folder = folderFor(question, settings);
   if (QFileInfo(suggested).isRelative() && !folder.isEmpty())
     suggested = QDir(folder).filePath(suggested);
   QString filter = question.filters.value(0);
@@ -224,7 +242,7 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& 
     if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
       // One that refuses is not where the next dialog should begin.
       if (const QString chosen = QFileInfo(path).absolutePath(); takesFiles(chosen))
-        settings.setSaveFolder(chosen);
+        question.isPicture ? settings.setPictureFolder(chosen) : settings.setSaveFolder(chosen);
       return path;
     }
     suggested = path;

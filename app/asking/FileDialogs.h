@@ -45,6 +45,7 @@ struct SaveQuestion {
   QString suggested; ///< a name, or a whole path
   QStringList filters;
   QString usualFolder = {}; ///< for a name, before any dialog has ended in another one
+  bool isPicture = false;   ///< begins where the last picture was saved, at first among the user's pictures
 };
 
 /// The path with the first ending of `chosen`, unless one is typed: one that the filters offer, or where they

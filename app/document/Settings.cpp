@@ -39,6 +39,7 @@ const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
 const std::string folderKey = "dialogFolder";
 const std::string saveFolderKey = "saveFolder";
+const std::string pictureFolderKey = "pictureFolder";
 const std::string lookEndingKey = "lookEnding";
 const std::string recentPrefix = "recent/";
 const std::string knownPrefix = "known/";
@@ -163,6 +164,7 @@ void Settings::clearRecentSources() {
         forget(values, prefix, entry.name);
     values.erase(folderKey);
     values.erase(saveFolderKey);
+    values.erase(pictureFolderKey);
   });
 }
 
@@ -194,6 +196,14 @@ QString Settings::saveFolder() const {
 
 void Settings::setSaveFolder(const QString& folder) {
   set(saveFolderKey, folder);
+}
+
+QString Settings::pictureFolder() const {
+  return folderAt(pictureFolderKey);
+}
+
+void Settings::setPictureFolder(const QString& folder) {
+  set(pictureFolderKey, folder);
 }
 
 void Settings::setDialogFolder(const QString& folder) {

@@ -61,6 +61,11 @@ public:
   QString saveFolder() const;
   void setSaveFolder(const QString& folder);
 
+  /// In which a picture was saved last, likewise: sessions may lie beside the patient's files, pictures go
+  /// out.
+  QString pictureFolder() const;
+  void setPictureFolder(const QString& folder);
+
   /// Of the kind of file that a look was exported as last, with its dot; empty at first.
   QString lookEnding() const;
   void setLookEnding(const QString& ending);

@@ -5,7 +5,6 @@
 #include "accuracy/Tolerance.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "planes/GreyWindows.h"
-#include "reference/ProfileAlong.h"
 #include "scene/basics/MemoryBudget.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/framing/VisibleVoxels.h"
@@ -75,17 +74,6 @@ Image floatsOf(const QImage& slice) {
       image.at(x, y) = glm::vec4(row[4 * x], row[4 * x + 1], row[4 * x + 2], row[4 * x + 3]) / 255.0f;
   }
   return image;
-}
-
-// As the window finds it for its scale.
-std::optional<glm::dvec3> seenInTheMiddle(const MadePicture& picture) {
-  const Camera& camera = picture.scene.camera;
-  if (!picture.gradientScale || camera.projection == Camera::Projection::orthographic)
-    return std::nullopt;
-  const std::optional<RayProfile> profile =
-      profileAlong(picture.scene, *picture.gradientScale, {camera.position, basisOf(camera).forward});
-  const std::optional<double> depth = profile ? halfLightDepth(*profile) : std::nullopt;
-  return depth ? std::optional(placeAt(*profile, *depth)) : std::nullopt;
 }
 
 // Of those that are cropped, whether that hides anything.
@@ -218,7 +206,6 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                                         ? withoutBackground(picture.image)
                                         : overBackground(picture.image, picture.scene.image.background);
              made.figure.panels[panel].scene = picture.scene;
-             made.figure.panels[panel].middleMm = seenInTheMiddle(picture);
              if (figure.panels[panel].isStated)
                state(made.figure.panels[panel], picture, order.effort);
              made.engine = picture.engine;

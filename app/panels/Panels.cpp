@@ -18,6 +18,8 @@
 #include <QStyledItemDelegate>
 #include <QUndoView>
 
+#include <algorithm>
+
 #include <memory>
 
 namespace limn {
@@ -51,6 +53,17 @@ public:
     if (!text.isEmpty())
       text[0] = text[0].toUpper();
     return text;
+  }
+
+  // Lines end within the rows: the view tells its whole width, frame and scroll bar included.
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    if (!list)
+      return QStyledItemDelegate::sizeHint(option, index);
+    QStyleOptionViewItem within = option;
+    within.rect.setWidth(list->viewport()->width() - 2 * list->spacing());
+    const QSize size = QStyledItemDelegate::sizeHint(within, index);
+    return {std::min(size.width(), within.rect.width()), size.height()};
   }
 
 protected:
@@ -232,6 +245,8 @@ void Panels::addHistory() {
   history->setSpacing(2);
   history->setItemDelegate(new HistoryDelegate(m_context.session.undoStack(), history));
   history->setWordWrap(true);
+  history->setResizeMode(QListView::Adjust);
+  history->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   // Where it lies on top the presets must not become narrower than they can be.
   history->setMinimumWidth(m_presets.browser().minimumSizeHint().width());
   m_context.docks.add({tr("&History"), "historyDock", history, Qt::LeftDockWidgetArea});

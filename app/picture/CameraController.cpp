@@ -53,8 +53,6 @@ CameraController::CameraController(WindowContext& context) : QObject(&context.wi
   connect(&context.view.input(), &ViewInput::turnAboutRequested, this, &CameraController::turnAboutSeen);
   connect(&context.view.input(), &ViewInput::cameraReset, this,
           [this] { m_context.view.setTurnsAbout(std::nullopt); });
-  connect(&context.view, &CompareView::told, this,
-          [this](const ViewNews& news) { noteMiddle(news.state.resting); });
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
 
@@ -131,21 +129,7 @@ void CameraController::showScene(const Scene& scene) {
   m_volume = scene.volume;
   m_history.clear();
   m_context.view.setTurnsAbout(std::nullopt);
-  m_context.view.setMiddle(std::nullopt);
   showSteps();
-}
-
-// Once the picture rests, because the ray is followed as exactly as a pixel of it; until then what was seen
-// last tells how far away things are.
-void CameraController::noteMiddle(bool isAtRest) {
-  if (isAtRest == m_isAtRest)
-    return;
-  m_isAtRest = isAtRest;
-  const Camera& camera = m_context.view.scene().camera;
-  if (!isAtRest || !m_context.view.scene().volume || camera.projection == Camera::Projection::orthographic)
-    return;
-  const Ray middle{camera.position, basisOf(camera).forward};
-  m_context.view.setMiddle(turnCentreAlong(m_context.view, middle, m_context.view.ownSide()).placeMm);
 }
 
 void CameraController::showSteps() {

@@ -58,12 +58,10 @@ private:
   SeenFrom now() const;
   void showScene(const Scene& scene);
   void showSteps();
-  void noteMiddle(bool isAtRest);
 
   WindowContext& m_context;
   CameraHistory m_history;
   std::shared_ptr<const Volume> m_volume; ///< of which the history tells
-  bool m_isAtRest = false;                ///< the picture
   QAction* m_orthographic = nullptr;
   QAction* m_back = nullptr;
   QAction* m_forward = nullptr;

@@ -9,6 +9,7 @@
 #include <QEvent>
 #include <QMenu>
 #include <QStatusBar>
+#include <QUndoCommand>
 
 #include <array>
 #include <tuple>
@@ -100,6 +101,25 @@ private:
     QAction* place = nullptr; ///< of the button in the tool bar
   };
   std::array<Side, 2> m_sides;
+};
+
+/// A step between two states, the second of which is shown as it is pushed.
+class ComparisonEdit : public QUndoCommand {
+public:
+  using Show = std::function<void()>;
+
+  ComparisonEdit(const QString& text, Show before, Show after)
+      : QUndoCommand(text), m_before(std::move(before)), m_after(std::move(after)) {}
+
+  void undo() override { m_before(); }
+  void redo() override {
+    if (std::exchange(m_wasShown, true))
+      m_after();
+  }
+
+private:
+  Show m_before, m_after;
+  bool m_wasShown = false;
 };
 
 } // namespace
@@ -220,9 +240,11 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
 
 void ComparisonController::setSideModel(int side, ShadingModel model) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  const Compared before = compared();
   if (!isSingle && m_look && side == 1 && m_ownModel) {
     m_ownModel->choose(model);
-    return show();
+    show();
+    return note(before, tr("Right: %1").arg(modelName(model)));
   }
   if (isSingle || (m_look && side == 1)) {
     Shading shading = m_context.session.scene().shading;
@@ -237,6 +259,31 @@ void ComparisonController::setSideModel(int side, ShadingModel model) {
   else
     m_right.choose(model);
   show();
+  note(before, (side == 0 ? tr("Left: %1") : tr("Right: %1")).arg(modelName(model)));
+}
+
+ComparisonController::Compared ComparisonController::compared() const {
+  return {m_left, m_right, m_look, m_ownModel, m_wanted, m_isAsked};
+}
+
+void ComparisonController::note(const Compared& before, const QString& text) {
+  const Compared after = compared();
+  if (after != before)
+    m_context.session.undoStack().push(new ComparisonEdit(
+        text, [this, before, after] { showCompared(before, after); },
+        [this, before, after] { showCompared(after, before); }));
+}
+
+void ComparisonController::showCompared(const Compared& wanted, const Compared& other) {
+  m_left = wanted.left;
+  m_right = wanted.right;
+  m_look = wanted.look;
+  m_ownModel = wanted.ownModel;
+  if (wanted.wanted == other.wanted)
+    return show();
+  m_wanted = wanted.wanted;
+  m_isAsked = wanted.isAsked;
+  fitLayout();
 }
 
 void ComparisonController::RightModel::choose(ShadingModel model) {
@@ -271,6 +318,7 @@ std::optional<ShadingModel> ComparisonController::ownModel() const {
 
 void ComparisonController::compareWith(const Preset& look, int keptSide) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  const Compared before = compared();
   if (!m_look || isSingle)
     m_ownModel = isSingle        ? std::nullopt
                  : keptSide == 0 ? std::optional(RightModel{.shown = m_left})
@@ -283,6 +331,8 @@ void ComparisonController::compareWith(const Preset& look, int keptSide) {
     setLayout(CompareLayout::sideBySide);
   else
     show();
+  if (look.name != snapshotName) // that comes and goes by one key, like a way of looking
+    note(before, tr("Left: %1").arg(QString::fromStdString(comparedLook()->names[0])));
 }
 
 void ComparisonController::compareModels() {

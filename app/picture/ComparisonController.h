@@ -35,7 +35,7 @@ public:
   void setLayout(CompareLayout layout);
 
   /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look
-  /// where no other shows it, the scene's.
+  /// where no other shows it, the scene's. An undo step in any case.
   void setSideModel(int side, ShadingModel model);
 
   /// A whole light was chosen. Any but *Physical* leaves physical light at the right, whoever chose that.
@@ -43,7 +43,7 @@ public:
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
   /// Where two models were compared, both are shown by that of the picture on `keptSide`, which nobody has
-  /// touched.
+  /// touched. An undo step, unless it is the snapshot.
   void compareWith(const Preset& look, int keptSide = 1);
 
   /// The look that is compared with the scene's own, unless models are.
@@ -82,8 +82,25 @@ private:
     ShadingModel before = ShadingModel::enhanced; ///< physical light
     void choose(ShadingModel model);
     void leavePhysical() { shown = shown == ShadingModel::physical ? before : shown; }
+    bool operator==(const RightModel&) const = default;
   };
 
+  /// What is compared, as undo brings it back.
+  struct Compared {
+    ShadingModel left = ShadingModel::classic;
+    RightModel right;
+    std::optional<Preset> look;
+    std::optional<RightModel> ownModel;
+    CompareLayout wanted = CompareLayout::sideBySide;
+    bool isAsked = false;
+    bool operator==(const Compared&) const = default;
+  };
+
+  Compared compared() const;
+  /// What has changed since `before` is an undo step from now on.
+  void note(const Compared& before, const QString& text);
+  /// Shows one of the two states between which a step leads; the layout where the step changed it.
+  void showCompared(const Compared& wanted, const Compared& other);
   void followModel(const Scene& scene);
   void setRightPhysical(bool is);
   std::optional<ShadingModel> ownModel() const;

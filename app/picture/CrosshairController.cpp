@@ -25,6 +25,11 @@ constexpr int openingToldForMs = 6000;
 // Of a voxel: the crosshair's own voxels stay, and are seen on the faces of the corner.
 constexpr double keptOfVoxel = 0.25;
 
+QString noSlicesText() {
+  return CrosshairController::tr(
+      "Choose a layout with slices first (View ▸ Slices): they have the crosshair.");
+}
+
 // The list without its last, which is the corner.
 std::vector<Cut> withoutLast(std::vector<Cut> cuts) {
   cuts.pop_back();
@@ -143,6 +148,8 @@ void CrosshairController::ask() {
       closeFace();
     else if (hasSlices())
       openFrom(face);
+    else
+      m_context.window.statusBar()->showMessage(noSlicesText(), openingToldForMs);
   }
   showAction(); // which the click has checked, whatever came of it
 }
@@ -156,6 +163,8 @@ void CrosshairController::askForCorner() {
       closeCorner();
     else if (hasSlices())
       openCorner(corner);
+    else
+      m_context.window.statusBar()->showMessage(noSlicesText(), openingToldForMs);
   }
   showAction();
 }
@@ -270,13 +279,15 @@ void CrosshairController::showScene(const Scene& scene) {
 
 void CrosshairController::showAction() {
   m_action->setChecked(m_opening.has_value());
-  m_action->setEnabled(hasSlices() || m_opening);
+  // Without slices a click and its key say why there is nothing to cut to.
+  const bool isOpen = m_context.session.scene().volume != nullptr;
+  m_action->setEnabled(isOpen);
   m_cornerAction->setChecked(m_corner.has_value());
-  m_cornerAction->setEnabled(hasSlices() || m_corner);
+  m_cornerAction->setEnabled(isOpen);
   m_action->setToolTip(
       hasSlices() ? tr("<p>Cuts away what lies before the slices' crosshair in the picture, on the side that "
                        "faces you most (O). Again, or Esc: as it was.</p>")
-                  : tr("There must be slices beside the picture, which have the crosshair: View ▸ Slices."));
+                  : noSlicesText());
   m_cornerAction->setToolTip(
       hasSlices() ? tr("<p>Cuts away the corner that faces you, up to the slices' crosshair, so that three "
                        "slices are seen in the picture (Shift+O). Again, or Esc: as it was.</p>")

@@ -26,18 +26,15 @@ bool isLedInSlices(const Measurement& measurement) {
   return measurement.plane && measurement.kind != Measurement::Kind::mark;
 }
 
-// What to do in the picture with its tool, in slices with theirs, or in both.
+// What to do in the picture with its tool, or in slices with theirs.
 QString hintFor(std::optional<Measurement::Kind> inPicture, std::optional<Measurement::Kind> inSlices) {
   using Kind = Measurement::Kind;
-  const bool isBoth = inPicture && inPicture == inSlices;
   if (inPicture)
     switch (*inPicture) {
     case Kind::distance:
-      return isBoth ? MeasureController::tr("Click both ends; in a slice, drag")
-                    : MeasureController::tr("Click both ends");
+      return MeasureController::tr("Click both ends");
     case Kind::angle:
-      return isBoth ? MeasureController::tr("Click end, corner, end; in a slice, drag a leg")
-                    : MeasureController::tr("Click end, corner and end");
+      return MeasureController::tr("Click end, corner and end");
     case Kind::mark:
       return MeasureController::tr("Click the place to mark");
     case Kind::ellipse:
@@ -45,9 +42,9 @@ QString hintFor(std::optional<Measurement::Kind> inPicture, std::optional<Measur
     }
   switch (inSlices.value_or(Kind::ellipse)) {
   case Kind::distance:
-    return MeasureController::tr("In a slice, drag from end to end");
+    return MeasureController::tr("In a slice, click both ends or drag");
   case Kind::angle:
-    return MeasureController::tr("In a slice, drag a leg, click an end");
+    return MeasureController::tr("In a slice, click end, corner and end");
   case Kind::mark:
     return MeasureController::tr("In a slice, click the place");
   case Kind::ellipse:
@@ -67,10 +64,7 @@ MeasureController::MeasureController(WindowContext& context)
   connect(&context.planes, &PlaneDeck::toolChanged, this, &MeasureController::showBar);
   connect(&context.session, &Session::planesChanged, this, &MeasureController::showBar);
   connect(m_bar, &HintBar::closeRequested, this, [this] {
-    if (kindOf(m_context.planes.tool()))
-      m_context.planes.setTool(PlaneTool::crosshair);
-    if (kindOf(m_context.view.tool()))
-      m_context.view.setTool(ViewTool::rotate);
+    layAside();
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
   context.keepClearOfMessages(*m_bar);
@@ -100,6 +94,19 @@ MeasureController::MeasureController(WindowContext& context)
     refresh();
     showBar();
   });
+  // Once slices know the other volume, so that they take back nothing of the one before.
+  context.followers.add(SceneFollowers::Stage::after,
+                        [this, armedFor = m_volume](const Scene& scene) mutable {
+                          if (std::exchange(armedFor, scene.volume) != scene.volume)
+                            layAside();
+                        });
+}
+
+void MeasureController::layAside() {
+  if (kindOf(m_context.planes.tool()))
+    m_context.planes.setTool(PlaneTool::crosshair);
+  if (kindOf(m_context.view.tool()))
+    m_context.view.setTool(ViewTool::rotate);
 }
 
 void MeasureController::edit(const MeasurementsEdited& edited) {

@@ -48,6 +48,7 @@ private:
   std::vector<Measurement> placed() const;
   void showTool();
   void showBar();
+  void layAside(); ///< the tools that measure
   void remove();
   void pick(const Ray& ray, int side);
   void take(const MeasureHandle& handle, std::uint64_t gesture);

@@ -866,10 +866,6 @@
         <translation> · %1&#xa0;mm</translation>
     </message>
     <message>
-        <source>%1 at the centre</source>
-        <translation>%1 in der Mitte</translation>
-    </message>
-    <message>
         <source>+%1 of 255</source>
         <translation>+%1 von 255</translation>
     </message>
@@ -1070,14 +1066,6 @@
         <translation>Die Vorschau hat außerdem weniger Pixel als das Fenster; das kommt hinzu.</translation>
     </message>
     <message>
-        <source>error-controlled steps (--tolerance %1)</source>
-        <translation>fehlergesteuerte Schritte (--tolerance %1)</translation>
-    </message>
-    <message>
-        <source>step %1 of the smallest voxel spacing, %2 mm (--step %3)</source>
-        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2&#xa0;mm (--step %3)</translation>
-    </message>
-    <message>
         <source>99.9th percentile %1, mean %2 levels</source>
         <translation>99,9. Perzentil %1, Mittelwert %2 Stufen</translation>
     </message>
@@ -1276,14 +1264,6 @@
     <message>
         <source>%1 (%2).</source>
         <translation>%1 (%2).</translation>
-    </message>
-    <message>
-        <source>Scale at the depth of the centre (perspective).</source>
-        <translation>Maßstab in der Tiefe der Mitte (perspektivisch).</translation>
-    </message>
-    <message>
-        <source>Scale at the depth of the centre (perspective: %1).</source>
-        <translation>Maßstab in der Tiefe der Mitte (perspektivisch: %1).</translation>
     </message>
     <message>
         <source>Not for diagnosis.</source>
@@ -1932,10 +1912,6 @@
         <translation>Schritt %1, Licht aus einem Gitter</translation>
     </message>
     <message>
-        <source>Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with a tolerance (--tolerance) the processor finds them for each sample, in minutes.</source>
-        <translation>Schatten und Verdeckung werden in einem Gitter nachgeschlagen, das kleinere Schritte nicht feiner machen; mit einer Toleranz (--tolerance) findet der Prozessor sie für jeden Abtastpunkt, in Minuten.</translation>
-    </message>
-    <message>
         <source>random paths, refining</source>
         <translation>Zufallspfade, wird verfeinert</translation>
     </message>
@@ -2014,6 +1990,38 @@
     <message>
         <source>Light at the right: %1.</source>
         <translation>Licht rechts: %1.</translation>
+    </message>
+    <message>
+        <source>Scale at the depth of the turning point (perspective).</source>
+        <translation>Maßstab in der Tiefe des Drehpunkts (perspektivisch).</translation>
+    </message>
+    <message>
+        <source>Scale at the depth of the turning point (perspective: %1).</source>
+        <translation>Maßstab in der Tiefe des Drehpunkts (perspektivisch: %1).</translation>
+    </message>
+    <message>
+        <source>%1 at the pivot</source>
+        <translation>%1 am Drehpunkt</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What lies nearer looks larger: the length holds at the depth of the turning point (pivot). View ▸ Orthographic has one scale everywhere.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Was näher liegt, sieht größer aus: Die Länge gilt in der Tiefe des Drehpunkts. „Ansicht ▸ Orthografisch“ hat überall denselben Maßstab.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>○ nearly exact</source>
+        <translation>○ fast exakt</translation>
+    </message>
+    <message>
+        <source>Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with a tolerance the processor finds them for each sample, in minutes.</source>
+        <translation>Schatten und Verdeckung werden in einem Gitter nachgeschlagen, das kleinere Schritte nicht feiner machen; mit einer Toleranz findet der Prozessor sie für jeden Abtastpunkt, in Minuten.</translation>
+    </message>
+    <message>
+        <source>steps chosen by error, to %1 of 255 levels</source>
+        <translation>Schritte nach dem Fehler gewählt, auf %1 von 255 Stufen</translation>
+    </message>
+    <message>
+        <source>step %1 of the smallest voxel spacing, %2 mm</source>
+        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2 mm</translation>
     </message>
 </context>
 <context>
@@ -2548,10 +2556,6 @@
         <translation>&lt;p&gt;Schneidet im Bild weg, was vor dem Fadenkreuz der Schnitte liegt, auf der Seite, die Ihnen am meisten zugewandt ist (O). Nochmals oder Esc: wie zuvor.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>There must be slices beside the picture, which have the crosshair: View ▸ Slices.</source>
-        <translation>Dazu müssen Schnitte neben dem Bild stehen, die das Fadenkreuz haben: Ansicht ▸ Schnitte.</translation>
-    </message>
-    <message>
         <source>Cut open the co&amp;rner to the crosshair</source>
         <translation>Ec&amp;ke bis zum Fadenkreuz aufschneiden</translation>
     </message>
@@ -2570,6 +2574,10 @@
     <message>
         <source>&lt;p&gt;Cuts away the corner that faces you, up to the slices&apos; crosshair, so that three slices are seen in the picture (Shift+O). Again, or Esc: as it was.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Schneidet die Ecke, die zu Ihnen zeigt, bis zum Fadenkreuz der Schichten weg, sodass im Bild drei Schichten zu sehen sind (Umschalt+O). Noch einmal oder Esc: wie zuvor.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Choose a layout with slices first (View ▸ Slices): they have the crosshair.</source>
+        <translation>Zuerst eine Anordnung mit Schnitten wählen (Ansicht ▸ Schnitte): Sie haben das Fadenkreuz.</translation>
     </message>
 </context>
 <context>
@@ -4161,6 +4169,10 @@
         <source>Clear the search</source>
         <translation>Suche leeren</translation>
     </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
 </context>
 <context>
     <name>limn::LabelTable</name>
@@ -4175,10 +4187,6 @@
     <message>
         <source>fade %1 to %2 %</source>
         <translation>%1 auf %2&#xa0;% abschwächen</translation>
-    </message>
-    <message>
-        <source>%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept.</source>
-        <translation>%1 (Label %2): gezeigt, ausgeblendet oder abgeschwächt, wenn nur ein Teil seiner Deckkraft bleibt.</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -4223,6 +4231,14 @@
     <message>
         <source>%1 · %2 ± %3 · %4 – %5</source>
         <translation>%1 · %2 ± %3 · %4 – %5</translation>
+    </message>
+    <message>
+        <source>%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept. A click on its square gives it a colour.</source>
+        <translation>%1 (Label %2): gezeigt, ausgeblendet oder abgeschwächt, wenn nur ein Teil seiner Deckkraft bleibt. Ein Klick auf sein Farbfeld gibt ihm eine Farbe.</translation>
+    </message>
+    <message>
+        <source>colour of %1</source>
+        <translation>Farbe von %1</translation>
     </message>
 </context>
 <context>
@@ -4605,16 +4621,8 @@
         <translation>In einem Mittelwert zählt jede Tiefe gleich viel, also gibt es keinen Ort, an dem gemessen werden könnte.</translation>
     </message>
     <message>
-        <source>Click both ends; in a slice, drag</source>
-        <translation>Beide Enden anklicken; in einer Schicht ziehen</translation>
-    </message>
-    <message>
         <source>Click both ends</source>
         <translation>Beide Enden anklicken</translation>
-    </message>
-    <message>
-        <source>Click end, corner, end; in a slice, drag a leg</source>
-        <translation>Ende, Scheitel, Ende anklicken; in einer Schicht einen Schenkel ziehen</translation>
     </message>
     <message>
         <source>Click end, corner and end</source>
@@ -4623,14 +4631,6 @@
     <message>
         <source>Click the place to mark</source>
         <translation>Die Stelle anklicken</translation>
-    </message>
-    <message>
-        <source>In a slice, drag from end to end</source>
-        <translation>In einer Schicht von Ende zu Ende ziehen</translation>
-    </message>
-    <message>
-        <source>In a slice, drag a leg, click an end</source>
-        <translation>In einer Schicht einen Schenkel ziehen, dann das Ende anklicken</translation>
     </message>
     <message>
         <source>In a slice, click the place</source>
@@ -4647,6 +4647,14 @@
     <message>
         <source>What was measured is led by its ends and goes with Delete; a drag over the picture rotates it. Esc takes back what is begun, then lays the tool aside.</source>
         <translation>Gemessenes wird an seinen Enden geführt und mit Entf gelöscht; Ziehen dreht das Bild. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
+    </message>
+    <message>
+        <source>In a slice, click both ends or drag</source>
+        <translation>In einer Schicht beide Enden anklicken oder ziehen</translation>
+    </message>
+    <message>
+        <source>In a slice, click end, corner and end</source>
+        <translation>In einer Schicht Ende, Scheitel und Ende anklicken</translation>
     </message>
 </context>
 <context>
@@ -8022,10 +8030,6 @@
         <translation>einige Labels haben eigene Darstellungen</translation>
     </message>
     <message>
-        <source>where looks of labels meet only samples can follow them, not whole steps</source>
-        <translation>wo Darstellungen von Labels aneinandergrenzen, können ihnen nur Abtastpunkte folgen, nicht ganze Schritte</translation>
-    </message>
-    <message>
         <source>Looks of labels</source>
         <translation>Darstellungen von Labels</translation>
     </message>
@@ -8476,6 +8480,10 @@
     <message>
         <source>it is no report of limn accuracy</source>
         <translation>sie ist kein Bericht von limn accuracy</translation>
+    </message>
+    <message>
+        <source>within one look steps follow its curve; where looks of labels meet, samples do</source>
+        <translation>innerhalb einer Darstellung folgen die Schritte ihrer Kurve; wo Darstellungen von Labels aneinandergrenzen, tun es Abtastpunkte</translation>
     </message>
 </context>
 <context>
@@ -9861,10 +9869,6 @@
         <translation>Mehrere Punkte sind gewählt: Bewegen Sie sie gemeinsam in der Kurve</translation>
     </message>
     <message>
-        <source>Where the point stands on the axis; it stops at its neighbours</source>
-        <translation>Wo der Punkt auf der Achse steht; er hält an seinen Nachbarn</translation>
-    </message>
-    <message>
         <source>Double click in the plot to add a point</source>
         <translation>Doppelklick: neuer Punkt</translation>
     </message>
@@ -9880,12 +9884,13 @@
         <source>Opacity</source>
         <translation>Deckkraft</translation>
     </message>
-</context>
-<context>
-    <name>limn::PointPopup</name>
     <message>
-        <source>change colour of point</source>
-        <translation>Farbe des Punkts ändern</translation>
+        <source>change colour of %1 points</source>
+        <translation>Farbe von %1 Punkten ändern</translation>
+    </message>
+    <message>
+        <source>Where the point stands on the axis, between its neighbours</source>
+        <translation>Wo der Punkt auf der Achse steht, zwischen seinen Nachbarn</translation>
     </message>
 </context>
 <context>
@@ -10501,10 +10506,6 @@
         <translation>Nur &amp;Körper</translation>
     </message>
     <message>
-        <source>Finds the body and hides the table, the head holder and what else lies beside it.</source>
-        <translation>Findet den Körper und blendet Tisch, Kopfhalterung und anderes daneben aus.</translation>
-    </message>
-    <message>
         <source>Cutting</source>
         <translation>Schneiden</translation>
     </message>
@@ -10551,6 +10552,10 @@
     <message>
         <source>Leave them</source>
         <translation>So lassen</translation>
+    </message>
+    <message>
+        <source>Finds the body and hides the table, the head holder and what else lies beside it; labels that are open stay open.</source>
+        <translation>Findet den Körper und blendet Tisch, Kopfhalterung und anderes daneben aus; geöffnete Labels bleiben offen.</translation>
     </message>
 </context>
 <context>
@@ -11302,10 +11307,6 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>&amp;Frames for one turn</source>
-        <translation>&amp;Einzelbilder je Umdrehung</translation>
-    </message>
-    <message>
         <source>Frames per s&amp;econd</source>
         <translation>Einzelbilder je Se&amp;kunde</translation>
     </message>
@@ -11316,10 +11317,6 @@
     <message>
         <source>Drawing the turntable</source>
         <translation>Drehansicht wird gezeichnet</translation>
-    </message>
-    <message>
-        <source>One turn about the patient&apos;s upright axis: a frame each %1°, %2 s.</source>
-        <translation>Eine Umdrehung um die Längsachse des Patienten: ein Einzelbild je %1°, %2&#xa0;s.</translation>
     </message>
     <message>
         <source>Drawing frame %1 of %2…</source>
@@ -11376,6 +11373,42 @@
     <message>
         <source>What the picture shows</source>
         <translation>Was das Bild zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Letters, scale and &quot;Not for diagnosis&quot;</source>
+        <translation>Buc&amp;hstaben, Maßstab und „Nicht zur Diagnose“</translation>
+    </message>
+    <message>
+        <source>Angle of the turn</source>
+        <translation>Winkel der Drehung</translation>
+    </message>
+    <message>
+        <source>Whole turn</source>
+        <translation>Ganze Umdrehung</translation>
+    </message>
+    <message>
+        <source>Half turn</source>
+        <translation>Halbe Umdrehung</translation>
+    </message>
+    <message>
+        <source>Another angle</source>
+        <translation>Anderer Winkel</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehung</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Einzelbilder</translation>
+    </message>
+    <message>
+        <source>%1° about the patient&apos;s upright axis: a frame each %2°, %3 s.</source>
+        <translation>%1° um die Längsachse des Patienten: ein Einzelbild je %2°, %3 s.</translation>
+    </message>
+    <message>
+        <source>A video has even sides: %1 × %2 pixels.</source>
+        <translation>Ein Video hat gerade Seiten: %1 × %2 Pixel.</translation>
     </message>
 </context>
 <context>

@@ -75,6 +75,28 @@ TEST_F(LightSectionTest, aLightIsChosenInOneGoAndToldApartFromOnesOwn) {
   EXPECT_EQ(m_shading, Shading());
 }
 
+TEST_F(LightSectionTest, theHeadlightComesBackAsItWasWhateverWasChangedInBetween) {
+  m_shading.ambientIntensity = 0.28; // as the built-in presets have it
+  m_shading.lightIntensity = 0.7;
+  m_section.setShading(m_shading);
+  const Shading before = m_shading;
+  choose("Light", 2);
+  const Shading soft = m_shading;
+  EXPECT_EQ(lightPresetOf(soft), LightPreset::softStudio);
+  m_shading.lightIntensity = 1.5; // still that light, but stronger
+  m_section.setShading(m_shading);
+  choose("Light", 0);
+  EXPECT_EQ(m_shading, before);
+  choose("Light", 2);
+  EXPECT_EQ(m_shading, soft);
+  m_shading.shadow.strength = 0.4; // and now one of one's own
+  m_shading.ambientIntensity = 0.1;
+  m_section.setShading(m_shading);
+  EXPECT_EQ(lightPresetOf(m_shading), std::nullopt);
+  choose("Light", 0);
+  EXPECT_EQ(m_shading, before);
+}
+
 TEST_F(LightSectionTest, theLampIsDraggedAroundTheBall) {
   QTest::mousePress(&ball(), Qt::LeftButton, {}, onBall(0.6, 0.0));
   QTest::mouseMove(&ball(), onBall(0.0, 0.8));

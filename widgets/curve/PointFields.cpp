@@ -15,6 +15,20 @@
 namespace limn {
 namespace {
 
+constexpr double farthest = 1e9; // of what can be typed
+
+// As far as a drag would take a point: to its neighbours. Several have no number of their own.
+ValueRange reachAmong(const TransferFunction& function, const PointIndices& indices, CurveSubject subject) {
+  ValueRange reach{std::max(-farthest, lowestPlace(subject)), farthest};
+  if (const std::size_t i = indices.front(); indices.size() == 1) {
+    if (i > 0)
+      reach.lowest = std::max(reach.lowest, function.points[i - 1].value);
+    if (i + 1 < function.points.size())
+      reach.highest = std::min(reach.highest, function.points[i + 1].value);
+  }
+  return reach;
+}
+
 TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices,
                                double opacity) {
   TransferFunction edited = function;
@@ -40,7 +54,7 @@ QString pickedColorText(const PointIndices& indices) {
 
 PointFields::PointFields(CurveSubject subject, QWidget* parent)
     : QWidget(parent), m_subject(subject), m_which(new QLabel), m_opacityName(new QLabel(tr("Opacity"))),
-      m_value(new NumberField(std::max(-1e9, lowestPlace(subject)), 1e9, 1)),
+      m_value(new NumberField(std::max(-farthest, lowestPlace(subject)), farthest, 1)),
       m_opacity(new NumberField(0.0, 1.0, 4)), m_color(new ColorButton(pickedColorText({}))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -64,7 +78,7 @@ PointFields::PointFields(CurveSubject subject, QWidget* parent)
   connect(m_value, &NumberField::numberEdited, this, [this](double value) {
     const std::size_t i = m_selected.front();
     const TransferFunction moved = withPointMoved(m_function, i, value, m_function.points[i].opacity);
-    m_value->setNumber(moved.points[i].value); // it may have stopped at a neighbour
+    m_value->setNumber(moved.points[i].value); // a neighbour may stand between the decimals that are shown
     emit functionEdited(
         moved, {nextGestureId(),
                 tr("move point to %1").arg(valueText(moved.points[i].value, m_unit, m_value->decimals()))});
@@ -105,13 +119,13 @@ void PointFields::setPoints(const TransferFunction& function, const PointIndices
   m_opacityName->setVisible(!selected.empty());
   m_color->setVisible(!selected.empty() && hasColors(m_subject));
   m_value->setEnabled(selected.size() == 1);
-  m_value->setToolTip(selected.size() > 1
-                          ? tr("Several points are selected: move them together in the plot")
-                          : tr("Where the point stands on the axis; it stops at its neighbours"));
+  m_value->setToolTip(selected.size() > 1 ? tr("Several points are selected: move them together in the plot")
+                                          : tr("Where the point stands on the axis, between its neighbours"));
   m_value->setSuffix(unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
-  m_value->setDecimals(decimals);
   if (selected.empty())
     return;
+  const ValueRange reach = reachAmong(function, selected, m_subject);
+  m_value->setLimits(reach.lowest, reach.highest, decimals);
   const ControlPoint& point = function.points[selected.front()];
   m_value->setNumber(point.value);
   m_opacity->setNumber(point.opacity);

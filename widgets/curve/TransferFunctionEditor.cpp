@@ -333,7 +333,8 @@ int TransferFunctionEditor::toolsWithRoom() const {
     return widget->sizeHint().width() + m_row->spacing();
   };
   const QMargins margins = layout()->contentsMargins();
-  int room = width() - margins.left() - margins.right() - m_numbersWidth - widthOf(m_showAll);
+  const QWidget* numbers = m_pinIsLatest ? static_cast<QWidget*>(m_tissue) : m_fields;
+  int room = width() - margins.left() - margins.right() - widthOf(numbers) - widthOf(m_showAll);
   for (int i = 0; i < m_leading; ++i)
     room -= widthOf(m_row->itemAt(i)->widget());
   for (int i = 0; i < m_trailing; ++i)
@@ -351,11 +352,8 @@ int TransferFunctionEditor::toolsWithRoom() const {
   return fitting;
 }
 
-// Tools that find no room are behind the button beside the row.
+// Tools that find no room are behind the button beside the row, and come back when a point is let go.
 void TransferFunctionEditor::placeTools() {
-  const QWidget* numbers = m_pinIsLatest ? static_cast<QWidget*>(m_tissue) : m_fields;
-  // Of all selections as wide as the widest so far, so that nothing comes and goes as points are selected.
-  m_numbersWidth = std::max(m_numbersWidth, numbers->sizeHint().width() + m_row->spacing());
   const int inRow = toolsWithRoom();
   for (int i = 0; i < static_cast<int>(m_tools.size()); ++i)
     if (QWidget* tool = m_tools[static_cast<std::size_t>(i)]; tool->parentWidget() != m_morePanel)

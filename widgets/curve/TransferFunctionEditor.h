@@ -155,9 +155,8 @@ private:
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
   QBoxLayout* m_row = nullptr;
-  int m_leading = 0;  ///< controls before the numbers
-  int m_trailing = 0; ///< controls before the last one
-  int m_numbersWidth = 0;
+  int m_leading = 0;                 ///< controls before the numbers
+  int m_trailing = 0;                ///< controls before the last one
   std::array<QWidget*, 3> m_tools{}; ///< in the row as long as there is room, the first longest
   QAbstractButton* m_fine;
   QAbstractButton* m_showAll;

@@ -131,7 +131,7 @@ PlaneFrame planeFrameOf(const FigurePanel& panel, const QSize& pixels) {
 
 double mmPerPixelOf(const FigurePanel& panel, const QSize& pixels) {
   return panel.plane ? mmPerLogicalPixel(planeFrameOf(panel, pixels))
-                     : mmPerPixel(panel.scene.camera, pixels.height(), panel.middleMm);
+                     : mmPerPixel(panel.scene.camera, pixels.height(), panel.turnsAboutMm);
 }
 
 std::optional<OrientationLetters> lettersOfPanel(const FigurePanel& panel) {
@@ -158,8 +158,8 @@ QString notesOf(const Figure& figure) {
   if (settings.shows(FigureMark::scaleBar) && std::ranges::any_of(figure.panels, isInPerspective)) {
     const QString where = lettersWhere(figure, isInPerspective);
     notes << (where.isEmpty()
-                  ? QObject::tr("Scale at the depth of the centre (perspective).")
-                  : QObject::tr("Scale at the depth of the centre (perspective: %1).").arg(where));
+                  ? QObject::tr("Scale at the depth of the turning point (perspective).")
+                  : QObject::tr("Scale at the depth of the turning point (perspective: %1).").arg(where));
   }
   if (settings.shows(FigureMark::notForDiagnosis))
     notes << QObject::tr("Not for diagnosis.");

@@ -266,9 +266,12 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   if (kind == Measurement::Kind::angle && m_drag->handle.place == 2)
     return true;
   const bool isClick = QLineF(m_drag->press, point).length() < shortestDrag;
-  const bool isLeft = isClick && kind != Measurement::Kind::mark;
-  emit measurementsEdited(isLeft ? measuredBefore(*m_drag) : measuredAfter(*m_drag, point));
-  if (isLeft || kind != Measurement::Kind::angle)
+  emit measurementsEdited(measuredAfter(*m_drag, point));
+  if (isClick && kind != Measurement::Kind::mark) { // its next place is clicked, as in the picture
+    m_drag->isLoose = true;
+    return false;
+  }
+  if (kind != Measurement::Kind::angle)
     return true;
   m_drag->measurements = measuredAfter(*m_drag, point).measurements;
   m_drag->handle.place = 2;
@@ -276,9 +279,21 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   return false;
 }
 
-void PlaneView::endLooseDrag() {
-  if (m_drag && m_drag->isLoose)
-    m_drag.reset();
+// Of what was clicked once nothing is left; an angle without its end keeps the leg that stands upright. Tells
+// whether anything was taken back.
+bool PlaneView::endLooseDrag() {
+  if (!m_drag || !m_drag->isLoose)
+    return false;
+  const PlaneDrag drag = *std::exchange(m_drag, std::nullopt);
+  if (drag.measurements.back().kind == Measurement::Kind::angle && drag.handle.place == 2)
+    return false;
+  emit measurementsEdited(measuredBefore(drag));
+  return true;
+}
+
+void PlaneView::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  endLooseDrag();
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -330,8 +345,8 @@ void PlaneView::contextMenuEvent(QContextMenuEvent* event) {
 bool PlaneView::obey(int key, bool isFast) {
   if (obeyInLine(key))
     return true;
-  if (key != Qt::Key_Escape)
-    endLooseDrag();
+  if (key != Qt::Key_Escape && endLooseDrag() && key == Qt::Key_Delete)
+    return true;
   if (moveByKey(key, isFast ? fastSlices : 1))
     return true;
   switch (key) {

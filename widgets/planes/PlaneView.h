@@ -76,6 +76,7 @@ protected:
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void enterEvent(QEnterEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
@@ -83,7 +84,7 @@ private:
   bool moveByKey(int key, int slices);
   bool chooseWindow(int number);
   void cancel();
-  void endLooseDrag();
+  bool endLooseDrag();
   bool pressCut(const QMouseEvent& event);
   void closeLine();
   void forgetLine();

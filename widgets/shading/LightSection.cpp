@@ -76,6 +76,7 @@ LightSection::LightSection(QWidget* parent) : ShadingSection(tr("Light"), parent
   addStrengths();
   addReflection();
   showShading();
+  m_ofHeadlight.reset(); // it was nobody's
 }
 
 void LightSection::setCamera(const Camera& camera) {
@@ -95,7 +96,7 @@ void LightSection::addPresets() {
   contents()->addWidget(m_preset);
   connect(m_preset, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
     const LightPreset preset = lightPresets.at(static_cast<std::size_t>(index));
-    editAll(withLight(shading(), preset), gesture);
+    editAll(withLight(shading(), preset, m_ofHeadlight), gesture);
     emit presetChosen(preset);
   });
 }
@@ -247,6 +248,8 @@ void LightSection::showDirection() {
   const Shading& shown = shading();
   const std::optional<LightPreset> preset = lightPresetOf(shown);
   m_preset->setIndex(preset ? static_cast<int>(*preset) : static_cast<int>(lightPresets.size()));
+  if (preset == LightPreset::headlight)
+    m_ofHeadlight = {shown.ambientIntensity, shown.lightIntensity};
   m_ball->setPlace(seenFromViewer(shown, m_camera));
   m_ball->setAmbient(shown.ambientIntensity / std::max(shown.ambientIntensity + shown.lightIntensity, 1e-6));
   m_place->setIndex(!shown.lightDirection ? 0 : shown.lightAxes == LightAxes::camera ? 1 : 2);

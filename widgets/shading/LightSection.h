@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <functional>
+#include <optional>
 
 namespace limn {
 
@@ -58,6 +59,7 @@ private:
   void showTravel();
 
   Camera m_camera;
+  std::optional<LightStrengths> m_ofHeadlight; ///< that was there last: to it a headlight comes back
   ChoiceRow* m_preset = nullptr;
   LightBall* m_ball = nullptr;
   ValueSlider* m_shadow = nullptr;

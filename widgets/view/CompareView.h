@@ -104,10 +104,6 @@ public:
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
   void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
-  /// What is seen in the middle of the picture, where known: the scale holds there, else at the camera's
-  /// target.
-  void setMiddle(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.middleMm, worldMm); }
-
   /// Whether the crop is known to hide nothing that would be seen, so that no note tells of it.
   void setCropHidesNothing(bool hides) { set(m_order.comparison.cropHidesNothing, hides); }
   /// Draws what was measured over the pictures; nothing at first.

@@ -145,8 +145,6 @@ void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, cons
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
     picture.canBeEstimated = stepsSeeFunction(renderer, picture.scene);
-    if constexpr (requires { renderer.gradientScale(); })
-      picture.gradientScale = renderer.gradientScale();
     sitting.take(i, std::move(picture));
   }
 }

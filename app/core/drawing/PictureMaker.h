@@ -10,7 +10,6 @@
 #include "scene/Scene.h"
 #include "scene/basics/Effort.h"
 #include "scene/basics/Image.h"
-#include "scene/light/Gradient.h"
 
 #include <functional>
 #include <string>
@@ -30,8 +29,6 @@ struct MadePicture {
   bool canBeEstimated = false;
   ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance)
   Message steps;       ///< with which it keeps its tolerance, a sentence; empty where none were looked for
-  /// The moduli with which it was lit; absent of engines that do not tell.
-  std::optional<GradientScale> gradientScale{};
   /// Of a picture of physical light.
   std::optional<PathFigures> paths{};
   double pathSeconds = 0.0;

@@ -11,7 +11,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 namespace limn {
 namespace {
@@ -49,7 +48,7 @@ std::string frameName(int frame) {
 }
 
 void writeFrames(const fs::path& folder, const Turntable& turntable, const MakingOptions& order,
-                 const DescribeScene& describe, std::vector<Message>& notes) {
+                 const DescribeScene& describe, const MarkPicture& mark, std::vector<Message>& notes) {
   MakingOptions drawing = order;
   drawing.effort = partOf(order.effort, shareOfCameras, 1.0);
   const std::vector<Scene> scenes = framesOf(turntable, partOf(order.effort, 0.0, shareOfCameras));
@@ -57,7 +56,8 @@ void writeFrames(const fs::path& folder, const Turntable& turntable, const Makin
     for (const Message& note : remarksOf(picture))
       if (std::ranges::find(notes, note) == notes.end())
         notes.push_back(note);
-    writeImage(folder / frameName(static_cast<int>(index)), picture.image, picture.scene.image.background,
+    writeImage(folder / frameName(static_cast<int>(index)),
+               mark ? mark(picture.image, picture.scene) : picture.image, picture.scene.image.background,
                describe(picture.scene));
   });
 }
@@ -129,8 +129,10 @@ Camera turned(const Camera& camera, double angle) {
   return result;
 }
 
-Turn::Turn(const Scene& scene, int views, double aspect, double cameraAspect, const Effort& effort)
-    : m_scene(scene), m_views(views), m_aspect(aspect) {
+Turn::Turn(const Scene& scene, int views, double aspect, double cameraAspect, const Effort& effort,
+           double angleDeg)
+    : m_scene(scene), m_views(views),
+      m_stepDeg(angleDeg < 360.0 ? angleDeg / std::max(1, views - 1) : angleDeg / views), m_aspect(aspect) {
   if (!scene.volume)
     return;
   const Grid& grid = scene.volume->grid();
@@ -146,8 +148,7 @@ Turn::Turn(const Scene& scene, int views, double aspect, double cameraAspect, co
 }
 
 Camera Turn::turnedTo(int index) const {
-  return index % m_views == 0 ? m_scene.camera
-                              : turned(m_scene.camera, 2.0 * std::numbers::pi * index / m_views);
+  return index % m_views == 0 ? m_scene.camera : turned(m_scene.camera, glm::radians(m_stepDeg * index));
 }
 
 Camera Turn::view(int index) const {
@@ -158,7 +159,7 @@ Camera Turn::view(int index) const {
 std::vector<Scene> framesOf(const Turntable& turntable, const Effort& effort) {
   const double aspect = 1.0 * turntable.size.x / turntable.size.y;
   const Turn turn(turntable.scene, turntable.frames, aspect, turntable.cameraAspect.value_or(aspect),
-                  partOf(effort, 0.0, 0.5));
+                  partOf(effort, 0.0, 0.5), turntable.angleDeg);
   std::vector<Scene> scenes(static_cast<std::size_t>(turntable.frames), turntable.scene);
   forEachPiece(turntable.frames, partOf(effort, 0.5, 1.0), [&](int frame) {
     Scene& scene = scenes[static_cast<std::size_t>(frame)];
@@ -202,12 +203,13 @@ void requireTurntablePlace(const fs::path& path, int frames) {
 }
 
 std::vector<Message> writeTurntable(const fs::path& path, const Turntable& turntable,
-                                    const MakingOptions& order, const DescribeScene& describe) {
+                                    const MakingOptions& order, const DescribeScene& describe,
+                                    const MarkPicture& mark) {
   requireTurntablePlace(path, turntable.frames);
   std::vector<Message> notes;
   if (!isVideo(path)) {
     makeFolderFor(path);
-    writeFrames(path, turntable, order, describe, notes);
+    writeFrames(path, turntable, order, describe, mark, notes);
     return notes;
   }
   // Frames carry no scenes there: they vanish.
@@ -223,7 +225,7 @@ std::vector<Message> writeTurntable(const fs::path& path, const Turntable& turnt
   MakingOptions most = order;
   most.effort = partOf(order.effort, 0.0, shareOfFrames);
   writeFrames(
-      frames->path(), turntable, most, [](const Scene&) { return std::string(); }, notes);
+      frames->path(), turntable, most, [](const Scene&) { return std::string(); }, mark, notes);
   replaceAtomically(path, [&](const fs::path& temporary) {
     encode(frames->path(), temporary, turntable.framesPerSecond, order.effort);
   });

@@ -16,7 +16,8 @@ namespace limn {
 struct Turntable {
   Scene scene;                        ///< the first frame
   glm::ivec2 size{512, 512};          ///< of each frame, pixels
-  int frames = 90;                    ///< 2..mostFrames, for one turn
+  int frames = 90;                    ///< 2..mostFrames, for the whole of it
+  double angleDeg = 360.0;            ///< > 0; of less than a turn the last frame is its end
   double framesPerSecond = 25.0;      ///< of a video, > 0
   std::optional<double> cameraAspect; ///< of the picture that the scene's camera stands for; absent: of these
 };
@@ -33,8 +34,10 @@ Camera turned(const Camera& camera, double angle);
 /// among them. A camera that stands otherwise turns as it is.
 class Turn {
 public:
-  /// `cameraAspect` is that of the picture that the camera may be framed for; `views` ≥ 1. Throws Cancelled.
-  Turn(const Scene& scene, int views, double aspect, double cameraAspect, const Effort& effort = {});
+  /// `cameraAspect` is that of the picture that the camera may be framed for; `views` ≥ 1 (2 of less than a
+  /// whole turn, whose ends are views). Throws Cancelled.
+  Turn(const Scene& scene, int views, double aspect, double cameraAspect, const Effort& effort = {},
+       double angleDeg = 360.0);
 
   Camera view(int index) const;
 
@@ -43,6 +46,7 @@ private:
 
   const Scene& m_scene;
   int m_views;
+  double m_stepDeg; // from view to view
   double m_aspect;
   std::optional<VisibleVoxels> m_visible; // absent: as it stands
   double m_distance = 0.0;
@@ -53,6 +57,9 @@ std::vector<Scene> framesOf(const Turntable& turntable, const Effort& effort = {
 
 /// What a frame's file says of its scene (io/scenefile).
 using DescribeScene = std::function<std::string(const Scene& scene)>;
+
+/// The picture of a scene with what else shall stand in it.
+using MarkPicture = std::function<Image(Image picture, const Scene& scene)>;
 
 /// Whether a path asks for a video rather than for a folder of frames: .mp4.
 bool isVideo(const std::filesystem::path& path);
@@ -66,10 +73,11 @@ std::string videoProgram();
 void requireTurntablePlace(const std::filesystem::path& path, int frames);
 
 /// Draws all frames and writes them: a PNG each, frame-0001.png, into a folder, which is made where there is
-/// none, or a video, complete or untouched. Of frames that are cancelled those drawn stay. Returns one
-/// sentence each that was noteworthy. Throws Error, of kind usage where there is nothing to make videos with,
-/// and Cancelled.
+/// none, or a video, complete or untouched. Each is what `mark` makes of the picture, where there is one. Of
+/// frames that are cancelled those drawn stay. Returns one sentence each that was noteworthy. Throws Error,
+/// of kind usage where there is nothing to make videos with, and Cancelled.
 std::vector<Message> writeTurntable(const std::filesystem::path& path, const Turntable& turntable,
-                                    const MakingOptions& order, const DescribeScene& describe);
+                                    const MakingOptions& order, const DescribeScene& describe,
+                                    const MarkPicture& mark = {});
 
 } // namespace limn

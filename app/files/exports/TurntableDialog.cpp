@@ -7,8 +7,9 @@
 #include "io/scenefile/SceneFile.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/overlay/Titles.h"
+#include "widgets/view/overlay/SavedOverlay.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -16,7 +17,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,6 +28,30 @@ namespace {
 // A driver's and a video's frames are no larger.
 constexpr double mostSide = 8192.0;
 
+// Most players need them (app/core/making/Turntable).
+double evenSide(double pixels) {
+  return 2.0 * std::floor(pixels / 2.0);
+}
+
+// What stands in a saved picture that turns: neither titles, nor what was measured, which other sides hide.
+constexpr SavedMarks marksOfTurn{false, true, true, true, false};
+
+// As in the window, of a frame that is as high as its picture.
+MarkPicture marksOver(OverlaySource window, const glm::ivec2& size) {
+  const int height = std::max(1, window.geometry.size.height());
+  window.geometry.layout = CompareLayout::single;
+  window.geometry.size = QSize(std::max(1, height * size.x / size.y), height);
+  window.comparison.layout = CompareLayout::single;
+  window.comparison.look.reset();
+  window.comparison.turnsAboutMm.reset(); // it turns about the camera's target
+  return [window](Image picture, const Scene& scene) {
+    OverlaySource shown = window;
+    shown.comparison.scene = scene;
+    const QImage marks = savedMarksImage(shown, marksOfTurn, {picture.size.x, picture.size.y});
+    return withMarks(std::move(picture), marks);
+  };
+}
+
 } // namespace
 
 TurntableDialog::TurntableDialog(WindowContext& context, const SavingController* saving)
@@ -35,8 +59,11 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
                              tr("Cancelled; frames that were drawn stay.")}),
       m_saving(*saving), m_width(new NumberField(16.0, mostSide, 0, this)),
       m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
-      m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_kind(new QComboBox(this)),
-      m_picture(new QComboBox(this)), m_start(new QComboBox(this)), m_form(new QFormLayout) {
+      m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_angle(new NumberField(1.0, 360.0, 1, this)),
+      m_turn(new QComboBox(this)),
+      m_marks(new QCheckBox(tr("&Letters, scale and \"Not for diagnosis\""), this)),
+      m_kind(new QComboBox(this)), m_picture(new QComboBox(this)), m_start(new QComboBox(this)),
+      m_form(new QFormLayout) {
   setWindowTitle(tr("Save a turntable"));
   m_kind->setObjectName(QStringLiteral("turntableKind"));
   m_picture->setObjectName(QStringLiteral("turntablePicture"));
@@ -50,12 +77,23 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
   m_frames->setNumber(90.0);
   m_perSecond->setNumber(25.0);
   const QRectF picture = context.view.logicalRect(0);
-  m_width->setNumber(std::floor(picture.width()));
-  m_height->setNumber(std::floor(picture.height()));
+  m_width->setNumber(evenSide(picture.width()));
+  m_height->setNumber(evenSide(picture.height()));
+  m_angle->setNumber(360.0);
+  m_angle->setSuffix(QStringLiteral("°"));
+  m_angle->setObjectName(QStringLiteral("turntableAngle"));
+  m_angle->setAccessibleName(tr("Angle of the turn"));
+  m_turn->setObjectName(QStringLiteral("turntableTurn"));
+  m_turn->addItems({tr("Whole turn"), tr("Half turn"), tr("Another angle")});
+  m_marks->setObjectName(QStringLiteral("turntableMarks"));
+  m_marks->setChecked(true);
   layOut(!videoProgram().empty());
   connect(&context.session, &Session::viewsChanged, this, &TurntableDialog::setStarts);
-  for (NumberField* field : {m_frames, m_perSecond})
+  for (NumberField* field : {m_frames, m_perSecond, m_width, m_height, m_angle})
     connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
+  connect(m_kind, &QComboBox::activated, this, &TurntableDialog::showLength);
+  connect(m_turn, &QComboBox::activated, this, &TurntableDialog::takeTurn);
+  connect(m_angle, &NumberField::numberEdited, this, &TurntableDialog::showTurn);
   showLength();
 }
 
@@ -78,8 +116,15 @@ void TurntableDialog::layOut(bool hasVideo) {
   m_form->addRow(tr("&Picture"), m_picture);
   m_form->addRow(tr("&Begins at"), m_start);
   m_form->addRow(tr("Size"), size);
-  m_form->addRow(tr("&Frames for one turn"), m_frames);
+  auto* turn = new QHBoxLayout;
+  turn->addWidget(m_turn, 1);
+  turn->addWidget(m_angle);
+  auto* ofTurn = new QLabel(tr("&Turn"), this);
+  ofTurn->setBuddy(m_turn);
+  m_form->addRow(ofTurn, turn);
+  m_form->addRow(tr("&Frames"), m_frames);
   m_form->addRow(tr("Frames per s&econd"), m_perSecond);
+  m_form->addRow(QString(), m_marks);
   if (!hasVideo) {
     auto* missing = new QLabel(tr("A video can be made once the program ffmpeg is installed."), this);
     missing->setWordWrap(true);
@@ -95,9 +140,37 @@ void TurntableDialog::layOut(bool hasVideo) {
 }
 
 void TurntableDialog::showLength() {
-  say(tr("One turn about the patient's upright axis: a frame each %1°, %2 s.")
-          .arg(QLocale().toString(360.0 / frames(), 'f', 1),
-               QLocale().toString(frames() / framesPerSecond(), 'f', 1)));
+  const double angle = m_angle->number();
+  const double step = angle < 360.0 ? angle / (frames() - 1) : angle / frames();
+  QString text = tr("%1° about the patient's upright axis: a frame each %2°, %3 s.")
+                     .arg(m_angle->textFromValue(angle), QLocale().toString(step, 'f', 1),
+                          QLocale().toString(frames() / framesPerSecond(), 'f', 1));
+  if (const glm::ivec2 its = size(); its.x != m_width->number() || its.y != m_height->number())
+    text += QLatin1Char(' ') +
+            tr("A video has even sides: %1 × %2 pixels.").arg(QString::number(its.x), QString::number(its.y));
+  say(text);
+}
+
+void TurntableDialog::takeTurn(int choice) {
+  if (choice < 2) {
+    m_angle->setNumber(choice == 0 ? 360.0 : 180.0);
+    return showLength();
+  }
+  m_angle->setFocus();
+  m_angle->selectAll();
+}
+
+void TurntableDialog::showTurn() {
+  m_turn->setCurrentIndex(m_angle->number() == 360.0 ? 0 : m_angle->number() == 180.0 ? 1 : 2);
+}
+
+bool TurntableDialog::isVideo() const {
+  return m_kind->currentIndex() == 1;
+}
+
+glm::ivec2 TurntableDialog::size() const {
+  const glm::dvec2 typed(m_width->number(), m_height->number());
+  return isVideo() ? glm::ivec2(evenSide(typed.x), evenSide(typed.y)) : glm::ivec2(typed);
 }
 
 void TurntableDialog::setPictures(const QStringList& names, int usual) {
@@ -142,26 +215,32 @@ void TurntableDialog::begin(bool) {
 
 void TurntableDialog::save() {
   const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
-  const bool isVideo = m_kind->currentIndex() == 1;
+  const bool isVideo = this->isVideo();
   Turntable turntable;
   turntable.scene = m_context.view.sceneOfSide(m_picture->currentIndex());
   if (const auto& views = m_context.session.views(); m_start->currentIndex() > 0)
     turntable.scene.camera = views.at(static_cast<std::size_t>(m_start->currentIndex()) - 1).camera;
   turntable.scene.keep.source = m_saving.labelsInPicture();
-  turntable.size = {static_cast<int>(m_width->number()), static_cast<int>(m_height->number())};
+  turntable.size = size();
   turntable.frames = frames();
+  turntable.angleDeg = m_angle->number();
   turntable.cameraAspect = m_context.view.pictureAspect();
   turntable.framesPerSecond = framesPerSecond();
-  exportTo({isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
-            isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
-            {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
-            QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)},
-           [turntable, order = m_context.drawnLikeTheView(), volume = m_saving.volumeInPicture(),
+  exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
+            .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
+            .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
+            .isPicture = true},
+           [turntable,
+            mark = m_marks->isChecked()
+                       ? marksOver({m_context.view.order(), m_context.view.pictureState()}, turntable.size)
+                       : MarkPicture(),
+            order = m_context.drawnLikeTheView(), volume = m_saving.volumeInPicture(),
             measurements = m_context.session.measurements()](const std::string& path, const Effort& effort) {
              MakingOptions told = order;
              told.effort = effort;
-             writeTurntable(path, turntable, told,
-                            [&](const Scene& scene) { return sceneToJson(scene, volume, {}, measurements); });
+             writeTurntable(
+                 path, turntable, told,
+                 [&](const Scene& scene) { return sceneToJson(scene, volume, {}, measurements); }, mark);
              return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
            });
 }

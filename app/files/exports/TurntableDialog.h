@@ -5,6 +5,7 @@
 
 #include <QStringList>
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 
@@ -36,6 +37,11 @@ private:
   void setStarts(const std::vector<NamedView>& views);
   int frames() const;
   double framesPerSecond() const;
+  glm::ivec2 size() const; ///< of each frame: a video has even sides
+  bool isVideo() const;
+  /// The angle of a choice, or the choice of an angle.
+  void takeTurn(int choice);
+  void showTurn();
   void save();
   void showLength();
 
@@ -44,6 +50,9 @@ private:
   NumberField* m_height;
   NumberField* m_frames;
   NumberField* m_perSecond;
+  NumberField* m_angle; ///< degrees
+  QComboBox* m_turn;    ///< whole, half, or another
+  QCheckBox* m_marks;
   QComboBox* m_kind;
   QComboBox* m_picture;
   QComboBox* m_start;

@@ -23,7 +23,6 @@
 #include <QObject>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -32,7 +31,7 @@
 namespace limn {
 namespace {
 
-constexpr int sideWidth = 372;
+constexpr int sideWidth = 404;
 
 // The first picture of a preview has so many pixels each way as a share of the last, so that it comes at
 // once.
@@ -47,7 +46,6 @@ FigurePanel asDrawn(FigurePanel panel) {
   panel.name.clear();
   panel.errorLevels.reset();
   panel.paths.reset();
-  panel.middleMm.reset();
   panel.cropHidesNothing.reset();
   panel.isStated = panel.isAim = false;
   return panel;
@@ -76,7 +74,8 @@ struct FigureIngredients {
   std::optional<Preset> remembered; ///< the look remembered as "before"
   PlaneSettings planes;
   std::vector<Measurement> measurements;
-  GreyWindow firstWindow; ///< of slices whose settings have none
+  std::optional<glm::dvec3> turnsAboutMm; ///< as on screen
+  GreyWindow firstWindow;                 ///< of slices whose settings have none
   std::vector<Preset> presets;
   std::vector<NamedView> views;
   Histogram histogram; ///< of the volume
@@ -159,8 +158,10 @@ std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   addViews(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
-  for (PanelSource& source : sources)
+  for (PanelSource& source : sources) {
     source.panel.measurements = from.measurements;
+    source.panel.turnsAboutMm = from.turnsAboutMm;
+  }
   return sources;
 }
 
@@ -313,6 +314,7 @@ void FigureDialog::refreshSources() {
                                looks.remembered,
                                m_context.session.planes(),
                                m_context.session.measurements(),
+                               m_context.view.turnsAbout(),
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
                                m_context.session.views(),
@@ -394,7 +396,6 @@ Figure FigureDialog::withWhatIsKnown(Figure figure) const {
         m_drawn.panels, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
     const auto at = static_cast<std::size_t>(drawn - m_drawn.panels.begin());
     if (drawn != m_drawn.panels.end() && at < m_made.size()) {
-      panel.middleMm = m_made[at].middleMm;
       panel.cropHidesNothing = m_made[at].cropHidesNothing;
     }
     if (isPhysical(panel.scene))
@@ -459,11 +460,11 @@ void FigureDialog::save() {
                             labels = m_saving.labelsInPicture()](const std::string& name, const Volume&) {
     return name == volumePath ? volume : labels;
   };
-  exportTo({tr("Save the figure"),
-            usual,
-            {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"), tr("TIFF picture (*.tif)"),
-             tr("OpenEXR with floats (*.exr)")},
-            QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)},
+  exportTo({.title = tr("Save the figure"),
+            .suggested = usual,
+            .filters = {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"),
+                        tr("TIFF picture (*.tif)"), tr("OpenEXR with floats (*.exr)")},
+            .isPicture = true},
            [figure = wanted(), named, volumePath,
             order = m_context.drawnLikeTheView()](const std::string& path, const Effort& effort) {
              const MadeFigure made =

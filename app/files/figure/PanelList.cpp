@@ -47,7 +47,7 @@ void PanelList::addRow(std::size_t index) {
   row.source->setObjectName(QStringLiteral("panelSource-") + letter);
   row.source->setAccessibleName(tr("What panel %1 shows").arg(letter));
   row.source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  row.source->setMinimumContentsLength(14);
+  row.source->setMinimumContentsLength(18);
   row.name = new QLineEdit(this);
   row.name->setObjectName(QStringLiteral("panelName-") + letter);
   row.name->setAccessibleName(tr("Name above panel %1").arg(letter));
@@ -88,6 +88,7 @@ const PanelSource& PanelList::sourceOf(const Row& row) const {
 void PanelList::showRow(Row& row) {
   const PanelSource& source = sourceOf(row);
   row.source->setCurrentIndex(row.source->findText(source.text));
+  row.source->setToolTip(source.text); // of a long name the list shows a part
   const QString name = row.ownName.isNull() ? source.panel.name : row.ownName;
   if (row.name->text() != name)
     row.name->setText(name);

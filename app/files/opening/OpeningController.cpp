@@ -27,6 +27,15 @@
 namespace limn {
 namespace {
 
+// Of the patterns of a dialog those for files of scanners, which have no ending: on media they are called by
+// eight characters at most (DICOM PS3.10, 8.2), elsewhere often by their UID, which ends in a digit.
+QString namesWithoutEnding() {
+  QString patterns = QStringLiteral(" *[0-9]");
+  for (int length = 1; length <= 8; ++length)
+    patterns += QLatin1Char(' ') + QStringLiteral("[!.]").repeated(length);
+  return patterns;
+}
+
 enum Column { numberColumn, modality, images, size, thickness, date, description, folder, columns };
 
 // What the file does not say is left open.
@@ -288,7 +297,9 @@ void OpeningController::askForFile() {
        .filters =
            QStringList{tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
                           "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf "
-                          "*.clut *.tfi *.1dt)")} +
+                          "*.clut *.tfi *.1dt)")
+                           .chopped(1) +
+                       namesWithoutEnding() + QLatin1Char(')')} +
            readLookFilters()},
       m_context.settings);
   m_asked = path;

@@ -14,7 +14,6 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QLabel>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
@@ -62,18 +61,6 @@ glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {
 bool takesBytes(const std::string& path) {
   const QString ending = QFileInfo(QString::fromStdString(path)).suffix().toLower();
   return ending == QStringLiteral("png") || ending.startsWith(QStringLiteral("tif"));
-}
-
-// Marks over a picture, both premultiplied.
-Image withMarks(Image image, const QImage& marks) {
-  for (int y = 0; y < image.size.y; ++y) {
-    const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
-    for (int x = 0; x < image.size.x; ++x) {
-      const glm::vec4 mark = glm::vec4(qRed(row[x]), qGreen(row[x]), qBlue(row[x]), qAlpha(row[x])) / 255.0f;
-      image.at(x, y) = mark + (1.0f - mark.a) * image.at(x, y);
-    }
-  }
-  return image;
 }
 
 // As files have it: colours that are not multiplied by their alpha.
@@ -174,13 +161,13 @@ void PictureSaving::ask() {
       askHowToSave({screen.x, screen.y}, m_context.settings, &m_context.window);
   if (!options)
     return;
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString path = askWhereToSave(&m_context.window,
-                                      {tr("Save the picture"),
-                                       suggestedName(m_context.document) + QStringLiteral(".png"),
-                                       {tr("Pictures (*.png *.tif *.jpg *.exr)")},
-                                       folder},
-                                      m_context.settings);
+  const QString path =
+      askWhereToSave(&m_context.window,
+                     {.title = tr("Save the picture"),
+                      .suggested = suggestedName(m_context.document) + QStringLiteral(".png"),
+                      .filters = {tr("Pictures (*.png *.tif *.jpg *.exr)")},
+                      .isPicture = true},
+                     m_context.settings);
   if (path.isEmpty())
     return;
   m_awaited.await(path, asked, *options);
@@ -221,6 +208,17 @@ void PictureSaving::say(const QString& text) {
   m_text->setText(text);
   m_text->setVisible(!text.isEmpty());
   m_stop->setVisible(!text.isEmpty());
+}
+
+Image withMarks(Image image, const QImage& marks) {
+  for (int y = 0; y < image.size.y; ++y) {
+    const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
+    for (int x = 0; x < image.size.x; ++x) {
+      const glm::vec4 mark = glm::vec4(qRed(row[x]), qGreen(row[x]), qBlue(row[x]), qAlpha(row[x])) / 255.0f;
+      image.at(x, y) = mark + (1.0f - mark.a) * image.at(x, y);
+    }
+  }
+  return image;
 }
 
 Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
@@ -359,9 +357,11 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   const double scale = scaleOf(options, savedSize(view.order().geometry).x);
   PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
                    scene.image.background, 0.0,     {},     {view.order(), view.pictureState()}};
+  const bool isOnScreen = scale == 1.0;
   if (options.size == PictureOptions::Size::print)
     file.dotsPerInch = printDotsPerInch;
-  const bool isOnScreen = scale == 1.0;
+  else if (!isOnScreen) // on paper it is as large as on screen
+    file.dotsPerInch = scale * view.logicalDpiX() * view.devicePixelRatioF();
   file.description =
       sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(view.pictureState()) : std::nullopt,
                   m_context.session.measurements());

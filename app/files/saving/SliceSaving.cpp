@@ -11,7 +11,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QStandardPaths>
 #include <QStatusBar>
 
 namespace limn {
@@ -60,10 +59,11 @@ void SliceSaving::save(PatientPlane plane) {
     return;
   const QString path = askWhereToSave(
       &m_context.window,
-      {tr("Save the slice"),
-       QStringLiteral("%1-%2.png").arg(suggestedName(m_context.document), QLatin1String(nameOf(plane))),
-       {tr("Pictures (*.png *.tif)")},
-       QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)},
+      {.title = tr("Save the slice"),
+       .suggested =
+           QStringLiteral("%1-%2.png").arg(suggestedName(m_context.document), QLatin1String(nameOf(plane))),
+       .filters = {tr("Pictures (*.png *.tif)")},
+       .isPicture = true},
       m_context.settings);
   if (path.isEmpty())
     return;

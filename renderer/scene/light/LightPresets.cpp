@@ -54,16 +54,22 @@ double withoutRounding(double strength) {
   return std::round(1e6 * strength) / 1e6;
 }
 
+// The headlight from which the light of a preset was made.
+LightStrengths headlightUnder(const Shading& shading) {
+  const std::optional<LightPreset> known = lightPresetOf(shading);
+  if (!known)
+    return {};
+  const Light light = lightOf(*known);
+  return {shading.ambientIntensity / light.ambientGain, shading.lightIntensity / light.lampGain};
+}
+
 } // namespace
 
-Shading withLight(Shading shading, LightPreset preset) {
+Shading withLight(Shading shading, LightPreset preset, const std::optional<LightStrengths>& ofHeadlight) {
   const Light light = lightOf(preset);
-  const std::optional<LightPreset> known = lightPresetOf(shading);
-  const Light before = lightOf(known.value_or(LightPreset::headlight));
-  const double ambient = known ? shading.ambientIntensity : Shading().ambientIntensity;
-  const double lamp = known ? shading.lightIntensity : Shading().lightIntensity;
-  shading.ambientIntensity = withoutRounding(ambient * light.ambientGain / before.ambientGain);
-  shading.lightIntensity = withoutRounding(lamp * light.lampGain / before.lampGain);
+  const LightStrengths headlight = ofHeadlight ? *ofHeadlight : headlightUnder(shading);
+  shading.ambientIntensity = withoutRounding(headlight.ambient * light.ambientGain);
+  shading.lightIntensity = withoutRounding(headlight.lamp * light.lampGain);
   shading.lightDirection = light.direction;
   shading.lightAxes = light.direction ? LightAxes::camera : LightAxes::world;
   shading.shadow = light.shadow;

@@ -15,13 +15,22 @@ enum class LightPreset { headlight, studio, softStudio, overcast, physical };
 inline constexpr std::array lightPresets{LightPreset::headlight, LightPreset::studio, LightPreset::softStudio,
                                          LightPreset::overcast, LightPreset::physical};
 
+/// Ia and Id, as a headlight has them.
+struct LightStrengths {
+  double ambient = Shading().ambientIntensity;
+  double lamp = Shading().lightIntensity;
+};
+
 /// A shading with a preset's light: where it comes from, shadow and occlusion; how tissue answers it stays.
-/// The strengths Ia and Id are raised or lowered so that pictures keep their brightness, and come back with
-/// the headlight; of a light of one's own they are set anew. Over the shared volumes the mean of what shows
-/// changes by at most 11 % of heads, bone and brain, 21 % of an engine block and 42 % of a bonsai, which
-/// shines through. `physical` is the studio's lamp and a sky in physical light, which it makes the model; its
-/// exposure keeps the brightness of heads. Any other makes it the first model again.
-Shading withLight(Shading shading, LightPreset preset);
+/// The strengths Ia and Id are those of a headlight, raised or lowered so that pictures keep their
+/// brightness: of the one that was there where that is known, so that it comes back whatever was changed in
+/// between, else of the one that the shading's own preset would give; of a light of one's own they are set
+/// anew. Over the shared volumes the mean of what shows changes by at most 11 % of heads, bone and brain, 21
+/// % of an engine block and 42 % of a bonsai, which shines through. `physical` is the studio's lamp and a sky
+/// in physical light, which it makes the model; its exposure keeps the brightness of heads. Any other makes
+/// it the first model again.
+Shading withLight(Shading shading, LightPreset preset,
+                  const std::optional<LightStrengths>& ofHeadlight = std::nullopt);
 
 /// The preset whose light a shading has, however strong and however exposed; absent where it is a light of
 /// one's own.

@@ -230,6 +230,23 @@ TEST_F(CameraWindow, shiftAndTheMiddleButtonHaveTurnsGoAboutWhatIsSeenThere) {
   EXPECT_EQ(undo().count(), 0);
 }
 
+TEST_F(CameraWindow, theScaleHoldsAtTheTurningPointWhateverLiesInTheMiddle) {
+  const auto bar = [&] { return overlayOf({view().order(), view().pictureState()}).scale; };
+  ASSERT_TRUE(bar());
+  EXPECT_EQ(bar()->text, QStringLiteral("%1 mm at the pivot").arg(bar()->bar.lengthMm));
+  const double atTarget = bar()->bar.pixels / bar()->bar.lengthMm;
+  drag({0, 0}, {60, 24}, Qt::MiddleButton);
+  ASSERT_TRUE(rest());
+  // Rounding: the distance to the target is kept to thousandths of a micrometre.
+  EXPECT_NEAR(bar()->bar.pixels / bar()->bar.lengthMm, atTarget, 1e-9 * atTarget) << "moving changes nothing";
+  const glm::dvec3 half = 0.5 * (camera().position + camera().target);
+  view().setTurnsAbout(half);
+  EXPECT_NEAR(bar()->bar.pixels / bar()->bar.lengthMm, 2.0 * atTarget, 1e-9 * atTarget) << "half as far";
+  QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, {},
+                    view().mapTo(window.get(), bar()->plate.center().toPoint()));
+  EXPECT_TRUE(view().toolTip().contains(QStringLiteral("Orthographic"))) << view().toolTip().toStdString();
+}
+
 TEST_F(CameraWindow, theCentreOfATurnIsMarkedWhileItLasts) {
   const auto centres = [&] { return overlayOf({view().order(), view().pictureState()}).centres; };
   const QPoint at(35, -25);

@@ -284,12 +284,13 @@ TEST_F(CrosshairWindow, whereNothingLiesBeforeItThatIsSaid) {
   EXPECT_TRUE(said().startsWith(QStringLiteral("Nothing lies before the crosshair"))) << said().toStdString();
 }
 
-TEST_F(CrosshairWindow, withoutSlicesItIsOutOfUseAndSaysWhy) {
+TEST_F(CrosshairWindow, withoutSlicesItCutsNothingAndSaysWhy) {
   named("planes-picture").trigger();
-  EXPECT_FALSE(cutOpen().isEnabled());
   EXPECT_TRUE(cutOpen().toolTip().contains(QStringLiteral("View ▸ Slices")));
   press(Qt::Key_O, view());
   EXPECT_EQ(crop(), CropBox{});
+  EXPECT_FALSE(cutOpen().isChecked());
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Choose a layout with slices first"))) << said().toStdString();
   named("planes-picture_and_three").trigger();
   press(Qt::Key_O, view());
   named("planes-picture").trigger();

@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QToolBar>
 #include <QUndoView>
 
@@ -65,6 +66,11 @@ TEST_F(DialogsWindow, theHistoryListsEveryStepAndAClickGoesThere) {
   EXPECT_TRUE(history->model()->index(1, 0).data().toString().contains(QStringLiteral(" → ")));
   window->findChild<QDockWidget*>(QStringLiteral("historyDock"))->raise();
   QCoreApplication::processEvents();
+  for (int row = 0; row < 3; ++row) { // the whole of it, without scrolling to the side
+    const QRect place = history->visualRect(history->model()->index(row, 0));
+    EXPECT_TRUE(place.left() >= 0 && place.right() < history->viewport()->width()) << row;
+  }
+  EXPECT_EQ(history->horizontalScrollBar()->maximum(), 0);
   const auto clickRow = [history](int row) {
     const QRect place = history->visualRect(history->model()->index(row, 0));
     QTest::mouseClick(history->viewport(), Qt::LeftButton, {}, place.center());

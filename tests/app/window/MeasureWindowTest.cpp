@@ -126,8 +126,23 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   // Where both measure alike it speaks of both.
   choose("picture_and_three");
   window->findChild<MeasureController*>()->useTool(Kind::angle);
-  EXPECT_EQ(bar->hint(), QStringLiteral("Click end, corner, end; in a slice, drag a leg"));
+  EXPECT_EQ(bar->hint(), QStringLiteral("Click end, corner and end"));
   EXPECT_TRUE(bar->isVisible());
+}
+
+TEST_F(MeasureWindow, twoClicksInASliceMeasureAndTheToolEndsWithItsVolume) {
+  press(axial(), Qt::Key_D);
+  click(inSlice({-40, 0}));
+  moveTo(inSlice({60, 0}));
+  click(inSlice({60, 0}));
+  ASSERT_EQ(measurements().size(), 1u);
+  EXPECT_NEAR(lengthMm(measurements().front()), 100.0 * mmPerPixelOfSlice(), 1e-9);
+  EXPECT_EQ(undo().count(), 1);
+  click(inSlice({-40, 40})); // begun in the volume that goes
+  ASSERT_TRUE(open(QStringLiteral("phantom:12")));
+  EXPECT_EQ(window->findChild<PlaneDeck*>()->tool(), PlaneTool::crosshair);
+  EXPECT_EQ(view().tool(), ViewTool::rotate);
+  EXPECT_TRUE(measurements().empty());
 }
 
 TEST_F(MeasureWindow, threeDistancesStayAndUndoTakesThemBackOneByOne) {

@@ -67,6 +67,24 @@ TEST_F(ModelWindow, aComparisonHasAButtonForEachSideThatChangesItAndEndsNothing)
   EXPECT_EQ(shown(), (Models{ShadingModel::none, ShadingModel::robust}));
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
   EXPECT_TRUE(rest());
+  ASSERT_EQ(undo().count(), 2);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("Left: Unlit"));
+  undo().undo();
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::robust}));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe) << "which is no part of the step";
+  undo().undo();
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  undo().redo();
+  EXPECT_EQ(button(1)->text(), QStringLiteral("Right: Robust"));
+}
+
+TEST_F(ModelWindow, physicalLightChosenForASideIsAStepThatIsTakenBack) {
+  choose(1, 5);
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::physical}));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("Right: Physical"));
+  undo().undo();
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  EXPECT_EQ(button(1)->text(), QStringLiteral("Right: Enhanced"));
 }
 
 // The driver cannot: the processor draws, coarsely at once, then as many paths again and again.

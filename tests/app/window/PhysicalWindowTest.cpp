@@ -97,15 +97,18 @@ TEST_F(PhysicalWindow, undoBringsBackTheModelBeforePhysicalLightInAComparison) {
   EXPECT_EQ(models(), before) << "another light leaves it";
   undo().undo();
   EXPECT_EQ(models(), physical);
-  // Whoever chose another model since keeps that.
+  // Another model that is chosen since is a step of its own.
   emit view().modelChosen(1, ShadingModel::enhanced);
+  ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   undo().undo();
-  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
-  // Chosen as a model, which is no step of the history, another light leaves it all the same.
+  EXPECT_EQ(models(), physical);
+  undo().undo();
+  EXPECT_EQ(models(), before);
+  // Chosen as a model, another light leaves it all the same.
   emit view().modelChosen(1, ShadingModel::physical);
   ASSERT_EQ(models(), physical);
   choose(light(), 2);
-  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  EXPECT_EQ(models(), before);
   EXPECT_EQ(scene().shading.model, ShadingModel::classic);
 }
 

@@ -47,12 +47,18 @@ protected:
     return match.hasMatch() ? match.captured(1).toDouble() : -1.0;
   }
 
-  // As the tool tip has it typed: {"--step", "0.0625"} or {"--tolerance", "0.5"}.
+  // What the tool tip says, as it is typed: {"--step", "0.0625"} or {"--tolerance", "0.5"}.
   QStringList statedSteps() const {
-    static const QRegularExpression option(QStringLiteral("(--step|--tolerance) ([0-9.e-]+)"));
-    const QRegularExpressionMatch match = option.match(window->findChild<PictureStatus*>()->text().toolTip);
-    EXPECT_TRUE(match.hasMatch());
-    return {match.captured(1), match.captured(2)};
+    static const QRegularExpression step(QStringLiteral("step ([0-9.e-]+)(?:/([0-9]+))? of the smallest"));
+    static const QRegularExpression tolerance(QStringLiteral("by error, to ([0-9.e-]+) of 255 levels"));
+    const QString toolTip = window->findChild<PictureStatus*>()->text().toolTip;
+    if (const QRegularExpressionMatch match = tolerance.match(toolTip); match.hasMatch())
+      return {QStringLiteral("--tolerance"), match.captured(1)};
+    const QRegularExpressionMatch match = step.match(toolTip);
+    EXPECT_TRUE(match.hasMatch()) << toolTip.toStdString();
+    const double parts = match.captured(2).isEmpty() ? 1.0 : match.captured(2).toDouble();
+    return {QStringLiteral("--step"),
+            QString::number(match.captured(1).toDouble() / parts, 'g', QLocale::FloatingPointShortest)};
   }
 
   [[nodiscard]] bool refined() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/FindWidget.h"
+#include "widgets/ValueText.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/NumberField.h"
@@ -75,11 +76,39 @@ TEST_F(TransferFunctionEditorTest, enterLeadsToTheNumbersAndTypingMovesThePoint)
   EXPECT_NE(m_edits[0].second.id, m_edits[1].second.id);
 }
 
-TEST_F(TransferFunctionEditorTest, aTypedValueStopsAtTheNeighbour) {
+TEST_F(TransferFunctionEditorTest, aTypedValueBeyondANeighbourIsRefusedWithItsRange) {
+  const std::vector<ControlPoint> points = sampleFunction().points;
   m_editor.canvas()->selectPoints({2});
   type(valueField(), QStringLiteral("5000"));
+  EXPECT_TRUE(m_edits.empty());
+  EXPECT_DOUBLE_EQ(valueField()->number(), points[2].value);
+  for (const std::size_t neighbour : {1, 3})
+    EXPECT_TRUE(valueField()->refusal().contains(
+        valueText(points[neighbour].value, QStringLiteral("HU"), valueField()->decimals())))
+        << valueField()->refusal().toStdString();
+  type(valueField(), QStringLiteral("300")); // its neighbour's
+  ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].value, 300.0);
-  EXPECT_DOUBLE_EQ(valueField()->number(), 300.0);
+  m_editor.canvas()->selectPoints({4});
+  type(valueField(), QStringLiteral("5000"));
+  EXPECT_DOUBLE_EQ(m_edits.back().first.points[4].value, 5000.0) << "the last one has nobody above it";
+}
+
+TEST_F(TransferFunctionEditorTest, toolsThatGaveWayToNumbersComeBackWithoutThem) {
+  const std::array<QWidget*, 3> tools{widgetNamed<TrackSlider>(m_editor, "Overall opacity"),
+                                      widgetNamed<TrackSlider>(m_editor, "Shift"),
+                                      widgetNamed<QCheckBox>(m_editor, "Fine low opacities")};
+  const auto inSight = [&] { return std::ranges::count_if(tools, &QWidget::isVisible); };
+  m_editor.canvas()->selectPoints({});
+  int width = 1200;
+  while (inSight() == 3 && width > 300)
+    m_editor.resize(--width, 300);
+  m_editor.resize(width + 1, 300);
+  ASSERT_EQ(inSight(), 3) << "barely room for all";
+  m_editor.canvas()->selectPoints({2});
+  EXPECT_LT(inSight(), 3);
+  m_editor.canvas()->selectPoints({});
+  EXPECT_EQ(inSight(), 3);
 }
 
 TEST_F(TransferFunctionEditorTest, selectingAndVisitingFieldsChangesNothing) {

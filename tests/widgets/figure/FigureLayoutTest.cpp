@@ -161,17 +161,17 @@ TEST(FigureText, saysOfEachNoteWhereItHolds) {
   EXPECT_EQ(
       notesOf(figure).toStdString(),
       "Estimated within 0.42 (a), 1.5 (b) of 255 levels of the exact picture. Scale at the depth of the "
-      "centre (perspective: a). Not for diagnosis.");
+      "turning point (perspective: a). Not for diagnosis.");
   figure.panels[1] = figure.panels[0];
   EXPECT_EQ(notesOf(figure).toStdString(),
-            "Estimated within 0.42 of 255 levels of the exact picture. Scale at the depth of the centre "
-            "(perspective). Not for diagnosis.");
+            "Estimated within 0.42 of 255 levels of the exact picture. Scale at the depth of the "
+            "turning point (perspective). Not for diagnosis.");
   for (FigurePanel& panel : figure.panels)
     panel.isStated = true;
   EXPECT_EQ(
       notesOf(figure).toStdString(),
       "99.9 % of pixels within 0.42 of 255 levels of the exact picture (95 % sure). Scale at the depth of "
-      "the centre (perspective). Not for diagnosis.");
+      "the turning point (perspective). Not for diagnosis.");
   hide(figure, FigureMark::accuracy);
   hide(figure, FigureMark::scaleBar);
   hide(figure, FigureMark::notForDiagnosis);
@@ -242,12 +242,12 @@ TEST(FigureText, croppedIsSaidUnlessNothingThatIsSeenIsCutAway) {
   EXPECT_FALSE(notesOf(figure).contains(QStringLiteral("Cropped")));
 }
 
-TEST(PictureMarks, inPerspectiveTheScaleIsThatOfWhatIsSeen) {
+TEST(PictureMarks, inPerspectiveTheScaleHoldsWhereThePictureTurns) {
   FigurePanel panel = figureOf(1).panels.front();
   const Camera& camera = panel.scene.camera;
   ASSERT_EQ(camera.projection, Camera::Projection::perspective);
   const double atTarget = mmPerPixelOf(panel, {200, 200});
-  panel.middleMm = 0.5 * (camera.position + camera.target);
+  panel.turnsAboutMm = 0.5 * (camera.position + camera.target);
   EXPECT_NEAR(mmPerPixelOf(panel, {200, 200}), 0.5 * atTarget, 1e-12 * atTarget);
 }
 

@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <numbers>
 #include <set>
 
@@ -180,17 +181,46 @@ TEST_F(PlaneViewTest, endsAreDraggedWithAnyToolInTheirSliceAlone) {
   EXPECT_TRUE(host.settings().crosshairMm);
 }
 
-TEST_F(PlaneViewTest, aClickMeasuresNothingAndDeleteTakesTheOneInHandAway) {
+TEST_F(PlaneViewTest, twoClicksMeasureAsADragDoes) {
   view.setTool(PlaneTool::distance);
   QTest::mouseClick(&view, Qt::LeftButton, {}, {100, 100});
-  EXPECT_TRUE(host.measurements().empty());
+  QTest::mouseMove(&view, {130, 110});
+  QTest::mouseMove(&view, {160, 100});
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {160, 100});
+  QTest::mouseMove(&view, {30, 30});
+  ASSERT_EQ(host.measurements().size(), 1u);
+  EXPECT_NEAR(lengthMm(host.measurements().front()), 60.0 * mmPerLogicalPixel(view.frame()), 1e-9);
+  EXPECT_EQ(std::set<std::uint64_t>(host.gestures.begin(), host.gestures.end()).size(), 1u);
+  view.setTool(PlaneTool::angle);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {80, 120});
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {80, 220});
+  QTest::mouseMove(&view, {180, 220});
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {180, 120});
+  QTest::mouseMove(&view, {30, 30});
+  ASSERT_EQ(host.measurements().size(), 2u);
+  EXPECT_NEAR(*angleDegrees(host.measurements().back()), 45.0, 1e-9);
+}
+
+TEST_F(PlaneViewTest, oneClickAloneMeasuresNothingAndDeleteTakesTheOneInHandAway) {
+  view.setTool(PlaneTool::distance);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {100, 100});
   QTest::keyClick(&view, Qt::Key_Delete);
-  EXPECT_TRUE(host.gestures.empty() || host.measurements().empty());
+  EXPECT_TRUE(host.measurements().empty());
   drag(view, {100, 100}, {160, 100});
   drag(view, {100, 200}, {160, 200});
   const std::vector<Measurement> measured = host.measurements();
-  QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 230});
-  EXPECT_EQ(host.measurements(), measured) << "a click leaves what is there";
+  for (const auto& end : std::vector<std::function<void()>>{[&] { QTest::keyClick(&view, Qt::Key_Delete); },
+                                                            [&] { QTest::keyClick(&view, Qt::Key_Escape); },
+                                                            [&] { view.setTool(PlaneTool::distance); },
+                                                            [&] {
+                                                              QEvent left(QEvent::Leave);
+                                                              QApplication::sendEvent(&view, &left);
+                                                            }}) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 230});
+    EXPECT_EQ(host.measurements().size(), 3u) << "it is begun";
+    end();
+    EXPECT_EQ(host.measurements(), measured) << "it leaves what is there";
+  }
   QTest::mouseClick(&view, Qt::LeftButton, {}, {160, 100});
   EXPECT_EQ(host.measurements(), measured);
   EXPECT_EQ(host.content.inHand, 0u) << "a click on an end takes its measurement in hand";

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -97,8 +98,39 @@ struct TextPlace {
   QPointF anchor;
 };
 
+QPointF nearestOf(const QRectF& plate, const QPointF& point) {
+  return {std::clamp(point.x(), plate.left(), plate.right()),
+          std::clamp(point.y(), plate.top(), plate.bottom())};
+}
+
+double awayFrom(const QRectF& plate, const QPointF& point) {
+  return QLineF(nearestOf(plate, point), point).length();
+}
+
+// By these a text would be taken for what was measured there: its places, and the middles between them.
+std::vector<QPointF> landmarksOf(const MeasureShape& shape) {
+  std::vector<QPointF> points = shape.places;
+  for (std::size_t n = 1; n < shape.places.size(); ++n)
+    points.push_back((shape.places[n - 1] + shape.places[n]) / 2.0);
+  return points;
+}
+
+// What another measurement is around it, and by which points a text may be mistaken for it.
+struct OtherMeasures {
+  std::vector<QRectF> boxes;
+  std::vector<QPointF> landmarks;
+};
+
+// A text nearer to another measurement than to its own: less bad than one that covers anything.
+double mistaken(const QRectF& plate, const QPointF& anchor, const std::vector<QPointF>& landmarks) {
+  const double own = awayFrom(plate, anchor);
+  return std::ranges::any_of(landmarks, [&](const QPointF& one) { return awayFrom(plate, one) <= own; })
+             ? 1.0
+             : 0.0;
+}
+
 TextPlace placeFor(const MeasureShape& shape, const QSizeF& size, const QRectF& view,
-                   const std::vector<QRectF>& plates, const std::vector<QRectF>& others) {
+                   const std::vector<QRectF>& plates, const OtherMeasures& others) {
   const QPainterPath area = measuredArea(shape);
   TextPlace best;
   double least = std::numeric_limits<double>::max();
@@ -107,7 +139,8 @@ TextPlace placeFor(const MeasureShape& shape, const QSizeF& size, const QRectF& 
     for (const Anchor& anchor : anchors)
       for (const double turn : {0.0, 30.0, -30.0, 60.0, -60.0, 90.0, -90.0}) {
         const QRectF plate = movedInto(plateFrom(anchor, anchor.degrees + turn, length, size), view);
-        const double cost = coveredBy(plate, area, plates, others);
+        const double cost =
+            coveredBy(plate, area, plates, others.boxes) + mistaken(plate, anchor.at, others.landmarks);
         if (cost < least) {
           least = cost;
           best = {plate, anchor.at};
@@ -118,18 +151,15 @@ TextPlace placeFor(const MeasureShape& shape, const QSizeF& size, const QRectF& 
   return best;
 }
 
-// Around what is measured; of a crowd nothing, where no text finds a place beside all anyway.
-std::vector<QRectF> boxesOf(const std::vector<MeasureShape>& shapes) {
-  std::vector<QRectF> boxes;
-  if (shapes.size() <= mostKeptClear)
-    for (const MeasureShape& shape : shapes)
-      boxes.push_back(measuredArea(shape).boundingRect());
-  return boxes;
-}
-
-QPointF nearestOf(const QRectF& plate, const QPointF& point) {
-  return {std::clamp(point.x(), plate.left(), plate.right()),
-          std::clamp(point.y(), plate.top(), plate.bottom())};
+// Of a crowd nothing, where no text finds a place beside all anyway.
+OtherMeasures othersOf(const std::vector<MeasureShape>& shapes, std::size_t self) {
+  OtherMeasures others;
+  for (std::size_t n = 0; n < shapes.size() && shapes.size() <= mostKeptClear; ++n)
+    if (n != self) {
+      others.boxes.push_back(measuredArea(shapes[n]).boundingRect());
+      std::ranges::copy(landmarksOf(shapes[n]), std::back_inserter(others.landmarks));
+    }
+  return others;
 }
 
 QPainterPath linesOf(const MeasureShape& shape) {
@@ -205,16 +235,13 @@ QPainterPath measuredArea(const MeasureShape& shape) {
 std::vector<MeasureMark> placedMeasures(const std::vector<MeasureShape>& shapes, const QFont& font,
                                         const QRectF& view, std::vector<QRectF> plates) {
   std::vector<MeasureMark> marks;
-  const std::vector<QRectF> boxes = boxesOf(shapes);
   for (const MeasureShape& shape : shapes) {
     MeasureMark mark{shape, std::nullopt, {}};
     if (!shape.text.isEmpty()) {
       Note note = noteAt(font, shape.text, {0.0, 0.0}, Qt::AlignLeft,
                          std::clamp(0.45 * view.width(), 0.0, roomForText));
-      std::vector<QRectF> others = boxes;
-      if (!others.empty())
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(marks.size()));
-      const TextPlace placed = placeFor(shape, note.plate.size(), view, plates, others);
+      const TextPlace placed =
+          placeFor(shape, note.plate.size(), view, plates, othersOf(shapes, marks.size()));
       note.plate = placed.plate;
       plates.push_back(note.plate);
       mark.anchor = placed.anchor;

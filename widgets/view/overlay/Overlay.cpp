@@ -29,23 +29,23 @@ QString readingText(double value, const Volume& volume) {
                    decimalsOfSpan(volume.range().highest - volume.range().lowest));
 }
 
-namespace {
-
 std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   if (!source.volume().info().spacingKnown)
     return std::nullopt;
   const Camera& camera = source.comparison.scene.camera;
   const QRectF side = pictureRect(source.geometry, 0);
-  const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height(), source.comparison.middleMm),
+  const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height(), source.comparison.turnsAboutMm),
                                 std::min(160.0, side.width() / 4));
   if (bar.pixels < 8.0)
     return std::nullopt;
   const QString length = QObject::tr("%1 mm").arg(bar.lengthMm);
-  // In perspective a length holds at one distance only.
+  // In perspective a length holds at one distance only: one that moving the picture leaves as it is.
   const bool perspective = camera.projection == Camera::Projection::perspective;
-  const QString text = perspective ? QObject::tr("%1 at the centre").arg(length) : length;
+  const QString text = perspective ? QObject::tr("%1 at the pivot").arg(length) : length;
   return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, source.written(0))};
 }
+
+namespace {
 
 // What is seen is not what is edited; in the middle, clear of other plates and of the letters: it comes and
 // goes with the pointer, they stay.

@@ -63,6 +63,10 @@ QString unknownOrientationText();
 /// A value of a volume with its unit and as many digits as the volume's range makes sensible.
 QString readingText(double value, const Volume& volume);
 
+/// The scale in the corner; in perspective it holds at the depth of the place about which turns go. None
+/// where spacings are unknown.
+std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source);
+
 /// What was measured, where it is seen in the picture at a position. What lies behind the eye is not.
 std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int position);
 

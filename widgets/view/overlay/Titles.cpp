@@ -5,7 +5,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/ModelSection.h"
-#include "widgets/view/overlay/OrientationCube.h"
+#include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/PictureStatus.h"
 
 #include <QObject>
@@ -126,6 +126,8 @@ QStringList sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
   if (state.measuredLevels)
     parts << QObject::tr("within %1 levels").arg(promisedLevels(*state.measuredLevels));
+  else if (state.chance)
+    parts << QObject::tr("within %1 levels").arg(promisedLevels(state.chance->levels));
   else if (state.estimate && !state.isRough && state.isResolved)
     parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)
@@ -177,7 +179,7 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
   return -1;
 }
 
-// Only over titles, notes and the cube: a tool tip anywhere else would cover the picture.
+// Only over titles, notes, scale and cube: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   if (source.hovered.hidden)
     return source.hovered.hidden->by == HiddenBy::crop
@@ -189,6 +191,11 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
                      "hides the table and what else lies beside the body.");
   if (const std::optional<std::size_t> face = cubeFaceAt(source, point))
     return cubeFaces(source.volume())[cubeFaceLedTo(source, *face)].meaning;
+  if (source.comparison.scene.camera.projection == Camera::Projection::perspective)
+    if (const std::optional<ScaleMark> scale = scaleMarkOf(source); scale && scale->plate.contains(point))
+      return QObject::tr("<p>What lies nearer looks larger: the length holds at the depth of the turning "
+                         "point (pivot). View ▸ "
+                         "Orthographic has one scale everywhere.</p>");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

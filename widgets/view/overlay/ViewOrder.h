@@ -56,7 +56,6 @@ struct Comparison {
   std::optional<glm::dvec3> markMm;       ///< a place that is marked in the pictures, world
   std::array<bool, 2> markIsHidden{};     ///< by what is seen before it, in the picture of each side
   std::optional<glm::dvec3> halfMm;       ///< where half of a ray's light is gathered, world; marked, too
-  std::optional<glm::dvec3> middleMm;     ///< what is seen in the middle of the picture, world; where known
   std::optional<glm::dvec3> turnsAboutMm; ///< about which turns go, world; absent: the camera's target
   std::vector<SeenMeasure> measures;      ///< drawn over the pictures
   std::optional<TurnedBox> turnedBox;     ///< in the place of the crop's, as long as there is one

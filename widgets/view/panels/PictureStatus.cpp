@@ -18,7 +18,7 @@
 namespace limn {
 namespace {
 
-// As few digits as give the number back exactly, as the command line reads it after --step.
+// As few digits as give the number back exactly.
 QString exactNumber(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
@@ -139,6 +139,8 @@ QString badgeText(const PictureState& state) {
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
+  if (isResolved(state) && state.refinementEnd == RefinementEnd::withinHalfALevel)
+    return QObject::tr("○ nearly exact"); // no step would make it exact
   return isResolved(state) ? QObject::tr("○ not exact") : QObject::tr("○ not resolved");
 }
 
@@ -174,7 +176,7 @@ EndText textOf(RefinementEnd end) {
     return {QObject::tr("step %1, light from a grid"),
             QObject::tr(
                 "Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with "
-                "a tolerance (--tolerance) the processor finds them for each sample, in minutes.")};
+                "a tolerance the processor finds them for each sample, in minutes.")};
   case RefinementEnd::failed:
     return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
   }
@@ -241,15 +243,18 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   if (side.paths) {
     parts << QObject::tr("%1 of each pixel").arg(pathCount(side.paths->paths));
   } else if (side.toleranceLevels) {
-    parts << QObject::tr("error-controlled steps (--tolerance %1)").arg(exactNumber(*side.toleranceLevels));
+    parts
+        << QObject::tr("steps chosen by error, to %1 of 255 levels").arg(exactNumber(*side.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
-    parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
+    parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm")
                  .arg(fractionText(side.stepVoxels))
-                 .arg(digitsNumber(mm, 3))
-                 .arg(exactNumber(side.stepVoxels));
+                 .arg(digitsNumber(mm, 3));
   }
-  if (isResolved(state) && isKnown(state) && worstOf(state).estimate && !worstOf(state).paths) {
+  // Of one picture one error is told.
+  const bool isEstimated = isResolved(state) && isKnown(state) && worstOf(state).estimate &&
+                           !worstOf(state).paths && !worstOf(state).measuredLevels && !worstOf(state).chance;
+  if (isEstimated) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
     const QString errors = QObject::tr("99.9th percentile %1, mean %2 levels")
                                .arg(digitsNumber(estimate.p99_9, 3))

@@ -57,7 +57,7 @@ struct SideState {
 /// accuracy panel, too; then what chance found; absent while nothing is known.
 inline std::optional<double> levelsOf(const SideState& side) {
   if (!side.measuredLevels && side.chance)
-    return side.chance->p99_9;
+    return side.chance->levels;
   if (side.measuredLevels || !side.estimate)
     return side.measuredLevels;
   return side.estimate->p99_9;

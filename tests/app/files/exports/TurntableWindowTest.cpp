@@ -3,6 +3,7 @@
 #include "app/core/sources/SceneSource.h"
 #include "app/files/exports/TurntableDialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -52,6 +53,35 @@ TEST_F(TurntableWindow, framesOfWhatIsOpenAreSaved) {
     EXPECT_TRUE(fs::exists(folder.path() / "turn.frames" / frame)) << frame;
   EXPECT_FALSE(fs::exists(folder.path() / "turn.frames" / "frame-0005.png"));
   EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(TurntableWindow, goesAsFarAsItIsAskedToWithWhatStandsInASavedPicture) {
+  auto& turn = *dialog().findChild<QComboBox*>(QStringLiteral("turntableTurn"));
+  auto& marks = *dialog().findChild<QCheckBox*>(QStringLiteral("turntableMarks"));
+  turn.setFocus();
+  QTest::keyClick(&turn, Qt::Key_Down);
+  EXPECT_EQ(dialog().findChild<QDoubleSpinBox*>(QStringLiteral("turntableAngle"))->value(), 180.0);
+  type("turntableFrames", QStringLiteral("3"));
+  EXPECT_TRUE(said().startsWith(QStringLiteral("180° about"))) << said().toStdString();
+  EXPECT_TRUE(said().contains(QStringLiteral("a frame each 90.0°"))) << said().toStdString();
+  EXPECT_TRUE(marks.isChecked());
+  save("marked.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  const LoadedScene last = loadScene((folder.path() / "marked.frames" / "frame-0003.png").string(), {}, {});
+  const Camera& camera = last.scene.camera;
+  EXPECT_NEAR(glm::dot(basisOf(camera).forward, basisOf(scene().camera).forward), -1.0, 1e-9)
+      << "the last frame is seen from behind";
+  marks.setChecked(false);
+  save("plain.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  const QImage marked(pathTo("marked.frames/frame-0001.png")), plain(pathTo("plain.frames/frame-0001.png"));
+  ASSERT_EQ(marked.size(), plain.size());
+  EXPECT_NE(marked, plain);
+  const QRect middle = marked.rect().adjusted(40, 35, -40, -35);
+  EXPECT_EQ(marked.copy(middle), plain.copy(middle)) << "marks stand at the edges";
+  type("turntableAngle", QStringLiteral("90"));
+  EXPECT_EQ(turn.currentText(), QStringLiteral("Another angle"));
+  EXPECT_TRUE(said().contains(QStringLiteral("a frame each 45.0°"))) << said().toStdString();
 }
 
 TEST_F(TurntableWindow, ofTwoPicturesTheOneThatIsChosenIsSaved) {

@@ -5,14 +5,16 @@
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/figure/FigurePreview.h"
 #include "io/ImageFile.h"
-#include "widgets/figure/FigureLayout.h"
+#include "widgets/figure/FigureText.h"
 #include "widgets/planes/PlaneDeck.h"
+#include "widgets/view/overlay/OrientationMarks.h"
 
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QStyleOptionComboBox>
 
 #include <algorithm>
 #include <set>
@@ -103,21 +105,28 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
   }
 }
 
-// As in the window: what is seen lies nearer than the middle of the head, where the camera looks.
-TEST_F(FigureWindow, theScaleHoldsForWhatIsSeenInTheMiddle) {
+TEST_F(FigureWindow, theListOfPicturesHasRoomForTheNamesOfPresets) {
+  ASSERT_TRUE(ask());
+  const auto& list = part<QComboBox>("panelSource-a");
+  QStyleOptionComboBox option;
+  option.initFrom(&list);
+  option.editable = false;
+  const QRect field =
+      list.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list);
+  const QString longName = QStringLiteral("Compared: CT soft tissue");
+  EXPECT_GE(field.width(), list.fontMetrics().horizontalAdvance(longName));
+  EXPECT_EQ(list.toolTip(), list.currentText());
+}
+
+TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
   ASSERT_EQ(scene().camera.projection, Camera::Projection::perspective);
-  ASSERT_TRUE(test::waitUntil([this] { return view().order().comparison.middleMm.has_value(); }));
-  const glm::dvec3 inWindow = *view().order().comparison.middleMm;
+  const glm::dvec3 target = scene().camera.target;
+  const glm::dvec3 nearer = target - 40.0 * basisOf(scene().camera).forward;
+  view().setTurnsAbout(nearer);
   ASSERT_TRUE(ask());
   const FigurePanel& panel = dialog().preview().figure().panels.front();
-  ASSERT_TRUE(panel.middleMm);
-  // Their steps differ, and with them where half of the light is gathered.
-  EXPECT_LT(glm::distance(*panel.middleMm, inWindow), smallestSpacingMm(scene().volume->grid()));
-  const Camera& camera = scene().camera;
-  EXPECT_LT(glm::distance(camera.position, *panel.middleMm),
-            glm::distance(camera.position, camera.target) - 10.0);
-  const MadeFigure made = makeFigure({dialog().preview().figure().settings, {panel}}, {});
-  EXPECT_TRUE(made.figure.panels.front().middleMm) << "and in the file";
+  EXPECT_EQ(panel.turnsAboutMm, nearer);
+  EXPECT_DOUBLE_EQ(mmPerPixelOf(panel, {200, 200}), mmPerPixel(scene().camera, 200.0, nearer));
 }
 
 TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {

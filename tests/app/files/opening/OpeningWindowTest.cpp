@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/core/sources/SceneSource.h"
+#include "app/files/saving/PictureDialog.h"
 #include "support/FileBytes.h"
 
 #include <QPushButton>
+#include <QTreeView>
 
 // What the window remembers of what was opened, and where it looks and asks for it, in the window.
 
@@ -94,6 +96,19 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(fs::exists(folder.path() / "b" / "mine.limn.json"));
   EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "what is opened lies elsewhere than what is saved";
+  // Pictures go elsewhere than a session, which may lie beside the patient's files.
+  QString ofPictures;
+  onceAsked<PictureDialog>([&, this](PictureDialog& dialog) {
+    onceAsked<QFileDialog>([&ofPictures](QFileDialog& where) {
+      ofPictures = where.directory().absolutePath();
+      where.reject();
+    });
+    dialog.accept();
+  });
+  window->findChild<QAction*>(QStringLiteral("savePicture"))->trigger();
+  EXPECT_FALSE(ofPictures.isEmpty());
+  EXPECT_NE(ofPictures, pathTo("a"));
+  EXPECT_NE(ofPictures, pathTo("b"));
   const Settings inTheNextRun(UserFolders::below(folder.path()).settings);
   EXPECT_EQ(inTheNextRun.dialogFolder(), pathTo("a"));
   EXPECT_EQ(inTheNextRun.saveFolder(), pathTo("b"));
@@ -137,6 +152,30 @@ TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
   });
   window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
   EXPECT_EQ(asked, pathTo("labels"));
+}
+
+TEST_F(OpeningWindow, theDialogShowsFilesOfScannersWhichHaveNoEnding) {
+  ASSERT_TRUE(open(smallVolume("scans")));
+  for (const char* name : {"IM000001", "I10A", "1.2.840.113619.2.134", "notes.txt"})
+    test::writeBytes(folder.path() / "scans" / name, "anything");
+  QStringList shown;
+  onceAsked<QFileDialog>([&shown, this](QFileDialog& dialog) {
+    dialog.setDirectory(pathTo("scans"));
+    const auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
+    const auto names = [files] {
+      QStringList listed;
+      for (int row = 0; row < files->model()->rowCount(files->rootIndex()); ++row)
+        listed << files->model()->index(row, 0, files->rootIndex()).data().toString();
+      listed.sort();
+      return listed;
+    };
+    EXPECT_TRUE(test::waitUntil([&] { return names().size() >= 4; }));
+    shown = names();
+    dialog.reject();
+  });
+  window->findChild<QAction*>(QStringLiteral("openFile"))->trigger();
+  EXPECT_EQ(shown, (QStringList{QStringLiteral("1.2.840.113619.2.134"), QStringLiteral("I10A"),
+                                QStringLiteral("IM000001"), QStringLiteral("small.nrrd")}));
 }
 
 TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {

@@ -45,6 +45,9 @@ TEST_F(SavedPicture, isAsLargeAsAskedFor) {
   EXPECT_EQ(shown.size(), view().size() * view().devicePixelRatioF());
   options.size = PictureOptions::Size::twice;
   EXPECT_EQ(saved("twice.png", options).size(), 2 * shown.size());
+  const double onScreen = view().logicalDpiX() * view().devicePixelRatioF();
+  EXPECT_NEAR(saved("twice.png", options).dotsPerMeterX(), 2.0 * onScreen / 0.0254, 1.0)
+      << "on paper it is as large as on screen";
   options.size = PictureOptions::Size::print;
   options.printCm = 12.7; // 5 inches of 300 dots
   const QImage print = saved("print.png", options);

@@ -188,7 +188,14 @@ TEST_F(PresetWindow, aPresetIsComparedWithThePictureInEveryLayout) {
   EXPECT_EQ(view().sceneOfSide(1), beside);
   const TransferFunction lung = view().sceneOfSide(0).transferFunction;
   EXPECT_NE(lung, scene().transferFunction);
-  EXPECT_EQ(undo().count(), steps) << "it is no edit";
+  EXPECT_EQ(undo().count(), steps + 1);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("Left: CT lung"));
+  const Scene left = view().sceneOfSide(0);
+  undo().undo();
+  EXPECT_FALSE(view().order().comparison.look) << "two models are compared again";
+  EXPECT_EQ(view().sceneOfSide(0).transferFunction, scene().transferFunction);
+  undo().redo();
+  EXPECT_EQ(view().sceneOfSide(0), left);
   click("CT lung");
   EXPECT_EQ(scene().transferFunction, lung);
   window->findChild<QAction*>(QStringLiteral("model-left-none"))->trigger();

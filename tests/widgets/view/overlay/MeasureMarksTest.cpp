@@ -72,6 +72,28 @@ TEST(MeasureMarks, textsKeepClearOfEachOtherAndOfWhatIsWritten) {
   }
 }
 
+// Two lines across a head, in one of two narrow pictures beside each other.
+TEST(MeasureMarks, aTextStandsAtItsOwnLineNotAtTheEndOfAnother) {
+  const QRectF narrow(0, 0, 400, 500);
+  const std::vector<MeasureShape> shapes{distanceShape({90, 197}, {310, 197}, 0),
+                                         distanceShape({40, 245}, {360, 245}, 1)};
+  const std::vector<QRectF> letters{{368, 236, 18, 18}, {14, 236, 18, 18}};
+  const std::vector<MeasureMark> marks = placedMeasures(shapes, {}, narrow, letters);
+  const auto away = [](const QRectF& plate, const QPointF& point) {
+    const QPointF nearest(std::clamp(point.x(), plate.left(), plate.right()),
+                          std::clamp(point.y(), plate.top(), plate.bottom()));
+    return QLineF(nearest, point).length();
+  };
+  for (std::size_t n = 0; n < 2; ++n) {
+    const QRectF& plate = marks[n].note->plate;
+    for (const QPointF& end : shapes[1 - n].places)
+      EXPECT_GT(away(plate, end), away(plate, marks[n].anchor)) << n;
+    for (const QRectF& letter : letters)
+      EXPECT_FALSE(plate.intersects(letter)) << n;
+  }
+  EXPECT_FALSE(marks[0].note->plate.intersects(marks[1].note->plate));
+}
+
 TEST(MeasureMarks, hundredsHaveAPlaceEach) {
   std::vector<MeasureShape> shapes;
   for (std::size_t n = 0; n < 400; ++n)

@@ -61,6 +61,10 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   state.isRough = false;
   EXPECT_EQ(sideDetails(scene, state), (QStringList{"within 0.4 levels", "23 ms", "SP 1–64 · O 0–3"}))
       << "what is told of its light stands in the status bar";
+  state.chance = ErrorByChance{0.912, 0.005, 0.6, 2995};
+  EXPECT_EQ(sideDetails(scene, state).first(), QStringLiteral("within 0.92 levels"))
+      << "as the status bar says";
+  state.chance.reset();
   scene.shading.gradientSmoothing = 4.55;
   EXPECT_EQ(sideDetails(scene, state).last(),
             QStringLiteral("SP 1–64 · O 0–3 · normals smoothed by 4.55 mm"));

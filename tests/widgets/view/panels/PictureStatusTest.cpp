@@ -99,9 +99,12 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
   const QString toolTip = pictureStatusText(state, {}).toolTip;
   EXPECT_TRUE(toolTip.contains(QStringLiteral("of 2995 drawn at random"))) << toolTip.toStdString();
   EXPECT_TRUE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")));
-  state.sides[0].chance->p99_9 = 1.2;
+  EXPECT_FALSE(toolTip.contains(QStringLiteral("99.9th percentile"))) << "one picture has one error";
+  state.sides[0].chance->levels = 1.2;
   EXPECT_FALSE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")))
-      << "whatever was estimated";
+      << "beside 1.2 levels, whatever was estimated";
+  state.refinementEnd = RefinementEnd::withinHalfALevel;
+  EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact"));
   state.sides[0].measuredLevels = 0.347;
   state.sides[1].measuredLevels = 0.2;
   EXPECT_NE(lineOf(state).find("within 0.35 of 255 levels, measured"), std::string::npos)
@@ -166,7 +169,7 @@ TEST(PictureStatusText, tellsOfErrorControlledStepsTheirTolerance) {
   EXPECT_EQ(lineOf(state),
             "estimated within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
   const QString tip = pictureStatusText(state, {}).toolTip;
-  EXPECT_TRUE(tip.contains(QStringLiteral("--tolerance 0.5"))) << tip.toStdString();
+  EXPECT_TRUE(tip.contains(QStringLiteral("chosen by error, to 0.5 of 255 levels"))) << tip.toStdString();
   EXPECT_FALSE(tip.contains(QStringLiteral("order"))) << "which no halving has shown";
 }
 
@@ -186,7 +189,7 @@ TEST(PictureStatusText, explainsTheNumbersInItsToolTip) {
   Scene scene;
   scene.volume = phantomVolume({8.0, 0.0, 1});
   const QString tip = pictureStatusText(resting({sideWithin(0.74)}), scene).toolTip;
-  for (const char* part : {"999 of 1000", "step 1/4", "2 mm", "--step 0.25", "order 1.50", "0.74"})
+  for (const char* part : {"999 of 1000", "step 1/4", "2 mm", "order 1.50", "0.74"})
     EXPECT_TRUE(tip.contains(QString::fromUtf8(part))) << part << "\n" << tip.toStdString();
 }
 
@@ -204,7 +207,7 @@ TEST(PictureStatusText, ofPhysicalLightTellsItsPathsAndTheirError) {
   EXPECT_EQ(text.estimate, QStringLiteral("within 1.3 levels RMS after 64 paths"));
   EXPECT_EQ(text.step, QStringLiteral("random paths, refining"));
   EXPECT_TRUE(text.toolTip.contains(QStringLiteral("64 paths of each pixel"))) << text.toolTip.toStdString();
-  EXPECT_FALSE(text.toolTip.contains(QStringLiteral("--step"))) << text.toolTip.toStdString();
+  EXPECT_FALSE(text.toolTip.contains(QStringLiteral("step"))) << text.toolTip.toStdString();
 }
 
 } // namespace
