@@ -2021,7 +2021,7 @@
     </message>
     <message>
         <source>step %1 of the smallest voxel spacing, %2 mm</source>
-        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2 mm</translation>
+        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2&#xa0;mm</translation>
     </message>
 </context>
 <context>
@@ -11404,7 +11404,7 @@
     </message>
     <message>
         <source>%1° about the patient&apos;s upright axis: a frame each %2°, %3 s.</source>
-        <translation>%1° um die Längsachse des Patienten: ein Einzelbild je %2°, %3 s.</translation>
+        <translation>%1° um die Längsachse des Patienten: ein Einzelbild je %2°, %3&#xa0;s.</translation>
     </message>
     <message>
         <source>A video has even sides: %1 × %2 pixels.</source>
