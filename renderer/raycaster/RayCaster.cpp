@@ -149,7 +149,7 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
   drawWith(programOf(effects, scene), scene, size);
 }
 
-// While something moves nodes alone tell of shadows. The program for that serves from when there was time to
+// While something moves nodes alone tell of light. The program for that serves from when there was time to
 // compile it: the other draws the same.
 const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene& scene) {
   if (leftOut || compilesAllEffects)
@@ -158,7 +158,7 @@ const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene&
 }
 
 bool RayCaster::Parts::isOfNodes(EffectSet effects, const Scene& scene) {
-  return effects.has(Effect::shadow) &&
+  return effects.hasAny(travellingLight) &&
          !light.looksNear(scene.volume->grid(), scene.quality.light == LightDetail::fine) &&
          nodePrograms.isAtHand(effects);
 }
@@ -305,7 +305,7 @@ bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
     m_parts->tryOut(m_parts->programs, needed.effects, scene, size);
     return true;
   }
-  if (needed.effects.has(Effect::shadow) && m_parts->programs.isAtHand(needed.effects) &&
+  if (needed.effects.hasAny(travellingLight) && m_parts->programs.isAtHand(needed.effects) &&
       !m_parts->nodePrograms.has(needed.effects)) {
     try {
       m_parts->tryOut(m_parts->nodePrograms, needed.effects, scene, size);

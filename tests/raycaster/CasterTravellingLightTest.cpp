@@ -88,7 +88,8 @@ TEST_F(CasterTravellingLight, oldLightServesUntilTheNewIsThere) {
   const LightVolumes first = light.known(scene);
   const LightVolumes expected = LightFinder().find(scene);
   ASSERT_TRUE(first.direct && first.ambient);
-  EXPECT_EQ(first.nodes, expected.nodes);
+  EXPECT_EQ(first.directNodes, expected.directNodes);
+  EXPECT_EQ(first.ambientNodes, expected.ambientNodes);
   EXPECT_EQ(*first.direct, *expected.direct);
   EXPECT_EQ(*first.ambient, *expected.ambient);
 
@@ -153,7 +154,7 @@ TEST_F(CasterTravellingLight, whatMovesHasAProgramOfItsOwnThatDrawsTheSame) {
     const FloatTarget sheet({16, 16});
     caster.warmUp(scene, {16, 16});
     EXPECT_EQ(caster.compiledPrograms(), programs + 1) << one.what;
-    EXPECT_EQ(looksAtNodesAlone(moving), caster.plan(scene).effects.has(Effect::shadow)) << one.what;
+    EXPECT_TRUE(looksAtNodesAlone(moving)) << one.what;
     // Compilers reorder sums: floats, not levels.
     EXPECT_LE(imageError(caster.render(moving, pictureSize), before).largest, 0.01) << one.what;
     EXPECT_EQ(caster.render(scene, pictureSize), fine) << one.what;
