@@ -19,7 +19,7 @@ constexpr std::size_t shareOfVoxels = 8;
 // So many nodes of a light are found while a hand moves, and within seconds of its rest. The shadow of a
 // small lamp has an edge, and where that falls shows to half a voxel: more nodes in fewer directions.
 constexpr std::size_t mostCoarseNodes = 60'000;
-constexpr std::size_t mostFineNodes = 300'000;
+constexpr std::size_t mostFineNodes = 450'000;
 constexpr std::size_t mostFineOfSmallLamp = 1'200'000;
 constexpr double smallLampDeg = 10.0; // behind what samples look at its edges are softer than nodes lie apart
 
@@ -251,17 +251,15 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);
   if (isCoarse)
     keys = keysOf(scene, terms, shows, true);
+  const Thoroughness& ofAmbient = isCoarse ? ofCoarseNodes : ofFineNodes;
+  const Thoroughness& ofDirect = !isCoarse && isSmallLamp(terms) ? ofSmallLamp : ofAmbient;
   LightVolumes light;
   light.isFine = !isCoarse;
   if (terms.effects.has(Effect::shadow)) {
     light.directNodes = keys.direct.nodes;
     light.direct = of(m_direct, keys.direct, [&] {
-      const PictureTerms looking =
-          termsOfNodes(scene, terms,
-                       isCoarse             ? ofCoarseNodes
-                       : isSmallLamp(terms) ? ofSmallLamp
-                                            : ofFineNodes,
-                       light.directNodes, isCoarse, static_cast<float>(light.directFrom()));
+      const PictureTerms looking = termsOfNodes(scene, terms, ofDirect, light.directNodes, isCoarse,
+                                                static_cast<float>(light.directFrom()));
       return found<DirectLight>(looking, light.directNodes, effort,
                                 [&](std::span<const std::int32_t> some, auto* out) {
                                   findDirect(looking, light.directNodes, some, out);
@@ -271,8 +269,7 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   if (terms.effects.has(Effect::occlusion)) {
     light.ambientNodes = keys.ambient.nodes;
     light.ambient = of(m_ambient, keys.ambient, [&] {
-      const PictureTerms looking = termsOfNodes(scene, terms, isCoarse ? ofCoarseNodes : ofFineNodes,
-                                                light.ambientNodes, isCoarse, 0.0f);
+      const PictureTerms looking = termsOfNodes(scene, terms, ofAmbient, light.ambientNodes, isCoarse, 0.0f);
       return found<AmbientLight>(looking, light.ambientNodes, effort,
                                  [&](std::span<const std::int32_t> some, auto* out) {
                                    findAmbient(looking, light.ambientNodes, some, out);
