@@ -68,8 +68,8 @@ TEST(CpuTravellingLight, aToleranceHasItFoundForEachSample) {
 }
 
 TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
-  // What it reaches on voxels of 3 mm, with a quarter to spare. They are the worst that there is: an eighth
-  // of the voxels' bytes is 22 000 nodes.
+  // What it reaches on voxels of 3 mm, with a quarter to spare. An eighth of the voxels' bytes is few nodes:
+  // of both lights 56 000 and 14 000.
   struct Bound {
     double p99_9, mean;
   };
@@ -77,10 +77,10 @@ TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
     const char* what;
     Bound fine, coarse;
   };
-  for (const Bounds& bounds : {Bounds{"shadow alone", {10.0, 0.5}, {16.0, 0.95}},
-                               Bounds{"occlusion alone", {12.3, 2.95}, {13.2, 2.75}},
-                               Bounds{"enhanced, with gradient opacity", {19.5, 2.1}, {32.3, 2.65}},
-                               Bounds{"looks of labels", {16.6, 3.25}, {37.0, 3.5}}}) {
+  for (const Bounds& bounds : {Bounds{"shadow alone", {4.5, 0.26}, {16.0, 0.95}},
+                               Bounds{"occlusion alone", {8.2, 1.56}, {13.2, 2.75}},
+                               Bounds{"enhanced, with gradient opacity", {13.5, 1.32}, {32.3, 2.65}},
+                               Bounds{"looks of labels", {9.2, 2.05}, {37.0, 3.5}}}) {
     Scene scene = shadowedHead(3.0);
     std::ranges::find(travelCases, std::string(bounds.what), &TravelCase::what)->apply(scene);
     CpuRenderer renderer;
@@ -189,7 +189,7 @@ TEST(CpuTravellingLight, layersDimAsSlabsDo) {
     double sum = 0.0;
     for (const auto& path : layerLengths(0.0))
       sum += std::exp(-depth * path[0] / height) / 6.0;
-    EXPECT_NEAR(sum, left, 0.003);
+    EXPECT_NEAR(sum, left, 0.004);
   }
 }
 
