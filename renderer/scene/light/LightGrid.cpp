@@ -71,10 +71,7 @@ LightLook lightLook(const LightVolumes& light, const Grid& grid, bool isFine) {
   const double ambientAway = std::max(1.5, distanceBetween(light.ambientNodes, grid));
   if (isFine && light.isFine)
     return {LightLook::farthest, LightLook::farthest - light.directFrom(), ambientAway, true};
-  // Fine nodes tell of tissue, too, and asked too near show where a surface that light grazes shades itself
-  // as a pattern.
-  const double nearest = light.isFine ? 4.5 : 1.75;
-  const double away = std::max(nearest, 0.5 * distanceBetween(light.directNodes, grid));
+  const double away = std::max(1.75, 0.5 * distanceBetween(light.directNodes, grid));
   return {away, away - light.directFrom(), ambientAway, false};
 }
 
