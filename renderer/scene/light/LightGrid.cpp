@@ -71,7 +71,9 @@ LightLook lightLook(const LightVolumes& light, const Grid& grid, bool isFine) {
   const double ambientAway = std::max(1.5, distanceBetween(light.ambientNodes, grid));
   if (isFine && light.isFine)
     return {LightLook::farthest, LightLook::farthest - light.directFrom(), ambientAway, true};
-  const double away = std::max(1.75, 0.5 * distanceBetween(light.directNodes, grid));
+  // Fine nodes of what moves tell of tissue, too, at whose edge light changes: farther than this they leave
+  // out more of what is near, nearer they tell of the sample's own tissue.
+  const double away = std::max(light.isFine ? 1.5 : 1.75, 0.5 * distanceBetween(light.directNodes, grid));
   return {away, away - light.directFrom(), ambientAway, false};
 }
 
