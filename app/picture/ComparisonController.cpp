@@ -279,7 +279,7 @@ void ComparisonController::showCompared(const Compared& wanted, const Compared& 
   m_right = wanted.right;
   m_look = wanted.look;
   m_ownModel = wanted.ownModel;
-  if (wanted.wanted == other.wanted)
+  if (wanted.wanted == other.wanted && wanted.isAsked == other.isAsked)
     return show();
   m_wanted = wanted.wanted;
   m_isAsked = wanted.isAsked;
@@ -336,9 +336,13 @@ void ComparisonController::compareWith(const Preset& look, int keptSide) {
 }
 
 void ComparisonController::compareModels() {
+  const Compared before = compared();
+  const bool wasSnapshot = m_look && m_look->name == snapshotName;
   m_look.reset();
   m_ownModel.reset();
   show();
+  if (!wasSnapshot)
+    note(before, tr("compare models"));
 }
 
 void ComparisonController::takeSnapshot() {

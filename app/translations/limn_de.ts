@@ -427,10 +427,6 @@
         <translation>Doppelklick auf einen Punkt</translation>
     </message>
     <message>
-        <source>colour and numbers</source>
-        <translation>Farbe und Zahlen</translation>
-    </message>
-    <message>
         <source>Drag the handle</source>
         <translation>Griff ziehen</translation>
     </message>
@@ -2023,6 +2019,10 @@
         <source>step %1 of the smallest voxel spacing, %2 mm</source>
         <translation>Schrittweite %1 des kleinsten Voxelabstands, %2&#xa0;mm</translation>
     </message>
+    <message>
+        <source>colour and numbers, of all that are selected with it</source>
+        <translation>Farbe und Zahlen, auch aller mit ihm ausgewählten</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2449,6 +2449,10 @@
         <source>%1, before</source>
         <comment>a preset</comment>
         <translation>%1, vorher</translation>
+    </message>
+    <message>
+        <source>compare models</source>
+        <translation>Modelle vergleichen</translation>
     </message>
 </context>
 <context>
@@ -8482,8 +8486,8 @@
         <translation>sie ist kein Bericht von limn accuracy</translation>
     </message>
     <message>
-        <source>within one look steps follow its curve; where looks of labels meet, samples do</source>
-        <translation>innerhalb einer Darstellung folgen die Schritte ihrer Kurve; wo Darstellungen von Labels aneinandergrenzen, tun es Abtastpunkte</translation>
+        <source>curves of labels may change faster than one step can follow; where looks of labels meet, samples stand for steps</source>
+        <translation>Kurven von Labels ändern sich vielleicht schneller, als ein Schritt folgen kann; wo Darstellungen von Labels aneinandergrenzen, stehen Abtastpunkte für Schritte</translation>
     </message>
 </context>
 <context>

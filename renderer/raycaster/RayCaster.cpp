@@ -150,7 +150,8 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
 }
 
 // While something moves nodes alone tell of light. The other program draws the same, several times as slowly
-// in a software driver: it serves where the driver refuses this one, and at rest until fine light is there.
+// in a software driver: it serves where the driver refuses this one, and at rest; until fine light is there,
+// only if it is at hand.
 const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene& scene) {
   if (leftOut || compilesAllEffects)
     return programs.exactly(effects);

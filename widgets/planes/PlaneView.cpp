@@ -279,8 +279,7 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   return false;
 }
 
-// Of what was clicked once nothing is left; an angle without its end keeps the leg that stands upright. Tells
-// whether anything was taken back.
+// Takes back what was clicked once, but for an angle with a leg. Tells whether anything was taken back.
 bool PlaneView::endLooseDrag() {
   if (!m_drag || !m_drag->isLoose)
     return false;
@@ -293,7 +292,8 @@ bool PlaneView::endLooseDrag() {
 
 void PlaneView::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
-  endLooseDrag();
+  if (m_drag && m_drag->handle.place < 2) // the last leg of an angle waits
+    endLooseDrag();
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -345,7 +345,8 @@ void PlaneView::contextMenuEvent(QContextMenuEvent* event) {
 bool PlaneView::obey(int key, bool isFast) {
   if (obeyInLine(key))
     return true;
-  if (key != Qt::Key_Escape && endLooseDrag() && key == Qt::Key_Delete)
+  const bool isHeld = (key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock) || key == Qt::Key_AltGr;
+  if (key != Qt::Key_Escape && !isHeld && endLooseDrag() && key == Qt::Key_Delete)
     return true;
   if (moveByKey(key, isFast ? fastSlices : 1))
     return true;

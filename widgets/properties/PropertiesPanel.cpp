@@ -133,6 +133,8 @@ void PropertiesPanel::connectSections() {
 
 void PropertiesPanel::setScene(const Scene& scene) {
   const bool otherProjection = scene.projection != m_scene.projection;
+  if (!m_scene.volume || !scene.volume || !m_scene.volume->sharesVoxelsWith(*scene.volume))
+    m_light->forgetHeadlight();
   m_scene = scene;
   widget()->setEnabled(scene.volume != nullptr); // of nothing there is nothing to set
   m_light->setCamera(scene.camera);

@@ -96,7 +96,9 @@ void LightSection::addPresets() {
   contents()->addWidget(m_preset);
   connect(m_preset, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
     const LightPreset preset = lightPresets.at(static_cast<std::size_t>(index));
-    editAll(withLight(shading(), preset, m_ofHeadlight), gesture);
+    // Between other lights strengths are carried on.
+    editAll(withLight(shading(), preset, preset == LightPreset::headlight ? m_ofHeadlight : std::nullopt),
+            gesture);
     emit presetChosen(preset);
   });
 }

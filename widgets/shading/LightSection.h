@@ -39,6 +39,9 @@ public:
   /// From where the pictures are seen.
   void setCamera(const Camera& camera);
 
+  /// Another volume comes: a headlight that is chosen is none that was there before.
+  void forgetHeadlight() { m_ofHeadlight.reset(); }
+
 signals:
   /// A whole light was chosen, after it was reported as an edit.
   void presetChosen(limn::LightPreset preset);

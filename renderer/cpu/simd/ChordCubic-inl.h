@@ -65,6 +65,9 @@ struct ChordCubic {
     const float atFrom = rest(from), atTo = rest(to);
     if (rises ? atFrom >= 0.0f : atFrom < 0.0f)
       return from;
+    // at(), by which it is known to come there, rounds otherwise.
+    if (rises ? atTo < 0.0f : atTo >= 0.0f)
+      return to;
     float s = from + (to - from) * (atFrom / (atFrom - atTo));
     for (int k = 0; k < mostNewtonSteps; ++k) {
       const float found = rest(s);

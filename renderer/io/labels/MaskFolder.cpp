@@ -16,10 +16,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t longestMaskName = 200;
 constexpr std::size_t mostNamed = 3;
 
-// Whatever the name tells: masks side by side must be told apart.
-std::string maskName(const fs::path& file) {
+// What a mask is called among others: by its structure, where that is its alone.
+std::string maskName(const fs::path& file, const std::vector<fs::path>& files) {
   const std::string structure = structureName(file);
-  return structure.empty() ? plainText(volumeStem(file), longestMaskName) : structure;
+  const bool isItsOwn = std::ranges::count(files, structure, structureName) == 1;
+  return structure.empty() || !isItsOwn ? plainText(volumeStem(file), longestMaskName) : structure;
 }
 
 // The files of a folder by name; hidden ones are none of the user's.
@@ -93,7 +94,7 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
     requireNear(files[n], mask->grid(), grid);
     if (!masks)
       masks.emplace(grid, files.size(), mask->room());
-    masks->add(*mask, value, maskName(files[n]),
+    masks->add(*mask, value, maskName(files[n], files),
                effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
   }
   if (!masks)

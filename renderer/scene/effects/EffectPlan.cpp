@@ -241,10 +241,11 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
                           stepResolvesFunction(scene, facts.steepestPerMm);
   plan.clause(
       Effect::preintegration, chosen == Preintegration::always || !isResolved,
-      hasLabelLooks(scene)
-          ? Message::tr("within one look steps follow its curve; where looks of labels meet, samples do")
-      : chosen == Preintegration::always ? Message::tr("it is set to \"always\"")
-                                         : Message::tr("the curve changes faster than one step can follow"),
+      chosen == Preintegration::always ? Message::tr("it is set to \"always\"")
+      : hasLabelLooks(scene)
+          ? Message::tr("curves of labels may change faster than one step can follow; where looks of labels "
+                        "meet, samples stand for steps")
+          : Message::tr("the curve changes faster than one step can follow"),
       chosen == Preintegration::never ? Message::tr("it is set to \"never\"")
                                       : Message::tr("the steps are fine enough for this curve"));
   plan.clause(Effect::jitter, scene.quality.jitter,
