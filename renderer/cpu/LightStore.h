@@ -52,6 +52,7 @@ private:
     bool operator==(const Key&) const = default;
   };
 
+  // On the same nodes.
   struct Keys {
     Key direct, ambient;
   };
