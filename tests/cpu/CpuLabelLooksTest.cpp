@@ -139,16 +139,10 @@ TEST(CpuLooks, whatElseAPictureMayHaveAgreesWithTheReference) {
   }
 }
 
-// Cell by cell the looks' common curve has the points of the scene's own, too, so cells are cut at more
-// places: pixels differ by what is left of the error of either, which is far below the bound with a fineness
-// of 8.
 TEST(CpuLooks, equalLooksInAllLabelsAreOneLook) {
-  for (const auto fineness :
-       {std::optional<double>(), std::optional<double>(4.0), std::optional<double>(8.0)}) {
+  for (const auto tolerance : {std::optional<double>(), std::optional<double>(1.0)}) {
     Scene scene = cubesOfLooks(ShadingModel::robust, 2, Camera::Projection::perspective);
-    if (fineness)
-      scene.quality.toleranceLevels = 1.0;
-    scene.quality.fineness = fineness;
+    scene.quality.toleranceLevels = tolerance;
     const TransferFunction look = shifted(scene.transferFunction, 40.0);
     scene.keep = withLooks(scene.keep, {{0, look}, {1, look}, {2, look}});
     ASSERT_TRUE(hasLabelLooks(scene));
@@ -160,7 +154,7 @@ TEST(CpuLooks, equalLooksInAllLabelsAreOneLook) {
       one.quality.preintegrated = scene.quality.preintegrated = choice;
       const ImageError error =
           imageError(renderer.render(scene, looksPicture), renderer.render(one, looksPicture));
-      EXPECT_LE(fineness == 4.0 ? error.p99_9 : error.largest, 0.05);
+      EXPECT_LE(error.largest, 0.05);
     }
   }
 }

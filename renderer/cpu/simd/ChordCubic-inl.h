@@ -29,6 +29,11 @@ struct ChordCubic {
     return r * r * (r * b[0] + 3.0f * s * b[1]) + s * s * (3.0f * r * b[2] + s * b[3]);
   }
 
+  float slopeAt(float s) const {
+    const float r = 1.0f - s;
+    return 3.0f * (r * r * (b[1] - b[0]) + 2.0f * r * s * (b[2] - b[1]) + s * s * (b[3] - b[2]));
+  }
+
   /// The part from `from` to `to` as a cubic of its own.
   ChordCubic part(float from, float to) const {
     if (from == 0.0f && to == 1.0f)
@@ -59,20 +64,14 @@ struct ChordCubic {
   /// Where it comes to a value between two places, from one to the other of which it runs one way: by
   /// Newton's steps from the chord, and halves where one would leave what is known to hold it.
   float crossing(float from, float to, float value, bool rises) const {
-    const float c0 = b[0] - value, c1 = 3.0f * (b[1] - b[0]), c2 = 3.0f * (b[2] - b[1]) - c1;
-    const float c3 = (b[3] - b[0]) - 3.0f * (b[2] - b[1]);
-    const auto rest = [=](float s) { return c0 + s * (c1 + s * (c2 + s * c3)); };
-    const float atFrom = rest(from), atTo = rest(to);
+    const float atFrom = at(from) - value, atTo = at(to) - value;
     if (rises ? atFrom >= 0.0f : atFrom < 0.0f)
       return from;
-    // at(), by which it is known to come there, rounds otherwise.
-    if (rises ? atTo < 0.0f : atTo >= 0.0f)
-      return to;
     float s = from + (to - from) * (atFrom / (atFrom - atTo));
     for (int k = 0; k < mostNewtonSteps; ++k) {
-      const float found = rest(s);
+      const float found = at(s) - value;
       (rises == (found < 0.0f) ? from : to) = s;
-      float next = s - found / (c1 + s * (2.0f * c2 + s * (3.0f * c3)));
+      float next = s - found / slopeAt(s);
       if (!(next > from && next < to))
         next = 0.5f * (from + to);
       const float step = std::abs(next - s);
