@@ -84,7 +84,7 @@ float distanceOf(const LightNodes& nodes, const PictureTerms& terms) {
 // The numbers of the nodes in a plane z = `plane` that places which show can be next to.
 std::vector<std::int32_t> nodesToFind(const PictureTerms& terms, const LightNodes& nodes, int plane) {
   std::vector<std::int32_t> numbers;
-  const EmptySpace& empty = terms.empty;
+  const BlocksAlike& empty = terms.empty;
   // Places ask for nodes around where light that comes to them has been.
   const double stride = std::max({nodes.stride.x, nodes.stride.y, nodes.stride.z});
   const double reach = stride + std::max(LightLook::farthest, 0.5 * stride);

@@ -53,14 +53,7 @@ LookTerms LookStore::terms(const std::function<float(double)>& unitsPer) const {
   LookTerms terms;
   if (isEmpty())
     return terms;
-  const glm::ivec3& dims = m_labels->dims();
-  terms.voxels.kind = VoxelSource::Kind::byte;
-  terms.voxels.begin = m_voxels.data();
-  terms.voxels.bytes = static_cast<std::int64_t>(m_voxels.size());
-  terms.voxels.scale = 1.0f;
-  terms.voxels.dims = dims;
-  terms.voxels.strideY = dims.y > 1 ? dims.x : 0;
-  terms.voxels.strideZ = dims.z > 1 ? std::int64_t{dims.x} * dims.y : 0;
+  terms.voxels = sourceOf(m_voxels.data(), VoxelSource::Kind::byte, m_labels->dims());
   terms.ofCells = m_cells.data();
   for (std::size_t i = 0; i < m_tables.size(); ++i)
     terms.all.push_back({&m_tables[i], &m_segments[i], unitsPer(m_looks.functions[i].unitDistanceMm)});

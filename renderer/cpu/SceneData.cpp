@@ -13,69 +13,6 @@
 namespace limn::cpu {
 namespace {
 
-// A line on which the weights of labels lie by their places in the list, as any two do: a body's, a cut's.
-struct WeightLine {
-  double scale = 0.0;
-  double shift = 0.0;
-};
-
-// Of labels that are bytes; none where they are not, or their weights lie on no line.
-std::optional<WeightLine> weightLine(const Region& region) {
-  if (!std::holds_alternative<StoredVoxels<std::uint8_t>>(region.labels->places()))
-    return std::nullopt;
-  const std::vector<double>& weights = region.weights;
-  const WeightLine line{weights.size() > 1 ? weights[1] - weights[0] : 0.0, weights[0]};
-  for (std::size_t place = 0; place < weights.size(); ++place)
-    if (weights[place] != line.shift + line.scale * static_cast<double>(place))
-      return std::nullopt;
-  return line;
-}
-
-// Whether every label is kept wholly or not at all: then a byte says it as well as a share of 16 bits.
-bool areWhole(const Region& region) {
-  return std::all_of(region.weights.begin(), region.weights.end(),
-                     [](double weight) { return weight == 0.0 || weight == 1.0; });
-}
-
-void bytesOf(const Region& region, std::size_t first, std::size_t count, std::uint8_t* out) {
-  std::vector<std::uint8_t> kept;
-  for (const double weight : region.weights)
-    kept.push_back(weight > 0.0 ? 1 : 0);
-  std::visit(
-      [&](const auto& places) {
-        for (std::size_t n = 0; n < count; ++n)
-          out[n] = kept[places[first + n]];
-      },
-      region.labels->places());
-}
-
-// Fills the weights of all voxels, piece by piece.
-template <class Weight, class Fill>
-void fillWeights(RoomVector<Weight>& weights, const glm::ivec3& dims, const Effort& effort,
-                 const Fill& fill) {
-  weights.resize(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
-  const std::size_t pieces = (weights.size() + voxelsPerPiece - 1) / voxelsPerPiece;
-  forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
-    const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
-    fill(from, std::min<std::size_t>(voxelsPerPiece, weights.size() - from), &weights[from]);
-  });
-}
-
-template <class Weights>
-VoxelSource sourceOf(VoxelSource::Kind kind, const Weights& weights, const glm::ivec3& dims, float scale) {
-  constexpr std::size_t each = sizeof(typename Weights::value_type);
-  VoxelSource source;
-  source.kind = kind;
-  source.begin = reinterpret_cast<const unsigned char*>(weights.data());
-  source.bytes = static_cast<std::int64_t>(weights.size() * each);
-  source.scale = scale;
-  source.dims = dims;
-  const std::int64_t row = std::int64_t{each} * dims.x;
-  source.strideY = dims.y > 1 ? row : 0;
-  source.strideZ = dims.z > 1 ? row * dims.y : 0;
-  return source;
-}
-
 // So many unit distances hide everything; the whole box must not have more than a float holds.
 constexpr double beyondAll = 1e30;
 
@@ -143,37 +80,6 @@ BlockBox blocksMet(const Grid& grid, const IndexBox& brick, double stepVoxels) {
   const glm::ivec3 first = glm::clamp(glm::ivec3(lower) / blockSize - 1, glm::ivec3(0), blocks - 1);
   const glm::ivec3 end = glm::clamp(glm::ivec3(upper) / blockSize + 2, first + 1, blocks);
   return {first, end};
-}
-
-void RegionStore::update(const Region& region, const BlockBox& box, const std::shared_ptr<Room>& room,
-                         const Effort& effort) {
-  if (m_region == region && m_box == box)
-    return;
-  m_region = {}; // should it be cancelled
-  m_shares = RoomVector<std::uint16_t>(room);
-  m_bytes = RoomVector<std::uint8_t>(room);
-  m_blocks = BlockWeights(room);
-  if (isRestricting(region)) {
-    m_blocks = blockWeights(region, {box.upper - box.lower, glm::ivec3(blockSize), box.lower}, effort, room);
-    const LabelMap& labels = *region.labels;
-    if (const std::optional<WeightLine> line = weightLine(region)) {
-      m_source = sourceOf(VoxelSource::Kind::byte, std::get<StoredVoxels<std::uint8_t>>(labels.places()),
-                          labels.dims(), static_cast<float>(line->scale));
-      m_source.shift = static_cast<float>(line->shift);
-    } else if (areWhole(region)) {
-      fillWeights(m_bytes, labels.dims(), effort, [&region](std::size_t from, std::size_t count, auto* out) {
-        bytesOf(region, from, count, out);
-      });
-      m_source = sourceOf(VoxelSource::Kind::byte, m_bytes, labels.dims(), 1.0f);
-    } else {
-      fillWeights(m_shares, labels.dims(), effort, [&region](std::size_t from, std::size_t count, auto* out) {
-        sharesOf(region, from, count, out);
-      });
-      m_source = sourceOf(VoxelSource::Kind::half, m_shares, labels.dims(), 1.0f / 65535.0f);
-    }
-  }
-  m_region = region;
-  m_box = box;
 }
 
 void SceneData::update(const Scene& scene, const std::function<bool()>& isCancelled) {
@@ -330,6 +236,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
                      (effects.has(Effect::emptySpaceSkipping) || effects.has(Effect::localSteps));
   if (skips) {
     terms.empty = {m_empty.distances.data(), m_voxels->blocks().blocks(), m_voxels->part().lower};
+    if (!m_region.whole().empty())
+      terms.whole = {m_region.whole().data(), terms.empty.blocks, terms.empty.first};
     // A surface may be met before the first sample or behind the last, where another brick shows it.
     if (!m_brick || !showsSurface(scene.projection))
       terms.visibleBox = visibleBox(scene);
@@ -351,9 +259,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
     m_gradientScale = m_gradients.scale(scene.shading, usesRatio(effects), {m_threads, isCancelled, {}});
   }
   if (effects.has(Effect::smoothNormals))
-    terms.smoothed =
-        sourceOf(VoxelSource::Kind::single, std::get<StoredVoxels<float>>(m_gradients.smoothed()->stored()),
-                 grid.dims, 1.0f);
+    terms.smoothed = sourceOf(std::get<StoredVoxels<float>>(m_gradients.smoothed()->stored()).data(),
+                              VoxelSource::Kind::single, grid.dims);
   terms.smoothed.roundsPlaces = terms.voxels.roundsPlaces;
   setGradient(scene, m_gradientScale, terms);
   setFog(scene, terms);

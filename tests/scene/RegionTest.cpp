@@ -151,7 +151,7 @@ TEST(BlockWeights, tellWhatIsLeftOfEachBlock) {
   std::fill(weights.begin() + 8, weights.end(), 0.0);
   const auto kinds = blockWeights(rowOf(weights), {{4, 1, 1}, glm::ivec3(4)});
   EXPECT_EQ(kinds,
-            (BlockWeights{BlockWeight::same, BlockWeight::varying, BlockWeight::varying, BlockWeight::none}))
+            (BlockWeights{BlockWeight::all, BlockWeight::varying, BlockWeight::varying, BlockWeight::none}))
       << "nothing is left of the voxels of the third, but of the one beside them";
 }
 

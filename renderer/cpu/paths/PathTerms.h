@@ -22,7 +22,7 @@ inline constexpr float mostExtinction = 1024.0f;
 struct MajorantTerms {
   const float* ofBlocks = nullptr; ///< x fastest
   glm::ivec3 blocks{0};
-  const std::uint8_t* distances = nullptr; ///< as in EmptySpace; null: nothing is leapt over
+  const std::uint8_t* distances = nullptr; ///< as in BlocksAlike; null: nothing is leapt over
 };
 
 /// What all random paths of a picture share (DEFINITION section 12), in the units of rays: lengths in

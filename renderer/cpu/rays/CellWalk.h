@@ -31,7 +31,7 @@ private:
   int nearestAxis() const;
   double crossingOf(int axis, int plane) const { return (plane - m_first[axis]) * m_inverse[axis]; }
 
-  EmptySpace m_empty;
+  BlocksAlike m_empty;
   glm::dvec3 m_first{0.0};   // voxel index at the span's begin
   glm::dvec3 m_advance{0.0}; // voxels per length
   glm::dvec3 m_inverse{0.0}; // 0 where the ray does not follow the axis

@@ -20,6 +20,20 @@ Ray inLengths(const PictureTerms& terms, const Ray& ray) {
   return result;
 }
 
+VoxelSource sourceOf(const void* voxels, VoxelSource::Kind kind, const glm::ivec3& dims, float scale) {
+  const bool isByte = kind == VoxelSource::Kind::byte || kind == VoxelSource::Kind::signedByte;
+  const std::int64_t row = std::int64_t{isByte ? 1 : kind == VoxelSource::Kind::single ? 4 : 2} * dims.x;
+  VoxelSource source;
+  source.kind = kind;
+  source.begin = static_cast<const unsigned char*>(voxels);
+  source.bytes = row * dims.y * dims.z;
+  source.scale = scale;
+  source.dims = dims;
+  source.strideY = dims.y > 1 ? row : 0;
+  source.strideZ = dims.z > 1 ? row * dims.y : 0;
+  return source;
+}
+
 RaySpan partInBrick(const PictureTerms& terms, const FramedRay& ray, const RaySpan& span) {
   if (!terms.brick)
     return span;

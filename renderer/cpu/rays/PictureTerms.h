@@ -32,10 +32,13 @@ struct VoxelSource {
   bool roundsPlaces = false; ///< floats are mixed by a card's weights (CpuRenderer::Weights)
 };
 
-/// Where nothing shows: for each block of 4³ cells the distance in blocks to the nearest in which something
-/// may (scene/steps/EmptySpace).
-struct EmptySpace {
-  const std::uint8_t* distances = nullptr; ///< null: nothing is stepped over
+/// All voxels of a grid, one behind the other, x fastest; not the kind's bytes but `scale` times them count.
+VoxelSource sourceOf(const void* voxels, VoxelSource::Kind kind, const glm::ivec3& dims, float scale = 1.0f);
+
+/// Blocks of one kind: for each block of 4³ cells the distance in blocks to the nearest of another, 0 in
+/// those (scene/steps/EmptySpace).
+struct BlocksAlike {
+  const std::uint8_t* distances = nullptr; ///< null: it is not known of any
   glm::ivec3 blocks{0};
   glm::ivec3 first{0}; ///< the block of the first distance
 };
@@ -94,8 +97,9 @@ struct PictureTerms {
   VoxelSource voxels;
   VoxelSource smoothed; ///< normalised; whose gradients count where an effect smooths normals
   VoxelSource region;   ///< weights of the kept region, bytes or halves; read where an effect needs it
-  EmptySpace empty;
-  LookTerms looks;                          ///< read where an effect needs them
+  BlocksAlike empty;    ///< in which nothing shows
+  BlocksAlike whole;    ///< of which the region keeps everything
+  LookTerms looks;      ///< read where an effect needs them
   const PiecewiseTable* function = nullptr; ///< the scene's, or where labels have looks, of all together
   const FewSegments* segments = nullptr;    ///< of the same function
   const PiecewiseTable* gradientCurve = nullptr;

@@ -252,8 +252,7 @@ private:
   // The opacities over the unit distance that curve and region give at a node.
   HWY_INLINE VF opacityAt(int node, int part, VF within) const {
     const VF opacity = ofSegment(3, within, part);
-    return m_terms.effects.has(Effect::region) ? hn::Mul(opacity, m_samples.weightAt(placesOf(node, part)))
-                                               : opacity;
+    return m_pieces.areWhole ? opacity : hn::Mul(opacity, m_samples.weightAt(placesOf(node, part)));
   }
 
   // What looks of labels make of a node, their opacities times a factor.
@@ -498,6 +497,7 @@ private:
   HWY_NOINLINE void addParts(int n, Sum& sum, int cuts) const {
     PieceBatch parts(m_terms, m_samples);
     Pieces& pieces = parts.pieces();
+    pieces.areWhole = m_pieces.areWhole;
     pieces.count = cellParts;
     for (int part = 0; part < cellParts; ++part)
       cutPiece(m_pieces, n, part, pieces);

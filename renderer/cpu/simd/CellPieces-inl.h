@@ -9,6 +9,7 @@
 #endif
 
 #include "cpu/rays/CellWalk.h"
+#include "cpu/simd/BlocksAlike-inl.h"
 #include "cpu/simd/ChordCubic-inl.h"
 #include "cpu/simd/Samples-inl.h"
 #include "scene/steps/CellRule.h"
@@ -22,6 +23,7 @@ struct Pieces {
   static constexpr int room = 2 * most; ///< registers are stored whole behind the last piece
 
   int count = 0;
+  bool areWhole = true;                           ///< a region is known to keep all of each
   HWY_ALIGN float from[room] = {}, to[room] = {}; ///< lengths behind the span's begin
   HWY_ALIGN float cubic[4][room] = {};            ///< Bernstein coefficients of the scalars
   HWY_ALIGN std::int32_t segment[room] = {};      ///< of the function, that all of a piece lies in
@@ -71,11 +73,14 @@ class PieceMaker {
 public:
   /// Nothing shows before `from`, lengths behind the span's begin.
   PieceMaker(const PictureTerms& terms, const Samples<kind>& samples, double from)
-      : m_samples(samples), m_table(*terms.function), m_walk(terms, samples.ray, from) {}
+      : m_samples(samples), m_table(*terms.function), m_isPart(terms.effects.has(Effect::region)),
+        m_whole(terms, samples.ray), m_walk(terms, samples.ray, from) {}
 
   /// Adds the next pieces that show to those that are there; false where none is left.
   bool fill(Pieces& pieces) {
     const int before = pieces.count;
+    if (before == 0)
+      pieces.areWhole = true;
     while (pieces.count < Pieces::most && (isInCell() || m_open != 0 || walk())) {
       if (isInCell())
         cut(pieces);
@@ -84,9 +89,10 @@ public:
       else
         enterCell();
     }
-    if (pieces.count > before)
-      describe(pieces);
-    return pieces.count > before;
+    if (pieces.count == before)
+      return false;
+    describe(pieces);
+    return true;
   }
 
 private:
@@ -111,7 +117,7 @@ private:
 
   // The next open cells, `most` at most, that lie in one segment each.
   std::uint32_t wholeCells(int most) const {
-    const std::uint32_t others = m_open & ~m_whole;
+    const std::uint32_t others = m_open & ~m_inSegment;
     std::uint32_t run = others == 0 ? m_open : m_open & ((others & (~others + 1)) - 1);
     while (std::popcount(run) > most)
       run ^= std::bit_floor(run);
@@ -121,6 +127,7 @@ private:
   // Takes some open cells as they are.
   HWY_NOINLINE void addWhole(std::uint32_t run, Pieces& pieces) {
     m_open ^= run;
+    pieces.areWhole = pieces.areWhole && m_areWhole;
     for (int part = 0; part < cells; part += lanes()) {
       const auto bits = static_cast<std::uint8_t>(run >> part & ((1u << lanes()) - 1));
       if (bits == 0)
@@ -157,7 +164,8 @@ private:
   HWY_NOINLINE void look() {
     for (int cell = m_count; cell < cells; ++cell)
       m_entries[cell] = m_exits[cell] = m_exits[m_count - 1];
-    m_whole = 0;
+    m_inSegment = 0;
+    m_areWhole = !m_isPart || m_whole.isWhole(m_entries[0], m_exits[m_count - 1]);
     for (int part = 0; part < m_count; part += lanes()) {
       VF cubic[4];
       m_samples.field.cubicsAlong(m_samples.indexAt(hn::Load(floats, m_entries + part)),
@@ -165,21 +173,21 @@ private:
       const VF low = hn::Min(hn::Min(cubic[0], cubic[1]), hn::Min(cubic[2], cubic[3]));
       const VF high = hn::Max(hn::Max(cubic[0], cubic[1]), hn::Max(cubic[2], cubic[3]));
       Mask seen = m_samples.function.mayBeSeenBetween(low, high);
-      if (m_samples.terms.effects.has(Effect::region))
+      if (!m_areWhole)
         seen = hn::And(seen, hn::Gt(largestWeight(part), hn::Zero(floats)));
       if (hn::AllFalse(floats, seen))
         continue;
       const VI segment = m_samples.function.segmentsOf(cubic[0]);
       const VF start = m_samples.function.startOf(segment);
-      const Mask isWhole =
+      const Mask isInOne =
           hn::And(hn::Lt(high, endOf(segment)), hn::Not(hn::Lt(low, beginOf(segment, start))));
       // An opacity that is linear shows somewhere if it does at an end.
       const VF slope = m_samples.function.template slopeOf<3>(segment);
       const VF gain = hn::Max(hn::Mul(hn::Sub(low, start), slope), hn::Mul(hn::Sub(high, start), slope));
       const Mask shows =
           hn::Gt(hn::Add(gain, m_samples.function.template valueOf<3>(segment)), hn::Zero(floats));
-      m_open |= bitsOf(hn::And(seen, hn::Or(shows, hn::Not(isWhole)))) << part;
-      m_whole |= bitsOf(isWhole) << part;
+      m_open |= bitsOf(hn::And(seen, hn::Or(shows, hn::Not(isInOne)))) << part;
+      m_inSegment |= bitsOf(isInOne) << part;
       for (int i = 0; i < 4; ++i)
         hn::Store(cubic[i], floats, m_cubics[i] + part);
       hn::Store(segment, ints, m_segments + part);
@@ -283,6 +291,7 @@ private:
 
   void add(Pieces& pieces, float from) {
     const int n = pieces.count++;
+    pieces.areWhole = pieces.areWhole && m_areWhole;
     const float begin = m_entries[m_cell], length = m_exits[m_cell] - begin;
     pieces.from[n] = from == 0.0f ? begin : begin + from * length;
     pieces.to[n] = m_shares == 1.0f ? m_exits[m_cell] : begin + m_shares * length;
@@ -292,12 +301,15 @@ private:
 
   const Samples<kind>& m_samples;
   const PiecewiseTable& m_table;
+  const bool m_isPart; // a region is kept
+  WholeAlong m_whole;
   CellWalk m_walk;
-  int m_count = 0;           // of the chords that were walked
-  std::uint32_t m_open = 0;  // which of them are yet to be taken
-  std::uint32_t m_whole = 0; // which of them lie in one segment
-  int m_cell = 0;            // the one that is cut
-  float m_shares = 1.0f;     // of its chord that are cut
+  int m_count = 0;               // of the chords that were walked
+  std::uint32_t m_open = 0;      // which of them are yet to be taken
+  std::uint32_t m_inSegment = 0; // which of them lie in one segment
+  bool m_areWhole = true;        // a region is known to keep all of each
+  int m_cell = 0;                // the one that is cut
+  float m_shares = 1.0f;         // of its chord that are cut
   std::size_t m_segment = 0;
   ChordCubic m_cubic;
   float m_lowest = 0.0f, m_highest = 0.0f;

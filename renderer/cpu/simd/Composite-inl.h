@@ -9,7 +9,7 @@
 #define LIMN_CPU_COMPOSITE_INL_H
 #endif
 
-#include "cpu/simd/EmptySpace-inl.h"
+#include "cpu/simd/BlocksAlike-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,10 +26,11 @@ public:
         m_hasGradient(terms.effects.has(Effect::gradient)),
         m_mixesLate(samples.looks.areAny() && m_changesOpacity),
         m_queuesColors(m_isPreintegrated || !m_hasGradient || (samples.looks.areAny() && !m_changesOpacity)),
-        m_queuesUnits(m_isPreintegrated && m_mixesLate) {}
+        m_queuesUnits(m_isPreintegrated && m_mixesLate), m_isPart(terms.effects.has(Effect::region)),
+        m_whole(terms, m_ray) {}
 
   glm::vec4 gathered() {
-    const EmptySteps empty(m_terms.empty, m_ray, m_isPreintegrated);
+    const StepsAlike empty(m_terms.empty, m_ray, m_isPreintegrated);
     m_sum = {zero(), 1.0, false};
     const bool canLightGroups = m_hasGradient && !m_isPreintegrated;
     bool isDense = false;
@@ -51,14 +52,19 @@ public:
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
 
+  // Whether a region is known to keep all of the group of samples from `i` on.
+  HWY_INLINE bool areWhole(int i) {
+    return m_isPart && m_whole.isWhole(static_cast<float>(i), static_cast<float>(i + lanes() - 1));
+  }
+
   // Looks at the group of samples from `i` on and queues what shows. Returns how many do.
   HWY_NOINLINE int look(int i) {
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
     VF perUnit = hn::Zero(floats);
-    const auto absorbed =
-        m_isPreintegrated ? m_samples.absorbedOver(step, isInside, perUnit)
-                          : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside, m_queuesColors);
+    const auto absorbed = m_isPreintegrated ? m_samples.absorbedOver(step, isInside, areWhole(i), perUnit)
+                                            : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside,
+                                                                   areWhole(i), m_queuesColors);
     if (hn::AllFalse(floats, absorbed.seen))
       return 0;
     const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
@@ -108,7 +114,7 @@ private:
     }
     VF opacity;
     const Mask opaque = m_samples.function.opacityWhereSeen(scalar, isInside, opacity);
-    const Mask seen = m_samples.weighed(step, opaque, opacity);
+    const Mask seen = m_samples.weighed(step, opaque, areWhole(i), opacity);
     if (hn::AllFalse(floats, seen))
       return 0;
     const Gradients gradients = m_samples.light.gradientsOf(found.slope);
@@ -254,6 +260,8 @@ private:
   const bool m_mixesLate;    // looks of labels are mixed once the gradient is known
   const bool m_queuesColors; // beside opacities
   const bool m_queuesUnits;  // of steps within one look
+  const bool m_isPart;       // a region is kept
+  WholeAlong m_whole;
   Sum m_sum;
   int m_queued = 0;
   int m_lane = 0; // of the sum, for the next sample

@@ -160,7 +160,7 @@ private:
 
   // How many steps from here on lie in empty blocks on all open paths.
   HWY_INLINE float leapFrom(const V3& place, VF fastest, Mask isOpen) const {
-    const EmptySpace& empty = m_terms.empty;
+    const BlocksAlike& empty = m_terms.empty;
     if (!empty.distances)
       return 0.0f;
     const VI x = blockOf(place.x, 0), y = blockOf(place.y, 1), z = blockOf(place.z, 2);

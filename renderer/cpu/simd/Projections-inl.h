@@ -8,10 +8,10 @@
 #define LIMN_CPU_PROJECTIONS_INL_H
 #endif
 
+#include "cpu/simd/BlocksAlike-inl.h"
 #include "cpu/simd/CellMarch-inl.h"
 #include "cpu/simd/CellScalars-inl.h"
 #include "cpu/simd/Composite-inl.h"
-#include "cpu/simd/EmptySpace-inl.h"
 #include "cpu/simd/Rays-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
@@ -137,7 +137,7 @@ private:
   }
 
   glm::vec4 xray() const {
-    const EmptySteps empty(m_terms.empty, m_ray, m_terms.effects.has(Effect::preintegration));
+    const StepsAlike empty(m_terms.empty, m_ray, m_terms.effects.has(Effect::preintegration));
     double depth = 0.0;
     for (int i = m_ray.from; i < m_ray.to;) {
       if (const int leap = empty.samplesFrom(i); leap > 0) {
@@ -181,7 +181,7 @@ private:
       return std::nullopt;
     if (m_ray.ownFrom == 0 && (bitsOf(isHit(all(-offset))) & 1u) != 0)
       return -offset;
-    const EmptySteps empty(m_terms.empty, m_ray, false);
+    const StepsAlike empty(m_terms.empty, m_ray, false);
     const int last = m_ray.ownTo < m_ray.count ? m_ray.ownTo - 1 : m_ray.count;
     for (int i = m_ray.from; i <= last;) {
       if (const int leap = empty.samplesFrom(i); leap > 0 && i + leap <= last) {

@@ -48,10 +48,11 @@ struct Samples {
     return terms.effects.has(Effect::region) ? hn::And(wanted, hn::Ge(weightAt(step), all(0.5f))) : wanted;
   }
 
-  /// Those of some samples of which the region leaves something; what it leaves of their opacities. As if
-  /// the others lay in empty space: which samples a ray looks at changes no bit.
-  HWY_INLINE Mask weighed(VF step, Mask seen, VF& opacity) const {
-    if (!terms.effects.has(Effect::region) || hn::AllFalse(floats, seen))
+  /// Those of some samples of which the region leaves something; what it leaves of their opacities, known to
+  /// be all where they are whole. As if the others lay in empty space: which samples a ray looks at changes
+  /// no bit.
+  HWY_INLINE Mask weighed(VF step, Mask seen, bool areWhole, VF& opacity) const {
+    if (areWhole || !terms.effects.has(Effect::region) || hn::AllFalse(floats, seen))
       return seen;
     const VF weight = weightAt(step);
     opacity = hn::Mul(opacity, weight);
@@ -66,15 +67,15 @@ struct Samples {
     VF extinction; // likewise
   };
 
-  /// The scalars `step` steps behind sample 0.
-  HWY_NOINLINE Absorbed absorbedBy(VF scalar, VF step, Mask wanted, bool withColor) const {
+  /// The scalars `step` steps behind sample 0; `areWhole` where a region is known to keep all of them.
+  HWY_NOINLINE Absorbed absorbedBy(VF scalar, VF step, Mask wanted, bool areWhole, bool withColor) const {
     Absorbed absorbed;
     if (looks.areAny()) {
       const Looks::Mixed mixed = looks.mixedAt(indexAt(step), scalar, all(1.0f), wanted, withColor);
       return {mixed.seen, mixed.color, mixed.extinction, mixed.extinction};
     }
     const Mask opaque = function.opacityWhereSeen(scalar, wanted, absorbed.opacity);
-    absorbed.seen = weighed(step, opaque, absorbed.opacity);
+    absorbed.seen = weighed(step, opaque, areWhole, absorbed.opacity);
     if (hn::AllFalse(floats, absorbed.seen))
       return absorbed;
     if (withColor)
@@ -85,7 +86,7 @@ struct Samples {
 
   /// Of the step around each sample. `perUnit` receives, where labels have looks, how many unit distances of
   /// its look are in a length where a step lies within one; it stays where a step's sample stands for it.
-  HWY_NOINLINE Absorbed absorbedOver(VF step, Mask wanted, VF& perUnit) const {
+  HWY_NOINLINE Absorbed absorbedOver(VF step, Mask wanted, bool areWhole, VF& perUnit) const {
     const VF first = hn::Sub(step, all(ray.offset));
     const VF before = field.scalarAt(indexAt(first));
     const VF behind = field.scalarAt(indexAt(hn::Add(first, all(1.0f))));
@@ -99,8 +100,8 @@ struct Samples {
     absorbed.color = mean.color;
     absorbed.extinction = mean.extinction;
     absorbed.opacity = oneMinusExpNeg(mean.extinction);
-    if (terms.effects.has(Effect::region)) {
-      absorbed.seen = weighed(step, absorbed.seen, absorbed.opacity);
+    if (!areWhole && terms.effects.has(Effect::region)) {
+      absorbed.seen = weighed(step, absorbed.seen, false, absorbed.opacity);
       absorbed.extinction = minusLog1mOpacity(absorbed.opacity);
     }
     return absorbed;
@@ -139,8 +140,8 @@ struct Samples {
     const EffectSet& effects = terms.effects;
     VF perUnit = hn::Zero(floats);
     const Absorbed absorbed = effects.has(Effect::preintegration)
-                                  ? absorbedOver(step, wanted, perUnit)
-                                  : absorbedBy(scalarAt(step), step, wanted, true);
+                                  ? absorbedOver(step, wanted, false, perUnit)
+                                  : absorbedBy(scalarAt(step), step, wanted, false, true);
     Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
     if (hn::AllFalse(floats, absorbed.seen))
       return result;

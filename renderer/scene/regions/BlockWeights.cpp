@@ -18,7 +18,9 @@ struct WeightRange {
   }
 
   BlockWeight kind() const {
-    return !(most > 0.0) ? BlockWeight::none : least < most ? BlockWeight::varying : BlockWeight::same;
+    if (least < most)
+      return BlockWeight::varying;
+    return !(most > 0.0) ? BlockWeight::none : least < 1.0 ? BlockWeight::same : BlockWeight::all;
   }
 };
 

@@ -9,7 +9,8 @@ namespace limn {
 
 /// What a region leaves of a block of cells.
 enum class BlockWeight : std::uint8_t {
-  same,   ///< everywhere as much
+  all,    ///< everything everywhere
+  same,   ///< everywhere as much of it
   none,   ///< nothing anywhere
   varying ///< here more than there
 };

@@ -339,7 +339,7 @@ BlockSteps blockSteps(const BlockFacts& facts, const std::vector<TransferFunctio
     rows.forEachRow(piece, [&](int j, int k) {
       const std::size_t first = voxelOffset(facts.blocks, 0, j, k);
       for (std::size_t i = first; i < first + static_cast<std::size_t>(facts.blocks.x); ++i)
-        steps.rungs[i] = rungsOf(facts.facts[i], weights.empty() ? BlockWeight::same : weights[i],
+        steps.rungs[i] = rungsOf(facts.facts[i], weights.empty() ? BlockWeight::all : weights[i],
                                  looks.empty() ? LookBits{1} : looks[i]);
     });
   });

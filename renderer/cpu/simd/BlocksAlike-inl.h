@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far nothing can be seen along a ray.
-#if defined(LIMN_CPU_EMPTY_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef LIMN_CPU_EMPTY_SPACE_INL_H
-#undef LIMN_CPU_EMPTY_SPACE_INL_H
+// How far blocks are alike along a ray: such as show nothing, and such as a region keeps wholly.
+#if defined(LIMN_CPU_BLOCKS_ALIKE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_CPU_BLOCKS_ALIKE_INL_H
+#undef LIMN_CPU_BLOCKS_ALIKE_INL_H
 #else
-#define LIMN_CPU_EMPTY_SPACE_INL_H
+#define LIMN_CPU_BLOCKS_ALIKE_INL_H
 #endif
 
 #include "cpu/rays/PictureTerms.h"
@@ -17,13 +17,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
-/// The samples of a ray in units of blocks (shaders/empty_space.glsl).
-class EmptySteps {
+/// The steps of a ray in units of blocks that are alike (shaders/empty_space.glsl).
+class StepsAlike {
 public:
-  /// Of pre-integrated steps both ends must be empty: they lie before and behind their samples.
-  EmptySteps(const EmptySpace& empty, const Ray& ray, bool isPreintegrated)
-      : m_empty(empty), m_behind(isPreintegrated ? 1.0f : 0.0f) {
-    if (!empty.distances)
+  /// Of pre-integrated steps both ends must lie in such blocks: they are before and behind their samples.
+  StepsAlike(const BlocksAlike& blocks, const Ray& ray, bool isPreintegrated)
+      : m_alike(blocks), m_behind(isPreintegrated ? 1.0f : 0.0f) {
+    if (!blocks.distances)
       return;
     for (int axis = 0; axis < 3; ++axis) {
       const float before = isPreintegrated ? ray.offset * ray.stride[axis] : 0.0f;
@@ -35,35 +35,61 @@ public:
     }
   }
 
-  /// How many samples from sample `i` on lie in empty blocks.
+  /// How many samples from sample `i` on lie in blocks alike.
   HWY_INLINE int samplesFrom(int i) const {
-    if (!m_empty.distances)
-      return 0;
-    const glm::vec3 p = m_first + static_cast<float>(i) * m_advance;
-    const glm::ivec3 last = m_empty.first + m_empty.blocks - 1;
-    const glm::ivec3 block = glm::clamp(glm::ivec3(glm::floor(p)), m_empty.first, last);
-    const glm::ivec3 place = block - m_empty.first;
-    const std::uint8_t distance = m_empty.distances[voxelOffset(m_empty.blocks, place.x, place.y, place.z)];
+    const float steps = stepsFrom(static_cast<float>(i));
+    return steps == 0.0f ? 0 : static_cast<int>(clampedCount(std::ceil(steps) - m_behind));
+  }
+
+  /// How many steps from `at`, itself in steps, lie in blocks alike; 0 where that one does not.
+  HWY_INLINE float stepsFrom(float at) const {
+    if (!m_alike.distances)
+      return 0.0f;
+    const glm::vec3 p = m_first + at * m_advance;
+    const glm::ivec3 last = m_alike.first + m_alike.blocks - 1;
+    const glm::ivec3 block = glm::clamp(glm::ivec3(glm::floor(p)), m_alike.first, last);
+    const glm::ivec3 place = block - m_alike.first;
+    const std::uint8_t distance = m_alike.distances[voxelOffset(m_alike.blocks, place.x, place.y, place.z)];
     if (distance == 0)
-      return 0;
+      return 0.0f;
     // Leave the cube of blocks through the face ahead on each axis, the nearest first.
     const float reach = static_cast<float>(distance) - 0.5f;
     const glm::vec3 steps = (glm::vec3(block) + 0.5f - p) * m_samples + reach * glm::abs(m_samples) + m_still;
-    const float alike = std::ceil(std::min({steps.x, steps.y, steps.z})) - m_behind;
-    return static_cast<int>(std::clamp(alike, 0.0f, 60000.0f));
+    return clampedCount(std::min({steps.x, steps.y, steps.z}));
   }
 
 private:
-  const EmptySpace& m_empty;
+  HWY_INLINE static float clampedCount(float steps) { return std::clamp(steps, 0.0f, 60000.0f); }
+
+  const BlocksAlike& m_alike;
   float m_behind;
   glm::vec3 m_first{0.0f}, m_advance{0.0f};
   glm::vec3 m_samples{0.0f}; // per block along each axis; 0 where the ray does not follow the axis
   glm::vec3 m_still{0.0f};   // beyond all samples where the ray does not follow the axis
 };
 
-/// Lets rays begin with their first sample that does not lie in an empty block. Twin of EmptySteps for
+/// How far along a ray a region keeps everything, so that its weights need not be read.
+class WholeAlong {
+public:
+  WholeAlong(const PictureTerms& terms, const Ray& ray) : m_steps(terms.whole, ray, false) {}
+
+  /// Whether it is known to keep all between two places, in steps; quick where each is behind those before.
+  HWY_INLINE bool isWhole(float from, float to) {
+    if (from < m_from || to > m_to) {
+      m_from = from;
+      m_to = from + m_steps.stepsFrom(from);
+    }
+    return to < m_to;
+  }
+
+private:
+  StepsAlike m_steps;
+  float m_from = 0.0f, m_to = 0.0f;
+};
+
+/// Lets rays begin with their first sample that does not lie in an empty block. Twin of StepsAlike for
 /// several rays: a leap waits for the distance of the one before, and those of other rays use the time.
-HWY_NOINLINE void leapToFirst(const EmptySpace& empty, bool isPreintegrated, Rays& rays) {
+HWY_NOINLINE void leapToFirst(const BlocksAlike& empty, bool isPreintegrated, Rays& rays) {
   const VF behind = all(isPreintegrated ? 1.0f : 0.0f);
   const VF perBlock = all(1.0f / blockSize);
   VF first[3], advance[3], samples[3], reaches[3], still[3];
