@@ -25,11 +25,6 @@ const std::string snapshotName = "(before)";
 // Narrower pictures show less of two models than one picture of both.
 constexpr int leastOfTwo = 400; // pixels
 
-// Where they lie may differ: orientation can be set by hand.
-bool haveSameVoxels(const Volume* a, const Volume* b) {
-  return a == b || (a && b && a->sharesVoxelsWith(*b));
-}
-
 /// The models of the pictures: a menu and a button of the tool bar for each side, which name the model that
 /// is shown and change it. Of a single picture there is one of each.
 class ModelMenus : public QObject {
@@ -296,7 +291,7 @@ void ComparisonController::RightModel::choose(ShadingModel model) {
 // scene.
 void ComparisonController::followModel(const Scene& scene) {
   const bool had = std::exchange(m_hasPhysical, scene.shading.model == ShadingModel::physical);
-  if (had == m_hasPhysical || !haveSameVoxels(m_volume.get(), scene.volume.get()))
+  if (had == m_hasPhysical || !haveSameVoxels(m_volume, scene.volume))
     return;
   setRightPhysical(m_hasPhysical);
 }
@@ -400,7 +395,7 @@ void ComparisonController::showOpened() {
 
 void ComparisonController::show() {
   const Scene& scene = m_context.session.scene();
-  if (!haveSameVoxels(m_volume.get(), scene.volume.get())) {
+  if (!haveSameVoxels(m_volume, scene.volume)) {
     m_snapshot.reset();
     m_look.reset();
     m_ownModel.reset();

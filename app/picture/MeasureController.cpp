@@ -85,10 +85,10 @@ MeasureController::MeasureController(WindowContext& context)
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) {
     if (scene.volume == m_volume)
       return;
-    m_volume = scene.volume;
-    m_measured.clear(); // what they said was said of another
+    if (!haveSameVoxels(std::exchange(m_volume, scene.volume), scene.volume))
+      m_inHand.reset();
+    m_measured.clear(); // what they said was said of other places
     m_hidden.clear();
-    m_inHand.reset();
     m_open.reset();
     m_led.reset();
     refresh();
@@ -97,7 +97,8 @@ MeasureController::MeasureController(WindowContext& context)
   // Once slices know the other volume, so that they take back nothing of the one before.
   context.followers.add(SceneFollowers::Stage::after,
                         [this, armedFor = m_volume](const Scene& scene) mutable {
-                          if (std::exchange(armedFor, scene.volume) != scene.volume)
+                          const auto before = std::exchange(armedFor, scene.volume);
+                          if (!haveSameVoxels(before, scene.volume))
                             layAside();
                         });
 }
