@@ -143,16 +143,23 @@ std::string withoutPatient(std::string_view name, const PatientLabel& patient) {
     tells[n] = tells[n] || (tells[n - 1] && words[n - 1].isNumber && words[n].isNumber);
   for (std::size_t n = words.size(); n-- > 1;)
     tells[n - 1] = tells[n - 1] || (tells[n] && words[n].isNumber && words[n - 1].isNumber);
+  // What is written in several words.
+  for (std::size_t first = 0; first < words.size(); ++first) {
+    std::string run;
+    for (std::size_t last = first; last < words.size(); ++last) {
+      run += words[last].folded;
+      if (std::ranges::find(sought, run) != sought.end())
+        std::fill(tells.begin() + static_cast<std::ptrdiff_t>(first),
+                  tells.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+    }
+  }
   if (std::ranges::none_of(tells, std::identity()))
     return std::string(name);
-  std::string left, all;
+  std::string left;
   for (std::size_t n = 0; n < words.size(); ++n)
-    if (!tells[n]) {
+    if (!tells[n])
       left.append(left.empty() ? "" : "_").append(words[n].text);
-      all += words[n].folded;
-    }
-  // A name that is written in two words.
-  return holdsOneOf(all, sought) ? std::string() : left;
+  return left;
 }
 
 std::string structureName(const std::filesystem::path& file, const PatientLabel& patient) {

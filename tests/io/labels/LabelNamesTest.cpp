@@ -44,6 +44,9 @@ TEST(LabelNames, tellNobodysName) {
                                    {"liver-of-meier.nrrd", "liver of"},
                                    {"annameier_kidney_left_mask.nii", "kidney left"},
                                    {"rib 7 P12345.mha", "rib 7"},
+                                   {"P-12-345_liver.mha", "liver"},
+                                   {"Mei_er_liver.mha", "liver"},
+                                   {"plan_eye_lens.nii", "plan eye lens"},
                                    {"l\u00e4_spleen.nii", "spleen"}, // a short part, as a word
                                    {"2024-01-05_liver.nii.gz", "liver"},
                                    {"05.01.2024 liver.nii.gz", "liver"},
