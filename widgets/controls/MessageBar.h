@@ -49,8 +49,9 @@ public:
 
   /// Whether what it says then is a question, to which nobody has answered yet.
   bool isAsking() const { return m_isWanted && m_kind == Kind::question; }
-  /// Whether it is that something went wrong.
+  /// Whether it is that something went wrong, or a note.
   bool isError() const { return m_isWanted && m_kind == Kind::error; }
+  bool isNote() const { return m_isWanted && m_kind == Kind::note; }
 
   /// How long a note stands, ms: as long as reading it takes twice.
   static int readingMs(const QString& sentence);
@@ -83,8 +84,8 @@ private:
   bool m_isBriefWhenLate = false;
 };
 
-/// Shows one message at a time: of those that want to be seen the first error, or else the first. The others
-/// follow once it is gone.
+/// Shows one message at a time: of those that want to be seen the first, but no note before an error. The
+/// others follow once it is gone.
 class MessageOrder : public QObject {
   Q_OBJECT
 

@@ -157,7 +157,7 @@ TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {
   bar("keptBar").show(MessageBar::Kind::note, QStringLiteral("Your work is kept."));
   EXPECT_TRUE(bar("keptBar").isVisible() && !messages().isVisible());
   messages().show(MessageBar::Kind::error, QStringLiteral("This went wrong."));
-  EXPECT_TRUE(messages().isVisible() && !bar("keptBar").isVisible()) << "errors wait for nothing";
+  EXPECT_TRUE(messages().isVisible() && !bar("keptBar").isVisible()) << "errors wait for no note";
   messages().hide();
   EXPECT_TRUE(bar("keptBar").isVisible()) << "not lost";
   bar("keptBar").hide();
