@@ -18,6 +18,7 @@ struct MeasurementsEdited {
   std::vector<Measurement> measurements;
   std::optional<std::size_t> inHand;
   Gesture gesture;
+  std::optional<std::size_t> next{}; ///< which place of the one in hand is still to come, while it is drawn
 };
 
 /// Whether pictures show it: all but ellipses, which lie in what a slice shows.

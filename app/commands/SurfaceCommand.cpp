@@ -119,8 +119,8 @@ Written writeValues(const Scene& scene, const std::vector<double>& values, Surfa
 
 Written writeLabels(const Scene& scene, const SurfaceArguments& arguments, const SurfaceOrder& order,
                     const Progress& progress) {
-  const Segmentation labels =
-      readSegmentation(arguments.labels, gridOfFile(*scene.volume), part(progress, 0.0, 0.2));
+  const Segmentation labels = readSegmentation(arguments.labels, gridOfFile(*scene.volume),
+                                               part(progress, 0.0, 0.2), scene.volume->info().patient);
   if (!labels.remark.empty() && !arguments.source.quiet)
     note(labels.remark.english());
   const std::vector<LabelSurface> surfaces = labelSurfaces(labels.region, arguments.out);

@@ -9,6 +9,10 @@
 
 namespace limn {
 
+bool haveSameVoxels(const std::shared_ptr<const Volume>& a, const std::shared_ptr<const Volume>& b) {
+  return a == b || (a && b && a->sharesVoxelsWith(*b));
+}
+
 Scene withProjection(Scene scene, Projection projection, const Histogram& histogram) {
   scene.projection = projection;
   if (!usesIsovalue(projection) || !scene.volume)
@@ -34,13 +38,14 @@ Camera withProjection(Camera camera, Camera::Projection projection) {
 
 /// Replaces scene and preset in use, keeping the camera of the moment. Each cut has a map of labels of its
 /// own, a byte or two for each voxel: steps hold them packed. Where the volume lies otherwise from now on,
-/// what was measured goes with it and comes back with it.
+/// what was measured stays on its tissue.
 class SceneEdit : public QUndoCommand {
 public:
   SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture)
       : QUndoCommand(gesture.text), m_session(session),
         m_before(stateOf(session, session.m_scene, session.m_preset, session.m_measurements)),
-        m_after(stateOf(session, scene, preset, {})), m_gesture(gesture.id), m_called(gesture.text) {
+        m_after(stateOf(session, scene, preset, measuredIn(session, scene.volume))), m_gesture(gesture.id),
+        m_called(gesture.text) {
     setText(changeText(m_before.scene, m_after.scene, m_called));
   }
 
@@ -75,6 +80,14 @@ private:
     std::shared_ptr<const PackedLabels> labels = session.packed(scene.keep.labels);
     scene.keep.labels.reset();
     return {std::move(scene), std::move(labels), preset, std::move(measurements)};
+  }
+
+  static std::vector<Measurement> measuredIn(const Session& session,
+                                             const std::shared_ptr<const Volume>& volume) {
+    const std::shared_ptr<const Volume>& before = session.m_scene.volume;
+    return before && haveSameVoxels(before, volume)
+               ? measurementsMoved(session.m_measurements, before->grid(), volume->grid())
+               : std::vector<Measurement>();
   }
 
   void show(const State& state) {

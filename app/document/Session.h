@@ -18,6 +18,10 @@
 
 namespace limn {
 
+/// Whether both show the same voxels: where they lie may differ, because orientation can be set by hand. None
+/// is like none.
+bool haveSameVoxels(const std::shared_ptr<const Volume>& a, const std::shared_ptr<const Volume>& b);
+
 /// The scene with another projection. A surface at a value that the volume does not have, or one in
 /// Hounsfield units in other data, begins between background and object; `histogram` is the volume's.
 Scene withProjection(Scene scene, Projection projection, const Histogram& histogram);
@@ -83,7 +87,8 @@ public:
   void setPlanes(const PlaneSettings& settings);
 
   /// What was measured and named in the volume, in slices and in the picture. Measured anew as one undo step,
-  /// as `edit` does; a volume that is opened, or that lies otherwise from now on, brings its own or none.
+  /// as `edit` does; a volume that is opened brings its own or none. Where one lies otherwise from now on
+  /// they stay on their tissue.
   const std::vector<Measurement>& measurements() const { return m_measurements; }
   void setMeasurements(const std::vector<Measurement>& measurements, const Gesture& gesture);
 

@@ -33,7 +33,6 @@ const std::string engineKey = "engine";
 const std::string galleryKey = "presetGallery";
 const std::string keepLightKey = "presetsKeepLight";
 const std::string tourKey = "tourIsKnown";
-const std::string keepingKey = "keepingIsKnown";
 const std::string pictureKey = "pictureOptions";
 const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
@@ -343,14 +342,6 @@ bool Settings::presetsKeepLight() const {
 
 void Settings::setPresetsKeepLight(bool keepLight) {
   set(keepLightKey, written(keepLight));
-}
-
-bool Settings::keepingIsKnown() const {
-  return text(keepingKey) == written(true);
-}
-
-void Settings::setKeepingIsKnown(bool isKnown) {
-  set(keepingKey, written(isKnown));
 }
 
 QString Settings::pictureOptions() const {

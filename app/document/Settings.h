@@ -116,10 +116,6 @@ public:
   bool presetsKeepLight() const;
   void setPresetsKeepLight(bool keepLight);
 
-  /// Whether it was said that changed work is kept when it is left; false at first.
-  bool keepingIsKnown() const;
-  void setKeepingIsKnown(bool isKnown);
-
   /// How a picture was saved last, as PictureDialog writes it; empty at first.
   QString pictureOptions() const;
   void setPictureOptions(const QString& options);

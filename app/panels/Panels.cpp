@@ -14,6 +14,7 @@
 #include "widgets/properties/LabelSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/Overlay.h"
 
 #include <QStyledItemDelegate>
 #include <QUndoView>
@@ -210,9 +211,14 @@ void EmphasisController::show(std::optional<std::size_t> point) {
   const TransferFunction& curve = m_curves.curveInHand();
   const bool isShown = scene.volume && point && *point < curve.points.size();
   emit lit(isShown ? point : std::nullopt, isShown ? m_curves.labelInHand() : std::nullopt);
-  if (isShown)
+  QString what;
+  if (isShown) {
+    what = tr("in green what the point at %1 governs")
+               .arg(readingText(curve.points[*point].value, *scene.volume));
     scene = m_curves.withCurveInHand(withPointEmphasised(curve, *point));
+  }
   m_context.view.setScene(scene); // until the session's own ends it
+  m_context.view.setPreview(what.toStdString());
 }
 
 Panels::Panels(WindowContext& context)

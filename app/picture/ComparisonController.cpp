@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/ComparisonController.h"
 
+#include "app/picture/ModelMenus.h"
 #include "app/window/WindowContext.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/shading/ModelSection.h"
@@ -24,84 +25,6 @@ const std::string snapshotName = "(before)";
 
 // Narrower pictures show less of two models than one picture of both.
 constexpr int leastOfTwo = 400; // pixels
-
-// Where they lie may differ: orientation can be set by hand.
-bool haveSameVoxels(const Volume* a, const Volume* b) {
-  return a == b || (a && b && a->sharesVoxelsWith(*b));
-}
-
-/// The models of the pictures: a menu and a button of the tool bar for each side, which name the model that
-/// is shown and change it. Of a single picture there is one of each.
-class ModelMenus : public QObject {
-public:
-  /// A model was chosen for a side: 0 left, or the only one, 1 right.
-  using Choose = std::function<void(int side, ShadingModel model)>;
-  /// A menu of presets for a side opens and is to be filled.
-  using Fill = std::function<void(QMenu* menu, int side)>;
-
-  // Last in the tool bar: the buttons come, go and change their width with the layout, and move nothing.
-  ModelMenus(ActionList& actions, const Choose& choose, const Fill& fill, QObject* parent) : QObject(parent) {
-    const std::array names{"model-left-", "model-right-"}, buttons{"modelButton", "rightModelButton"};
-    for (int side = 0; side < 2; ++side) {
-      const auto place = static_cast<std::size_t>(side);
-      Side& its = m_sides[place];
-      its.group = actions.addGroup();
-      its.menu = actions.addMenu({}, {Menu::view, 2, 2 + side});
-      for (const ShadingModel model : shadingModels)
-        its.menu->addAction(actions.addChoice(*its.group, QLatin1String(names[place]) + nameOf(model),
-                                              static_cast<int>(model),
-                                              {.text = modelName(model), .needsVolume = true}));
-      its.menu->addSeparator();
-      QMenu* presets = its.menu->addMenu(ComparisonController::tr("&Preset"));
-      connect(presets, &QMenu::aboutToShow, this, [fill, presets, side] { fill(presets, side); });
-      its.button = actions.makeMenuButton(QLatin1String(buttons[place]), QToolButton::InstantPopup);
-      its.place = actions.addMenuButton(*its.button, its.menu, {7, side});
-      const QAction* choice = its.group->actions().front(); // enabled as all of its group are
-      connect(choice, &QAction::enabledChanged, its.button, &QWidget::setEnabled);
-      connect(its.group, &QActionGroup::triggered, this, [choose, side](const QAction* action) {
-        choose(side, static_cast<ShadingModel>(action->data().toInt()));
-      });
-    }
-  }
-
-  /// The models in the pictures on screen, from left to right: one or two.
-  void show(const std::vector<ShadingModel>& models) const {
-    const bool isSingle = models.size() < 2;
-    const std::array menuTexts{isSingle ? ComparisonController::tr("&Model")
-                                        : ComparisonController::tr("Left &model"),
-                               ComparisonController::tr("R&ight model")};
-    const std::array buttonTexts{isSingle ? ComparisonController::tr("%1")
-                                          : ComparisonController::tr("Left: %1"),
-                                 ComparisonController::tr("Right: %1")};
-    const std::array toolTips{
-        isSingle ? ComparisonController::tr("The shading model of the picture: how tissue is lit.")
-                 : ComparisonController::tr("The shading model of the left side."),
-        ComparisonController::tr("The shading model of the right side.")};
-    for (std::size_t side = 0; side < m_sides.size(); ++side) {
-      const Side& its = m_sides[side];
-      const bool isShown = side < models.size();
-      its.menu->menuAction()->setVisible(isShown);
-      its.place->setVisible(isShown);
-      if (!isShown)
-        continue;
-      const QString text = buttonTexts[side].arg(modelName(models[side]));
-      checkOnly(*its.group, static_cast<int>(models[side]));
-      its.menu->setTitle(menuTexts[side]);
-      its.button->setText(text);
-      its.button->setToolTip(toolTips[side]);
-      its.button->setAccessibleName(ComparisonController::tr("Model: %1").arg(text));
-    }
-  }
-
-private:
-  struct Side {
-    QActionGroup* group = nullptr;
-    QMenu* menu = nullptr;
-    QToolButton* button = nullptr;
-    QAction* place = nullptr; ///< of the button in the tool bar
-  };
-  std::array<Side, 2> m_sides;
-};
 
 /// A step between two states, the second of which is shown as it is pushed.
 class ComparisonEdit : public QUndoCommand {
@@ -156,6 +79,15 @@ void ComparisonController::addLayouts() {
     setLayout(static_cast<CompareLayout>(chosen->data().toInt()));
     emit layoutChosen();
   });
+  m_swap = m_context.actions.add(
+      QStringLiteral("swapSides"),
+      {.text = tr("S&wap the sides"),
+       .place = {Menu::preset, 3, 4},
+       .toolTip = tr("From now on what is at the left stands at the right, and the other way round; of two "
+                     "looks the right one is edited. Space shows the other side while it is held.")});
+  m_swap->setEnabled(false);
+  connect(m_swap, &QAction::triggered, this, &ComparisonController::swapSides);
+  connect(&m_context.view, &CompareView::swapAsked, this, &ComparisonController::swapSides);
 }
 
 void ComparisonController::addModels() {
@@ -296,7 +228,7 @@ void ComparisonController::RightModel::choose(ShadingModel model) {
 // scene.
 void ComparisonController::followModel(const Scene& scene) {
   const bool had = std::exchange(m_hasPhysical, scene.shading.model == ShadingModel::physical);
-  if (had == m_hasPhysical || !haveSameVoxels(m_volume.get(), scene.volume.get()))
+  if (had == m_hasPhysical || !haveSameVoxels(m_volume, scene.volume))
     return;
   setRightPhysical(m_hasPhysical);
 }
@@ -343,6 +275,42 @@ void ComparisonController::compareModels() {
   show();
   if (!wasSnapshot)
     note(before, tr("compare models"));
+}
+
+// Of two looks that at the left becomes the scene's own, because the right one is edited; names go along.
+void ComparisonController::swapSides() {
+  if (!m_swap->isEnabled())
+    return;
+  const Compared before = compared();
+  const QString text = tr("swap the sides");
+  if (!m_look) {
+    const ShadingModel left = std::exchange(m_left, m_right.shown);
+    m_right.choose(left);
+    show();
+    return note(before, text);
+  }
+  const ComparedLook both = *comparedLook();
+  const Scene scene = m_context.session.scene();
+  const OpenDocument::PresetInUse named = m_context.document.presetInUse();
+  Preset left = presetOf(scene, named.name.empty() || named.isModified ? both.names[1] : named.name);
+  left.isWhole = true;
+  left.shading->model = ownModel().value_or(scene.shading.model);
+  Preset own = both.shown;
+  own.name = m_look->name == snapshotName ? both.names[0] : m_look->name;
+  Scene next = withPreset(scene, own);
+  if (m_ownModel)
+    next.shading.model = scene.shading.model;
+  QUndoStack& steps = m_context.session.undoStack();
+  const Gesture gesture{nextGestureId(), text};
+  steps.beginMacro(text);
+  m_context.session.usePreset(own, gesture);
+  m_context.session.edit(next, gesture);
+  m_look = left;
+  if (m_ownModel)
+    m_ownModel->choose(own.shading->model);
+  show();
+  note(before, text);
+  steps.endMacro();
 }
 
 void ComparisonController::takeSnapshot() {
@@ -400,7 +368,7 @@ void ComparisonController::showOpened() {
 
 void ComparisonController::show() {
   const Scene& scene = m_context.session.scene();
-  if (!haveSameVoxels(m_volume.get(), scene.volume.get())) {
+  if (!haveSameVoxels(m_volume, scene.volume)) {
     m_snapshot.reset();
     m_look.reset();
     m_ownModel.reset();
@@ -411,6 +379,7 @@ void ComparisonController::show() {
   m_compareSnapshot->setEnabled(m_snapshot.has_value());
   m_compareSnapshot->setChecked(m_look && m_look->name == snapshotName && !isSingle);
   m_compareModels->setEnabled(m_look && !isSingle);
+  m_swap->setEnabled(scene.volume && !isSingle);
   const ShadingModel own = isSingle ? scene.shading.model : ownModel().value_or(scene.shading.model);
   emit modelsShown(isSingle ? std::vector{own}
                    : m_look ? std::vector{m_look->shading->model, own}

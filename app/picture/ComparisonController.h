@@ -46,6 +46,10 @@ public:
   /// touched. An undo step, unless it is the snapshot.
   void compareWith(const Preset& look, int keptSide = 1);
 
+  /// What is at the left stands at the right from now on, and the other way round: models, or looks with
+  /// their names, of which that at the right becomes the scene's own. One undo step. Nothing of one picture.
+  void swapSides();
+
   /// The look that is compared with the scene's own, unless models are.
   std::optional<ComparedLook> comparedLook() const;
 
@@ -121,6 +125,7 @@ private:
   bool m_hasSlices = false;             ///< beside the picture
   QAction* m_compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* m_compareModels = nullptr;   ///< enabled while looks are compared
+  QAction* m_swap = nullptr;            ///< enabled while there are two pictures
   ShadingModel m_left = ShadingModel::classic;
   RightModel m_right;
   std::optional<Preset> m_snapshot;

@@ -276,7 +276,7 @@ void CutController::putDown() {
 // What is lit stays so while the camera moves, and goes out with what it is a part of.
 void CutController::showScene(const Scene& scene) {
   const bool isOther = scene.volume != m_volume || scene.keep != m_keep;
-  const bool isOtherVolume = scene.volume != m_volume;
+  const bool isOtherVolume = !haveSameVoxels(scene.volume, m_volume);
   m_volume = scene.volume;
   m_keep = scene.keep;
   if (isOther && (m_piece || m_work.isRunning()))

@@ -50,7 +50,18 @@ QString hintFor(std::optional<Measurement::Kind> inPicture, std::optional<Measur
   case Kind::ellipse:
     break;
   }
-  return MeasureController::tr("In a slice, drag from corner to corner");
+  return MeasureController::tr("In a slice, drag from corner to corner or click both");
+}
+
+// While one is drawn: its next place, and how it ends. Nothing of what has but one.
+QString nextHint(Measurement::Kind kind, std::size_t place) {
+  if (kind == Measurement::Kind::mark)
+    return {};
+  if (kind == Measurement::Kind::ellipse)
+    return MeasureController::tr("Now the opposite corner, which ends it. Esc takes it back.");
+  if (kind == Measurement::Kind::angle && place < 2)
+    return MeasureController::tr("Now the corner of the angle. Esc takes it back.");
+  return MeasureController::tr("Now the other end, which ends it. Esc takes it back.");
 }
 
 } // namespace
@@ -85,19 +96,21 @@ MeasureController::MeasureController(WindowContext& context)
   context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) {
     if (scene.volume == m_volume)
       return;
-    m_volume = scene.volume;
-    m_measured.clear(); // what they said was said of another
+    if (!haveSameVoxels(std::exchange(m_volume, scene.volume), scene.volume))
+      m_inHand.reset();
+    m_measured.clear(); // what they said was said of other places
     m_hidden.clear();
-    m_inHand.reset();
     m_open.reset();
     m_led.reset();
+    sayNext({});
     refresh();
     showBar();
   });
   // Once slices know the other volume, so that they take back nothing of the one before.
   context.followers.add(SceneFollowers::Stage::after,
                         [this, armedFor = m_volume](const Scene& scene) mutable {
-                          if (std::exchange(armedFor, scene.volume) != scene.volume)
+                          const auto before = std::exchange(armedFor, scene.volume);
+                          if (!haveSameVoxels(before, scene.volume))
                             layAside();
                         });
 }
@@ -113,6 +126,8 @@ void MeasureController::edit(const MeasurementsEdited& edited) {
   if (!m_volume)
     return;
   m_inHand = edited.inHand;
+  sayNext(edited.next && m_inHand ? nextHint(edited.measurements.at(*m_inHand).kind, *edited.next)
+                                  : QString());
   m_measured = measuredIn(m_volume.get(), edited.measurements, m_measured);
   if (edited.measurements == m_context.session.measurements())
     return show(); // another one is in hand
@@ -125,8 +140,10 @@ void MeasureController::edit(const MeasurementsEdited& edited) {
 // What is said of those that stayed as they were is not found anew.
 void MeasureController::refresh() {
   m_measured = measuredIn(m_volume.get(), m_context.session.measurements(), m_measured);
-  if (m_inHand && *m_inHand >= m_measured.size())
+  if (m_inHand && *m_inHand >= m_measured.size()) {
     m_inHand.reset();
+    sayNext({}); // what was drawn was undone
+  }
   if (std::vector<Measurement> now = placed(); now != m_lookedFor) {
     if (now.size() != m_lookedFor.size())
       m_hidden.clear(); // of others
@@ -206,6 +223,7 @@ void MeasureController::remove() {
 // Another tool leaves what has not all of its places.
 void MeasureController::showTool() {
   m_open.reset();
+  sayNext({});
   show();
   showBar();
 }
@@ -215,8 +233,10 @@ void MeasureController::showBar() {
   const std::optional<Measurement::Kind> inPicture = kindOf(m_context.view.tool());
   const std::optional<Measurement::Kind> inSlices =
       hasSlices ? kindOf(m_context.planes.tool()) : std::nullopt;
-  if (!m_volume || (!inPicture && !inSlices))
+  if (!m_volume || (!inPicture && !inSlices)) {
+    sayNext({});
     return m_bar->putAway();
+  }
   const QString hint = hintFor(inPicture, inSlices);
   if (m_bar->isOut() && m_bar->hint() == hint) // slices are scrolled
     return m_bar->lookAgain();
@@ -248,8 +268,10 @@ void MeasureController::pick(const Ray& ray, int side) {
   if (!m_open)
     m_open = Measurement{*kind, std::nullopt, {}};
   m_open->placesMm.push_back(*place);
-  if (m_open->placesMm.size() < placesOf(*kind))
+  if (m_open->placesMm.size() < placesOf(*kind)) {
+    sayNext(nextHint(*kind, m_open->placesMm.size()));
     return show();
+  }
   std::vector<Measurement> measurements = m_context.session.measurements();
   if (*kind == Measurement::Kind::mark)
     m_open->name = freeName(measurements);
@@ -278,6 +300,18 @@ void MeasureController::lead(const Ray& ray, int side) {
   Measurement& led = measurements[m_led->handle.number];
   led.placesMm[m_led->handle.place] = *place;
   edit({std::move(measurements), m_led->handle.number, {m_led->gesture, {}}});
+}
+
+// It stands until that place is there, and hides nothing else that was said meanwhile.
+void MeasureController::sayNext(const QString& hint) {
+  QStatusBar& bar = *m_context.window.statusBar();
+  const QString before = std::exchange(m_next, hint);
+  if (before == hint)
+    return;
+  if (!hint.isEmpty())
+    bar.showMessage(hint);
+  else if (bar.currentMessage() == before)
+    bar.clearMessage();
 }
 
 void MeasureController::say(const QString& sentence) const {

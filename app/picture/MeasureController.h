@@ -55,6 +55,7 @@ private:
   void lead(const Ray& ray, int side);
   std::optional<glm::dvec3> placeSeen(const Ray& ray, int side);
   void say(const QString& sentence) const;
+  void sayNext(const QString& hint); ///< or, empty, that nothing is being drawn any more
 
   // A handle that is being led in the picture.
   struct Led {
@@ -70,6 +71,7 @@ private:
   std::optional<std::size_t> m_inHand;
   std::optional<Measurement> m_open; ///< that lacks places, which are being picked in the picture
   std::optional<Led> m_led;
+  QString m_next;             ///< what was said to do next of what is being drawn
   bool m_isAtRest = false;    ///< the picture
   std::vector<bool> m_hidden; ///< which of them lay behind what was seen when it came to rest; may be shorter
   std::vector<Measurement> m_lookedFor;

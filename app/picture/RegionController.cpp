@@ -139,7 +139,8 @@ void RegionController::openLabels(const QString& path) {
   start(tr("Opening labels"), {nextGestureId(), tr("open labels")},
         [path, body = m_body, hides = hidesTable(m_context.session.scene().keep)](const Volume& volume,
                                                                                   const Progress& progress) {
-          const Segmentation labels = readSegmentation(path.toStdString(), gridOfFile(volume), progress);
+          const Segmentation labels =
+              readSegmentation(path.toStdString(), gridOfFile(volume), progress, volume.info().patient);
           // What was hidden beside the body stays hidden.
           return FoundRegion{hides ? withBodyOf(labels.region, volume, body, progress).region : labels.region,
                              labels.remark, false};

@@ -62,13 +62,15 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
                              const std::optional<MemoryBudget>& itsMemory)
     : window(itsWindow), folders(std::move(itsFolders)), memory(itsMemory), settings(folders.settings),
       session(&window), document(session), actions(window), docks(window), m_column(columnIn(window)),
-      recovery(addBar("recoveryBar")), unsafe(addBar("unsafeBar")), patient(addBar("patientBar")),
-      tour(addBar("tourBar")), messages(addBar("messageBar")),
+      recovery(addBar("recoveryBar")), unsafe(addBar("unsafeBar")), kept(addBar("keptBar")),
+      patient(addBar("patientBar")), tour(addBar("tourBar")), messages(addBar("messageBar")),
       view(*new CompareView(enginesOf(openGl, memory), chosenEngine(engineFacts(settings.engine())).engine,
                             window.centralWidget())),
       planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
   m_column.addWidget(&planes, 1);
-  new MessageOrder({&unsafe, &recovery, &messages, &patient, &tour}, &window);
+  new MessageOrder({&unsafe, &recovery, &kept, &messages, &patient, &tour}, &window);
+  for (MessageBar* bar : {&patient, &tour})
+    bar->setBriefWhenLate(true);
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
@@ -94,7 +96,7 @@ MakingOptions WindowContext::drawnLikeTheView() const {
 }
 
 void WindowContext::keepClearOfMessages(HintBar& bar) const {
-  const std::array<MessageBar*, 5> bars{&recovery, &unsafe, &patient, &tour, &messages};
+  const std::array<MessageBar*, 6> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages};
   bar.setCoveredBelow([&seen = view, bars] {
     int covered = 0;
     for (const MessageBar* message : bars)

@@ -105,6 +105,7 @@ private:
 public:
   MessageBar& recovery; ///< offers what an earlier window left behind
   MessageBar& unsafe;   ///< says so as long as the session cannot be kept
+  MessageBar& kept;     ///< says that what was left with changes can be had back
   MessageBar& patient;  ///< asks once whether a patient may be named
   MessageBar& tour;     ///< offers a tour of the window, once
   MessageBar& messages;

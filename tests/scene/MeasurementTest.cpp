@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/view/Measurement.h"
 
+#include "scene/volume/Orientation.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,6 +61,29 @@ TEST(Measurement, marksTakeTheFirstNumberThatIsFree) {
   EXPECT_EQ(freeName(list), "4");
   list.erase(list.begin());
   EXPECT_EQ(freeName(list), "1");
+}
+
+// Columns ran to the left, rows to the back, slices to the head; a person says: to the head, back and left.
+TEST(Measurement, staysOnItsTissueWhereTheVoxelsLieOtherwise) {
+  Grid from;
+  from.dims = {8, 9, 10};
+  from.spacingMm = {1.0, 2.0, 3.0};
+  from.originMm = {-4.0, 5.0, 6.0};
+  const Grid to = withAxisLetters(from, "SPL");
+  const glm::dvec3 a(1, 2, 3), b(4, 6, 3);
+  const auto in = [&](const Grid& grid, PatientPlane plane) {
+    return Measurement{Kind::distance, plane, {indexToWorld(grid, a), indexToWorld(grid, b)}};
+  };
+  const Measurement moved = measurementsMoved({in(from, PatientPlane::axial)}, from, to).front();
+  EXPECT_EQ(moved.plane, PatientPlane::sagittal) << "slices lie across the left-right axis now";
+  for (std::size_t end = 0; end < 2; ++end) // rounding of places of some ten millimetres
+    EXPECT_LT(glm::length(moved.placesMm[end] - in(to, PatientPlane::sagittal).placesMm[end]), 1e-12);
+  EXPECT_NEAR(lengthMm(moved), lengthMm(in(from, PatientPlane::axial)), 1e-12);
+  const auto planeOf = [&](PatientPlane plane) {
+    return *measurementsMoved({in(from, plane)}, from, to).front().plane;
+  };
+  EXPECT_EQ(planeOf(PatientPlane::coronal), PatientPlane::coronal);
+  EXPECT_EQ(planeOf(PatientPlane::sagittal), PatientPlane::axial);
 }
 
 TEST(Measurement, isSeenFromTheMiddleOfItsPlaces) {

@@ -73,6 +73,7 @@ int MessageBar::readingMs(const QString& sentence) {
 
 void MessageBar::setHeldBack(bool isHeldBack) {
   m_isHeldBack = isHeldBack;
+  m_isLate = m_isLate || (m_isHeldBack && m_isWanted);
   QFrame::setVisible(m_isWanted && !m_isHeldBack);
 }
 
@@ -98,7 +99,8 @@ void MessageBar::layOver() {
 
 // Under the pointer or with the keyboard in it, it is being read.
 void MessageBar::goInTime() {
-  const bool goes = m_goes && isVisible() && !underMouse() && !isAncestorOf(QApplication::focusWidget());
+  const bool isPassing = m_kind == Kind::note || (m_isLate && m_isBriefWhenLate);
+  const bool goes = isPassing && isVisible() && !underMouse() && !isAncestorOf(QApplication::focusWidget());
   if (goes)
     m_end->start(readingMs(sentence()));
   else
@@ -153,11 +155,12 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_close->setText(dismissal.text.isEmpty() ? tr("Dismiss") : dismissal.text);
   m_close->setAccessibleName(m_close->text());
   m_close->setToolTip(dismissal.text.isEmpty() ? tr("Hides this message.") : QString());
-  m_goes = kind == Kind::note;
-  m_asks = kind == Kind::question;
+  m_kind = kind;
+  m_isLate = m_isWanted && m_isHeldBack;
   QFrame::show();
   layOver();
   goInTime();
+  emit wanted();
 }
 
 QString MessageBar::sentence() const {
@@ -171,11 +174,16 @@ MessageOrder::MessageOrder(const std::vector<MessageBar*>& bars, QObject* parent
 }
 
 void MessageOrder::arrange() {
-  bool isTaken = false;
-  for (MessageBar* bar : m_bars) {
-    bar->setHeldBack(isTaken);
-    isTaken = isTaken || bar->isWanted();
-  }
+  const auto wanted = std::ranges::find_if(m_bars, &MessageBar::isWanted);
+  const auto error = std::ranges::find_if(m_bars, &MessageBar::isError);
+  const auto first = error != m_bars.end() && (*wanted)->isNote() ? error : wanted;
+  // First what goes, so that no two are seen.
+  for (auto bar = m_bars.begin(); bar != m_bars.end(); ++bar)
+    if (first != m_bars.end() && bar != first)
+      (*bar)->setHeldBack(true);
+  for (auto bar = m_bars.begin(); bar != m_bars.end(); ++bar)
+    if (first == m_bars.end() || bar == first)
+      (*bar)->setHeldBack(false);
 }
 
 } // namespace limn

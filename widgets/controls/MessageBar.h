@@ -40,11 +40,18 @@ public:
   /// Keeps it from being seen while something more urgent is said; then it is seen again.
   void setHeldBack(bool isHeldBack);
 
+  /// Whether what had to wait goes by itself once it is seen, as a note does: what can be had elsewhere shall
+  /// not ask to be dismissed after something else was. Not at first.
+  void setBriefWhenLate(bool isBrief) { m_isBriefWhenLate = isBrief; }
+
   /// Whether it is seen, or would be unless it were held back.
   bool isWanted() const { return m_isWanted; }
 
   /// Whether what it says then is a question, to which nobody has answered yet.
-  bool isAsking() const { return m_isWanted && m_asks; }
+  bool isAsking() const { return m_isWanted && m_kind == Kind::question; }
+  /// Whether it is that something went wrong, or a note.
+  bool isError() const { return m_isWanted && m_kind == Kind::error; }
+  bool isNote() const { return m_isWanted && m_kind == Kind::note; }
 
   /// How long a note stands, ms: as long as reading it takes twice.
   static int readingMs(const QString& sentence);
@@ -52,7 +59,7 @@ public:
   void setVisible(bool visible) override;
 
 signals:
-  void wanted(); ///< or no longer
+  void wanted(); ///< or no longer, or for something else
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -70,13 +77,15 @@ private:
   std::function<void()> m_run;
   std::function<void()> m_dismiss;
   QTimer* m_end; ///< runs while a note stands that nobody reads
-  bool m_goes = false;
-  bool m_asks = false;
+  Kind m_kind = Kind::note;
   bool m_isWanted = false;
   bool m_isHeldBack = false;
+  bool m_isLate = false; ///< it was held back
+  bool m_isBriefWhenLate = false;
 };
 
-/// Shows one message at a time: of those that want to be seen, the first. The others follow once it is gone.
+/// Shows one message at a time: of those that want to be seen the first, but no note before an error. The
+/// others follow once it is gone.
 class MessageOrder : public QObject {
   Q_OBJECT
 

@@ -36,9 +36,6 @@ struct FigurePanel {
   /// How far the picture is from the exact one, levels (99.9th percentile), as far as that is known.
   std::optional<double> errorLevels;
   std::optional<PanelPaths> paths{}; ///< of physical light, which tells its error itself
-  /// About which its picture is turned in the window, world mm; absent: the camera's target. In perspective
-  /// its scale holds at that depth.
-  std::optional<glm::dvec3> turnsAboutMm{};
   /// Whether the crop takes nothing away that would be seen, so that no note tells of it; where known.
   std::optional<bool> cropHidesNothing{};
   bool isAim = false;    ///< it is what the drawing goes for; what it reached is known afterwards

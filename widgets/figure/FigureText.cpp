@@ -131,7 +131,7 @@ PlaneFrame planeFrameOf(const FigurePanel& panel, const QSize& pixels) {
 
 double mmPerPixelOf(const FigurePanel& panel, const QSize& pixels) {
   return panel.plane ? mmPerLogicalPixel(planeFrameOf(panel, pixels))
-                     : mmPerPixel(panel.scene.camera, pixels.height(), panel.turnsAboutMm);
+                     : mmPerPixel(panel.scene.camera, pixels.height());
 }
 
 std::optional<OrientationLetters> lettersOfPanel(const FigurePanel& panel) {

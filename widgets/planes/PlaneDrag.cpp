@@ -4,6 +4,8 @@
 #include "planes/GreyWindows.h"
 #include "widgets/planes/PlaneMeasures.h"
 
+#include <QLineF>
+
 #include <algorithm>
 #include <cmath>
 
@@ -183,7 +185,24 @@ MeasurementsEdited measuredAfter(const PlaneDrag& drag, const QPointF& point) {
   std::vector<Measurement> measurements = drag.measurements;
   Measurement& led = measurements[drag.handle.number];
   led = withHandleAt(led, drag.handle.place, worldAt(drag.frame, point), drag.isNew);
-  return {std::move(measurements), drag.handle.number, drag.gesture};
+  const std::size_t place = drag.handle.place == ellipseCorner ? 1 : drag.handle.place;
+  return {std::move(measurements), drag.handle.number, drag.gesture,
+          drag.isNew ? std::optional(place) : std::nullopt};
+}
+
+MeasurementsEdited measuredAtRelease(PlaneDrag& drag, const QPointF& point) {
+  using Kind = Measurement::Kind;
+  MeasurementsEdited edited = measuredAfter(drag, point);
+  const Kind kind = drag.measurements.back().kind;
+  const bool isClick = QLineF(drag.press, point).length() < shortestDrag;
+  const bool isLastPlace = kind == Kind::mark || (kind == Kind::angle && drag.handle.place == 2);
+  drag.isLoose = !isLastPlace && (isClick || kind == Kind::angle);
+  if (drag.isLoose && !isClick) {
+    drag.measurements = edited.measurements;
+    drag.handle.place = 2;
+  }
+  edited.next = drag.isLoose ? measuredAfter(drag, point).next : std::nullopt;
+  return edited;
 }
 
 MeasurementsEdited measuredBefore(const PlaneDrag& drag) {

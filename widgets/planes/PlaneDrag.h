@@ -58,6 +58,9 @@ bool cuts(PlaneTool tool);
 std::optional<Measurement::Kind> kindOf(PlaneTool tool);
 PlaneTool toolOf(Measurement::Kind kind);
 
+/// Of a click the pointer moves by less than this, logical pixels.
+inline constexpr double shortestDrag = 3.0;
+
 /// A drag in a slice, as it began.
 struct PlaneDrag {
   enum class Kind { crosshair, windowLevel, pan, measure };
@@ -101,5 +104,10 @@ std::optional<PlaneSettings> settingsAfter(const PlaneDrag& drag, const QPointF&
 /// The measurements after a drag to a point that measures, and those before it.
 MeasurementsEdited measuredAfter(const PlaneDrag& drag, const QPointF& point);
 MeasurementsEdited measuredBefore(const PlaneDrag& drag);
+
+/// The measurements after its button is let go at a point, of a drag that makes one. The drag is loose from
+/// then on where places are still to come: after a click the next is clicked, as in the picture, and of an
+/// angle the second leg follows the first.
+MeasurementsEdited measuredAtRelease(PlaneDrag& drag, const QPointF& point);
 
 } // namespace limn

@@ -32,9 +32,6 @@ constexpr int fastSlices = 10;
 constexpr double mostMovingMs = 16.0;
 constexpr int restMs = 150;
 
-// Shorter ones are clicks, logical pixels.
-constexpr double shortestDrag = 3.0;
-
 std::optional<glm::dvec3> crosshairIn(const PlaneContent& content) {
   return content.volume ? std::optional(crosshairOf(content)) : std::nullopt;
 }
@@ -258,25 +255,11 @@ void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
     m_drag.reset();
 }
 
-// Whether the drag ends with it: of an angle the second leg follows the first.
+// Whether the drag ends with it.
 bool PlaneView::releaseMeasure(const QPointF& point) {
-  if (!m_drag->isNew)
-    return true;
-  const Measurement::Kind kind = m_drag->measurements.back().kind;
-  if (kind == Measurement::Kind::angle && m_drag->handle.place == 2)
-    return true;
-  const bool isClick = QLineF(m_drag->press, point).length() < shortestDrag;
-  emit measurementsEdited(measuredAfter(*m_drag, point));
-  if (isClick && kind != Measurement::Kind::mark) { // its next place is clicked, as in the picture
-    m_drag->isLoose = true;
-    return false;
-  }
-  if (kind != Measurement::Kind::angle)
-    return true;
-  m_drag->measurements = measuredAfter(*m_drag, point).measurements;
-  m_drag->handle.place = 2;
-  m_drag->isLoose = true;
-  return false;
+  if (m_drag->isNew)
+    emit measurementsEdited(measuredAtRelease(*m_drag, point));
+  return !m_drag || !m_drag->isLoose;
 }
 
 // Takes back what was clicked once, but for an angle with a leg. Tells whether anything was taken back.
@@ -284,8 +267,11 @@ bool PlaneView::endLooseDrag() {
   if (!m_drag || !m_drag->isLoose)
     return false;
   const PlaneDrag drag = *std::exchange(m_drag, std::nullopt);
-  if (drag.measurements.back().kind == Measurement::Kind::angle && drag.handle.place == 2)
+  if (drag.measurements.back().kind == Measurement::Kind::angle && drag.handle.place == 2) {
+    emit measurementsEdited(
+        {measurementsOf(m_content.measured), m_content.inHand, drag.gesture}); // it is over
     return false;
+  }
   emit measurementsEdited(measuredBefore(drag));
   return true;
 }

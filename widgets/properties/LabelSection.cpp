@@ -189,7 +189,9 @@ void LabelSection::setScene(const Scene& scene) {
   m_table->setRootIsDecorated(m_tree->hasGroups());
   const int rows = m_labels->rowCount();
   // Cuts leave a segmentation what it is, and so does a hidden table.
-  const bool isOther = rows > 0 && (!hadRows || scene.volume != m_volume || scene.keep.source != m_source);
+  // Nor does another place of the same voxels.
+  const bool isSame = m_volume && scene.volume && m_volume->sharesVoxelsWith(*scene.volume);
+  const bool isOther = rows > 0 && (!hadRows || !isSame || scene.keep.source != m_source);
   m_volume = rows > 0 ? scene.volume : nullptr;
   m_source = scene.keep.source;
   m_search->setVisible(rows > mostRowsShown);

@@ -287,6 +287,8 @@ void CompareView::offerModels(int position) {
   menu->addSeparator();
   QMenu* presets = menu->addMenu(tr("Preset"));
   connect(presets, &QMenu::aboutToShow, this, [this, presets, side] { emit presetMenuAsked(presets, side); });
+  if (pictureCount(compareLayout()) > 1)
+    menu->addAction(tr("Swap the sides"), this, &CompareView::swapAsked);
   menu->popup(mapToGlobal(plate.bottomLeft().toPoint()));
 }
 

@@ -181,6 +181,7 @@ signals:
   void modelChosen(int side, limn::ShadingModel model);
   /// A menu opens that offers presets for the picture of a side; it is to be filled.
   void presetMenuAsked(QMenu* menu, int side);
+  void swapAsked(); ///< the two pictures shall change their sides
   void wipeMoved(double fraction);
   void toolChanged(limn::ViewTool tool);
   /// Whenever anything in it changes.

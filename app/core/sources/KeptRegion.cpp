@@ -58,7 +58,7 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
   if (part.kind == Region::Kind::body)
     found = bodyOf(volume, progress);
   if (part.kind == Region::Kind::labels) {
-    Segmentation labels = readSegmentation(part.labels, gridOfFile(volume), progress);
+    Segmentation labels = readSegmentation(part.labels, gridOfFile(volume), progress, volume.info().patient);
     found = {std::move(labels.region), labels.remark};
     const std::string name = std::filesystem::path(part.labels).filename().string();
     found.region.weights = weightsOf(found.region.labels->labels(), part.weights, name);

@@ -74,8 +74,7 @@ struct FigureIngredients {
   std::optional<Preset> remembered; ///< the look remembered as "before"
   PlaneSettings planes;
   std::vector<Measurement> measurements;
-  std::optional<glm::dvec3> turnsAboutMm; ///< as on screen
-  GreyWindow firstWindow;                 ///< of slices whose settings have none
+  GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
   std::vector<NamedView> views;
   Histogram histogram; ///< of the volume
@@ -158,10 +157,8 @@ std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   addViews(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
-  for (PanelSource& source : sources) {
+  for (PanelSource& source : sources)
     source.panel.measurements = from.measurements;
-    source.panel.turnsAboutMm = from.turnsAboutMm;
-  }
   return sources;
 }
 
@@ -308,16 +305,24 @@ void FigureDialog::refreshSources() {
   const Histogram& histogram = m_context.document.histogram();
   const FigureLooks looks = m_looks();
   const bool isComparing = m_context.view.compareLayout() != CompareLayout::single;
-  const FigureIngredients from{scene,
-                               m_context.view.scenesOfSides(),
+  // A file keeps the camera alone: its scale holds at the depth of the target.
+  const auto turningThere = [&](auto seen) {
+    seen.camera = withTargetAsDeepAs(seen.camera, m_context.view.turnsAbout());
+    return seen;
+  };
+  const auto allTurningThere = [&](auto seen) {
+    std::ranges::transform(seen, seen.begin(), turningThere);
+    return seen;
+  };
+  const FigureIngredients from{turningThere(scene),
+                               allTurningThere(m_context.view.scenesOfSides()),
                                isComparing ? looks.compared : std::nullopt,
                                looks.remembered,
                                m_context.session.planes(),
                                m_context.session.measurements(),
-                               m_context.view.turnsAbout(),
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
-                               m_context.session.views(),
+                               allTurningThere(m_context.session.views()),
                                histogram};
   const std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();

@@ -84,23 +84,28 @@ bool SessionSafety::mayLeave() {
   if (!m_keeper)
     return askBeforeLosing(m_notKept);
   try {
-    m_keeper->keep(*m_context.document.unsaved(m_session()));
+    const SessionDocument left = *m_context.document.unsaved(m_session());
+    m_keeper->keep(left);
     tellUnfinished();
-    m_hasKept = true;
+    m_left = left.label;
     return true;
   } catch (const Error& error) {
     return askBeforeLosing(translated(error.sentence()));
   }
 }
 
-// Once: who knows need not be told again. What is said of a volume that opens goes before.
+// The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
-  if (!std::exchange(m_hasKept, false) || m_context.settings.keepingIsKnown() ||
-      m_context.messages.isWanted())
-    return;
-  m_context.settings.setKeepingIsKnown(true);
-  m_context.messages.show(MessageBar::Kind::note,
-                          tr("What you had changed is kept: File ▸ Open unsaved session brings it back."));
+  const std::optional<std::string> left = std::exchange(m_left, std::nullopt);
+  const auto kept = left && m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  if (kept.empty() || !m_context.document.scene().volume)
+    return m_context.kept.hide();
+  m_context.kept.show(MessageBar::Kind::note,
+                      tr("Your work on %1 is kept.").arg(QString::fromStdString(*left)), {},
+                      {tr("Bring back"), [this, file = QString::fromStdString(kept.front().string())] {
+                         m_context.kept.hide();
+                         emit restoreRequested(file);
+                       }});
 }
 
 bool SessionSafety::askBeforeLosing(const QString& why) {

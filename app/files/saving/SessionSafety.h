@@ -30,7 +30,7 @@ public:
   /// Whether the scene may be left: it is kept, or the user says what becomes of it.
   bool mayLeave();
 
-  /// Says that what was left with changes is kept, where nobody was told yet: once something else is shown.
+  /// Says that what was left with changes is kept, and offers it: once something else is shown.
   void sayWhatIsKept();
 
   /// The session that a kept file holds is open: from here on this window keeps it, and the file goes.
@@ -58,7 +58,7 @@ private:
   std::function<SessionDocument()> m_session;
   std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
   QString m_notKept;                       ///< why they are not, though they should be
-  bool m_hasKept = false;                  ///< since it was last said
+  std::optional<std::string> m_left;       ///< what was left with changes and is kept, until that is said
 };
 
 } // namespace limn

@@ -68,7 +68,7 @@ struct LabelVolume {
   std::string structure{}; ///< where the file itself names none
 };
 
-LabelVolume readLabelVolume(const fs::path& path, const Progress& progress) {
+LabelVolume readLabelVolume(const fs::path& path, const Progress& progress, const PatientLabel& patient) {
   if (isDicomSegmentation(path)) {
     DicomSegments segments = readDicomSegmentation(path, progress);
     return {std::move(segments.numbers), std::move(segments.labels)};
@@ -82,7 +82,7 @@ LabelVolume readLabelVolume(const fs::path& path, const Progress& progress) {
     for (Label& label : caretLabels(extension))
       labels.described.push_back(std::move(label));
   if (std::ranges::all_of(labels.described, [](const Label& label) { return label.name.empty(); }))
-    labels.structure = structureName(path);
+    labels.structure = structureName(path, patient);
   return labels;
 }
 
@@ -114,10 +114,11 @@ std::string sourceOf(const fs::path& path) {
   return (whole.has_filename() ? whole : whole.parent_path()).string();
 }
 
-Segmentation readSegmentation(const fs::path& path, const Grid& grid, const Progress& progress) {
+Segmentation readSegmentation(const fs::path& path, const Grid& grid, const Progress& progress,
+                              const PatientLabel& patient) {
   if (isMaskFolder(path))
-    return readMaskFolder(path, grid, progress);
-  const LabelVolume labels = readLabelVolume(path, part(progress, 0.0, 0.6));
+    return readMaskFolder(path, grid, progress, patient);
+  const LabelVolume labels = readLabelVolume(path, part(progress, 0.0, 0.6), patient);
   requireNear(path, labels.volume->grid(), grid);
   return naming(path, [&] {
     const auto map =

@@ -18,10 +18,11 @@ struct Segmentation {
 /// Reads a label map: a DICOM segmentation, a volume of whole numbers in any format that readVolume reads, or
 /// a folder of masks (MaskFolder.h). It comes on `grid`, nearest label by nearest label where it has another
 /// one, with the names and colours that the file gives (DICOM segments, Slicer's segmentations in NRRD, label
-/// tables in NIfTI); the only label of a file that gives none is called after the file (LabelNames.h). Every
-/// label weighs 1. Throws Error (input) with one sentence naming the file; Cancelled.
+/// tables in NIfTI); the only label of a file that gives none is called after the file (LabelNames.h), but
+/// for what may name the volume's patient. Every label weighs 1. Throws Error (input) with one sentence
+/// naming the file; Cancelled.
 Segmentation readSegmentation(const std::filesystem::path& path, const Grid& grid,
-                              const Progress& progress = {});
+                              const Progress& progress = {}, const PatientLabel& patient = {});
 
 /// The same without the remark.
 Region readLabels(const std::filesystem::path& path, const Grid& grid, const Progress& progress = {});

@@ -16,11 +16,16 @@ namespace fs = std::filesystem;
 constexpr std::size_t longestMaskName = 200;
 constexpr std::size_t mostNamed = 3;
 
-// What a mask is called among others: by its structure, where that is its alone.
-std::string maskName(const fs::path& file, const std::vector<fs::path>& files) {
-  const std::string structure = structureName(file);
-  const bool isItsOwn = std::ranges::count(files, structure, structureName) == 1;
-  return structure.empty() || !isItsOwn ? plainText(volumeStem(file), longestMaskName) : structure;
+// What a mask is called among others: by its structure, where that is its alone, or by its whole name, unless
+// that may name the patient.
+std::string maskName(const fs::path& file, int value, const std::vector<fs::path>& files,
+                     const PatientLabel& patient) {
+  const auto structureOf = [&](const fs::path& one) { return structureName(one, patient); };
+  const std::string structure = structureOf(file), stem = volumeStem(file);
+  if (!structure.empty() && std::ranges::count(files, structure, structureOf) == 1)
+    return structure;
+  return withoutPatient(stem, patient) == stem ? plainText(stem, longestMaskName)
+                                               : "Label " + std::to_string(value);
 }
 
 // The files of a folder by name; hidden ones are none of the user's.
@@ -75,7 +80,8 @@ bool isMaskFolder(const fs::path& path) {
   }
 }
 
-Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Progress& progress) {
+Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Progress& progress,
+                            const PatientLabel& patient) {
   const std::vector<fs::path> files = filesIn(folder);
   std::vector<std::string> skipped;
   std::optional<MasksOnGrid> masks;
@@ -94,7 +100,7 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
     requireNear(files[n], mask->grid(), grid);
     if (!masks)
       masks.emplace(grid, files.size(), mask->room());
-    masks->add(*mask, value, maskName(files[n], files),
+    masks->add(*mask, value, maskName(files[n], value, files, patient),
                effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
   }
   if (!masks)

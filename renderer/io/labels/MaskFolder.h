@@ -13,6 +13,6 @@ bool isMaskFolder(const std::filesystem::path& path);
 /// label is the number of its file among the folder's volume files by name, from 1 on; of two
 /// masks with a voxel in common the later by name has it. Throws as readLabels does.
 Segmentation readMaskFolder(const std::filesystem::path& folder, const Grid& grid,
-                            const Progress& progress = {});
+                            const Progress& progress = {}, const PatientLabel& patient = {});
 
 } // namespace limn

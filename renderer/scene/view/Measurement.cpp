@@ -1,11 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/view/Measurement.h"
 
+#include "scene/volume/Grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace limn {
+namespace {
+
+// The axis of the world (LPS) across a plane of the patient, and the plane across an axis.
+int axisAcross(PatientPlane plane) {
+  return plane == PatientPlane::axial ? 2 : plane == PatientPlane::coronal ? 1 : 0;
+}
+
+PatientPlane planeAcross(const glm::dvec3& direction) {
+  const auto isNearer = [&](PatientPlane a, PatientPlane b) {
+    return std::abs(direction[axisAcross(a)]) < std::abs(direction[axisAcross(b)]);
+  };
+  return *std::ranges::max_element(patientPlanes, isNearer);
+}
+
+} // namespace
+
+std::vector<Measurement> measurementsMoved(std::vector<Measurement> measurements, const Grid& from,
+                                           const Grid& to) {
+  const glm::dmat3 turn = to.direction * glm::transpose(from.direction);
+  for (Measurement& one : measurements) {
+    for (glm::dvec3& place : one.placesMm)
+      place = indexToWorld(to, worldToIndex(from, place));
+    if (one.plane)
+      one.plane = planeAcross(turn[axisAcross(*one.plane)]);
+  }
+  return measurements;
+}
 
 double lengthMm(const Measurement& distance) {
   return glm::length(distance.placesMm[1] - distance.placesMm[0]);

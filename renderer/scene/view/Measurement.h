@@ -8,6 +8,8 @@
 
 namespace limn {
 
+struct Grid;
+
 /// What somebody measured or named by hand at places of the world.
 struct Measurement {
   enum class Kind { distance, angle, ellipse, mark };
@@ -44,6 +46,11 @@ double lengthMm(const Measurement& distance);
 
 /// Between the legs of an angle at its corner, 0..180; nothing where an end lies on the corner.
 std::optional<double> angleDegrees(const Measurement& angle);
+
+/// Measurements of voxels that lie in one grid, where the same voxels lie in another of equal dimensions and
+/// spacing: on their tissue, and each slice in that plane of the patient which has become of its own.
+std::vector<Measurement> measurementsMoved(std::vector<Measurement> measurements, const Grid& from,
+                                           const Grid& to);
 
 /// In the middle of all its places: where one looks to see it, world millimetres.
 glm::dvec3 middleMm(const Measurement& measurement);

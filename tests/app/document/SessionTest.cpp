@@ -169,12 +169,25 @@ TEST(Session, whatWasMeasuredGoesWithTheVolumeAndComesWithItsSession) {
   session.open(loaded);
   EXPECT_EQ(session.measurements(), loaded.measurements);
   EXPECT_EQ(session.undoStack().count(), 0);
-  // Where it lies otherwise its places mean nothing; undo brings both back.
+  // Where it lies otherwise they lie there, too; undo brings both back.
   Scene turned = session.scene();
   Grid grid = turned.volume->grid();
   grid.originMm.x += 10.0;
   turned.volume = std::make_shared<const Volume>(turned.volume->placed(grid, turned.volume->info()));
   session.edit(turned, {nextGestureId(), "orient"});
+  ASSERT_EQ(session.measurements().size(), 1u);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const glm::dvec3 moved =
+        session.measurements().front().placesMm[end] - loaded.measurements.front().placesMm[end];
+    // Rounding: through voxels of 16 mm and back, places of tens of millimetres.
+    EXPECT_LT(glm::length(moved - glm::dvec3(10.0, 0.0, 0.0)), 1e-12) << end;
+  }
+  session.undoStack().undo();
+  EXPECT_EQ(session.measurements(), loaded.measurements);
+  // Other voxels have nothing of them.
+  Scene other = session.scene();
+  other.volume = phantomVolume({.spacingMm = 16.0});
+  session.edit(other, {nextGestureId(), "other voxels"});
   EXPECT_TRUE(session.measurements().empty());
   session.undoStack().undo();
   EXPECT_EQ(session.measurements(), loaded.measurements);

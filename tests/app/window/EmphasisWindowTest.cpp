@@ -71,11 +71,15 @@ TEST_F(EmphasisWindow, restingOnAPointLightsUpWhatItGovernsAndLeavingItDoesNot) 
   ASSERT_TRUE(rest());
   EXPECT_GT(greenPixels(axial), 500) << "brain and muscle";
   EXPECT_GT(greenPixels(view()), 500);
+  const auto noted = [this] { return QString::fromStdString(view().order().comparison.preview); };
+  EXPECT_EQ(noted().replace(QChar(0xa0), QLatin1Char(' ')),
+            QStringLiteral("in green what the point at 60 HU governs"));
   moveTo(inWindow(2));
   ASSERT_TRUE(test::waitUntil([this] { return isLit(2); })) << "the other point takes over";
   moveTo(inWindow(2) + QPoint(0, 60));
   ASSERT_TRUE(test::waitUntil([this] { return isDark(); }));
   ASSERT_TRUE(rest());
+  EXPECT_EQ(noted(), QString());
   EXPECT_EQ(greenPixels(axial), 0);
   EXPECT_EQ(undo().count(), 0) << "looking is no edit";
 }

@@ -100,7 +100,7 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   // Beside a large slice the picture has no room for it.
   press(axial(), Qt::Key_E);
   EXPECT_FALSE(bar->isVisible());
-  EXPECT_EQ(said(), QStringLiteral("In a slice, drag from corner to corner"));
+  EXPECT_EQ(said(), QStringLiteral("In a slice, drag from corner to corner or click both"));
   choose("picture_and_three");
   EXPECT_TRUE(test::waitUntil([&] { return bar->isVisible(); })) << view().height();
   EXPECT_EQ(bar->hint(), said());
@@ -128,6 +128,57 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   window->findChild<MeasureController*>()->useTool(Kind::angle);
   EXPECT_EQ(bar->hint(), QStringLiteral("Click end, corner and end"));
   EXPECT_TRUE(bar->isVisible());
+}
+
+// In slices and in the picture alike: what comes next and how it ends, as long as it is being drawn.
+TEST_F(MeasureWindow, whileSomethingIsDrawnTheNextStepIsSaid) {
+  const QString corner = QStringLiteral("Now the corner of the angle. Esc takes it back.");
+  const QString end = QStringLiteral("Now the other end, which ends it. Esc takes it back.");
+  const QString opposite = QStringLiteral("Now the opposite corner, which ends it. Esc takes it back.");
+  press(axial(), Qt::Key_G);
+  click(inSlice({0, -80}));
+  EXPECT_EQ(said(), corner);
+  moveTo(inSlice({0, -20}));
+  EXPECT_EQ(said(), corner);
+  click(inSlice({0, 0}));
+  EXPECT_EQ(said(), end);
+  moveTo(inSlice({60, 20}));
+  EXPECT_EQ(said(), end);
+  click(inSlice({80, 80}));
+  ASSERT_EQ(measurements().size(), 1u);
+  EXPECT_NEAR(*angleDegrees(measurements().front()), 135.0, 1e-9);
+  EXPECT_EQ(said(), QString()) << "it is there";
+  press(axial(), Qt::Key_E);
+  click(inSlice({-30, -20}));
+  EXPECT_EQ(said(), opposite);
+  moveTo(inSlice({10, 5}));
+  click(inSlice({30, 20}));
+  ASSERT_EQ(measurements().size(), 2u);
+  EXPECT_EQ(said(), QString());
+  QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, inSlice({-60, -60}));
+  moveTo(inSlice({-50, -50}));
+  EXPECT_EQ(said(), opposite) << "of a drag, too";
+  press(axial(), Qt::Key_Escape);
+  EXPECT_EQ(said(), QString());
+  EXPECT_EQ(measurements().size(), 2u);
+  QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, inSlice({-50, -50}));
+  click(inSlice({-60, -60}));
+  undo().undo();
+  EXPECT_EQ(said(), QString()) << "undone while it was drawn";
+  press(axial(), Qt::Key_Escape);
+  press(view(), Qt::Key_G);
+  click(inPicture({-30, 0}));
+  EXPECT_EQ(said(), corner);
+  click(inPicture({0, 0}));
+  EXPECT_EQ(said(), end);
+  click(inPicture({0, -30}));
+  EXPECT_EQ(said(), QString());
+  EXPECT_EQ(measurements().size(), 3u);
+  press(view(), Qt::Key_D);
+  click(inPicture({20, 20})); // clear of its handles
+  EXPECT_EQ(said(), end);
+  press(view(), Qt::Key_Escape);
+  EXPECT_EQ(said(), QString());
 }
 
 TEST_F(MeasureWindow, twoClicksInASliceMeasureAndTheToolEndsWithItsVolume) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/core/sources/BuiltInPresets.h"
+#include "app/picture/ComparisonController.h"
+#include "scene/presets/Preset.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/properties/PropertiesPanel.h"
+#include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/PictureStatus.h"
 
 #include <QApplication>
@@ -10,6 +14,8 @@
 #include <QMenu>
 #include <QTimer>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 
 // Where the shading models of the pictures are chosen, in the program's window.
@@ -131,6 +137,76 @@ TEST_F(ModelWindow, anImageIsShownAloneAndTheNextVolumeIsComparedAgain) {
   setLayout(CompareLayout::wipe);
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe) << "chosen meanwhile";
+}
+
+TEST_F(ModelWindow, aPicturesOwnLabelOffersToSwapTheSidesAndThatLasts) {
+  ASSERT_TRUE(rest());
+  QTimer::singleShot(0, window.get(), [] {
+    QWidget* menu = QApplication::activePopupWidget();
+    ASSERT_NE(menu, nullptr);
+    QTest::keyClick(menu, Qt::Key_Up); // the last entry
+    QTest::keyClick(menu, Qt::Key_Return);
+  });
+  const QPointF plate = labelsOf({view().order(), view().pictureState()}).front().plate.center();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), plate.toPoint()));
+  ASSERT_TRUE(test::waitUntil([this] { return undo().count() == 1; }));
+  EXPECT_EQ(shown(), (Models{ShadingModel::enhanced, ShadingModel::classic}));
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Left: Enhanced"));
+  EXPECT_EQ(button(1)->text(), QStringLiteral("Right: Classic"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("swap the sides"));
+  undo().undo();
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  QAction& swap = *window->findChild<QAction*>(QStringLiteral("swapSides"));
+  EXPECT_TRUE(swap.isEnabled());
+  setLayout(CompareLayout::single);
+  EXPECT_FALSE(swap.isEnabled()) << "there is one";
+}
+
+TEST_F(ModelWindow, twoLooksChangeSidesWithTheirNamesAndUndoTakesThemBack) {
+  const std::vector<Preset> presets = builtInPresets();
+  const auto named = [&](const char* name) {
+    return *std::ranges::find(presets, std::string(name), &Preset::name);
+  };
+  auto& comparison = *window->findChild<ComparisonController*>();
+  session().usePreset(named("CT bone"), {nextGestureId(), "preset"});
+  comparison.compareWith(named("CT skin"));
+  const auto names = [&] { return view().order().comparison.look->names; };
+  using Names = std::array<std::string, 2>;
+  ASSERT_EQ(names(), (Names{"CT skin", "CT bone"}));
+  const std::vector<Scene> before = view().scenesOfSides();
+  const Scene own = scene();
+  ASSERT_NE(before[0].transferFunction, before[1].transferFunction);
+  const int steps = undo().count();
+  QAction& swap = *window->findChild<QAction*>(QStringLiteral("swapSides"));
+  swap.trigger();
+  EXPECT_EQ(view().scenesOfSides(), (std::vector{before[1], before[0]})) << "models too";
+  EXPECT_EQ(names(), (Names{"CT bone", "CT skin"}));
+  EXPECT_EQ(scene().transferFunction, before[0].transferFunction) << "the right one is edited";
+  ASSERT_EQ(undo().count(), steps + 1);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("swap the sides"));
+  undo().undo();
+  EXPECT_EQ(view().scenesOfSides(), before);
+  EXPECT_EQ(scene(), own);
+  EXPECT_EQ(names(), (Names{"CT skin", "CT bone"}));
+  undo().redo();
+  EXPECT_EQ(view().scenesOfSides(), (std::vector{before[1], before[0]}));
+  swap.trigger();
+  EXPECT_EQ(view().scenesOfSides(), before) << "twice is once too often";
+  EXPECT_EQ(names(), (Names{"CT skin", "CT bone"}));
+  // What was remembered changes sides, too, and is still remembered.
+  comparison.setLayout(CompareLayout::sideBySide);
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  session().setTransferFunction(shifted(scene().transferFunction, 50.0), {nextGestureId(), "shift"});
+  QAction& compareBefore = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  compareBefore.trigger();
+  const std::vector<Scene> remembered = view().scenesOfSides();
+  const Names both = names();
+  ASSERT_NE(remembered[0], remembered[1]);
+  swap.trigger();
+  EXPECT_EQ(view().scenesOfSides(), (std::vector{remembered[1], remembered[0]}));
+  EXPECT_EQ(names(), (Names{both[1], both[0]}));
+  EXPECT_FALSE(compareBefore.isChecked());
+  EXPECT_TRUE(compareBefore.isEnabled());
 }
 
 TEST_F(ModelWindow, aSinglePictureHasOneButton) {

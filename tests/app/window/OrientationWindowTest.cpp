@@ -5,6 +5,8 @@
 #include "scene/volume/Orientation.h"
 #include "support/FileBytes.h"
 #include "widgets/FindWidget.h"
+#include "widgets/planes/PlaneDeck.h"
+#include "widgets/properties/LabelSection.h"
 #include "widgets/view/gestures/ViewCommands.h"
 
 #include <QComboBox>
@@ -154,6 +156,40 @@ TEST_F(OrientationWindow, ofSeveralRemarksTheOneAboutItGoesAndTheOthersStay) {
   EXPECT_FALSE(says("Orientation unknown"));
   QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
   EXPECT_NE(window->findChild<QInputDialog*>(), nullptr) << "the spacing can still be set";
+}
+
+// The same voxels are the same volume: what was measured stays on its tissue, its tool in hand, and the list
+// of labels as it was folded.
+TEST_F(OrientationWindow, measurementsAndTheListOfLabelsStayWithTheirVoxels) {
+  const auto onVoxel = [this](const glm::dvec3& index) {
+    return indexToWorld(scene().volume->grid(), index);
+  };
+  const Measurement diagonal{
+      Measurement::Kind::distance, PatientPlane::axial, {onVoxel({0, 0, 1}), onVoxel({1, 1, 1})}};
+  session().setMeasurements({diagonal}, {nextGestureId(), "Distance"});
+  auto& deck = *window->findChild<PlaneDeck*>();
+  window->findChild<QAction*>(QStringLiteral("planes-picture_and_three"))->trigger();
+  deck.setTool(PlaneTool::distance);
+  test::writeBytes(folder.path() / "labels.nrrd",
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n\n"
+                   "0 0 0 0 0 0 0 7\n");
+  RegionController& regions = *window->findChild<RegionController*>();
+  regions.openLabels(pathTo("labels.nrrd"));
+  ASSERT_TRUE(test::waitUntil([&] { return !regions.isBusy(); }));
+  auto& list = *window->findChild<LabelSection*>();
+  list.setFolded(true);
+  named("setOrientation")->trigger();
+  click("Flip: Columns run to");
+  ASSERT_EQ(session().measurements().size(), 1u);
+  const Measurement& moved = session().measurements().front();
+  // Rounding of places of a millimetre.
+  EXPECT_LT(glm::length(moved.placesMm[0] - onVoxel({0, 0, 1})), 1e-12);
+  EXPECT_LT(glm::length(moved.placesMm[1] - onVoxel({1, 1, 1})), 1e-12);
+  EXPECT_EQ(deck.tool(), PlaneTool::distance);
+  EXPECT_TRUE(list.isFolded());
+  undo().undo();
+  EXPECT_EQ(session().measurements(), std::vector{diagonal});
+  keep();
 }
 
 // A label map is of the file's voxels: whatever a person says of the file holds for it, too.

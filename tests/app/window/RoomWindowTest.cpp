@@ -139,6 +139,40 @@ TEST_F(Room, aSessionOfWhatGaveWayHasBothPicturesAgainWhereThereIsRoom) {
 }
 
 // In the program's own style; in Qt's the button is narrower than what our sheet puts around its icon.
+// What can be had elsewhere does not ask to be dismissed in its turn: late, it goes by itself.
+TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {
+  const auto goes = [](const MessageBar& one) { return one.findChild<QTimer*>()->isActive(); };
+  for (const char* name : {"tourBar", "patientBar", "keptBar"})
+    bar(name).hide();
+  messages().hide();
+  QTest::mouseMove(window->windowHandle(), QPoint(2, 2)); // or it would be read
+  view().setFocus();
+  MessageBar& tour = bar("tourBar");
+  tour.show(MessageBar::Kind::question, QStringLiteral("Shall I?"));
+  ASSERT_TRUE(tour.isVisible());
+  EXPECT_FALSE(goes(tour)) << "what comes first stays until it is answered";
+  messages().show(MessageBar::Kind::warning, QStringLiteral("Slices are missing."));
+  ASSERT_TRUE(messages().isVisible() && !tour.isVisible());
+  EXPECT_FALSE(goes(messages()));
+  bar("keptBar").show(MessageBar::Kind::note, QStringLiteral("Your work is kept."));
+  EXPECT_TRUE(bar("keptBar").isVisible() && !messages().isVisible());
+  messages().show(MessageBar::Kind::error, QStringLiteral("This went wrong."));
+  EXPECT_TRUE(messages().isVisible() && !bar("keptBar").isVisible()) << "errors wait for no note";
+  messages().hide();
+  EXPECT_TRUE(bar("keptBar").isVisible()) << "not lost";
+  bar("keptBar").hide();
+  ASSERT_TRUE(tour.isVisible());
+  EXPECT_TRUE(goes(tour)) << "it had to wait";
+  tour.show(MessageBar::Kind::question, QStringLiteral("Shall I now?"));
+  EXPECT_FALSE(goes(tour));
+  bar("recoveryBar").show(MessageBar::Kind::question, QStringLiteral("Restore?"));
+  bar("unsafeBar").show(MessageBar::Kind::warning, QStringLiteral("Not safe."));
+  bar("unsafeBar").hide();
+  ASSERT_TRUE(bar("recoveryBar").isVisible());
+  EXPECT_FALSE(goes(bar("recoveryBar"))) << "work is at stake";
+  bar("recoveryBar").hide();
+}
+
 TEST(ToolBarStyle, leavesTheButtonForMoreToolsRoomToBeSeen) {
   const LookStyle style;
   EXPECT_GE(style.pixelMetric(QStyle::PM_ToolBarExtensionExtent, nullptr, nullptr), 24);

@@ -38,5 +38,30 @@ TEST(LabelNames, tellAStructureAsPeopleWriteIt) {
   EXPECT_LE(structureName(std::string(4000, 'a') + ".nii").size(), 210u) << "200, and that it goes on";
 }
 
+TEST(LabelNames, tellNobodysName) {
+  const PatientLabel patient{"MEIER^ANNA L\u00c4", "P-12 345", "20240105"};
+  for (const auto& [file, name] : {std::pair("MEIER_ANNA_liver.nii.gz", "liver"),
+                                   {"liver-of-meier.nrrd", "liver of"},
+                                   {"annameier_kidney_left_mask.nii", "kidney left"},
+                                   {"rib 7 P12345.mha", "rib 7"},
+                                   {"P-12-345_liver.mha", "liver"},
+                                   {"Mei_er_liver.mha", "liver"},
+                                   {"plan_eye_lens.nii", "plan eye lens"},
+                                   {"l\u00e4_spleen.nii", "spleen"}, // a short part, as a word
+                                   {"2024-01-05_liver.nii.gz", "liver"},
+                                   {"05.01.2024 liver.nii.gz", "liver"},
+                                   {"20240105_liver.nii.gz", "liver"},
+                                   {"1.2.840.113619.2.55_liver.nrrd", "liver"},
+                                   {"plane.nii", "plane"},
+                                   {"rib_12.nii", "rib 12"}})
+    EXPECT_EQ(structureName(file, patient), name) << file;
+  for (const char* file : {"MEIER_ANNA.nii.gz", "Meier-2.nrrd", "p12345.nii", "P-12-345.nii", "20240105.mha"})
+    EXPECT_EQ(structureName(file, patient), "") << file;
+  // Of a file that says nothing of its patient dates and numbers alone are known.
+  EXPECT_EQ(structureName("2024-01-05_liver.nii.gz"), "liver");
+  EXPECT_EQ(structureName("kidney_left.nii"), "kidney left");
+  EXPECT_EQ(withoutPatient("label_1 a.b", patient), "label_1 a.b") << "unchanged";
+}
+
 } // namespace
 } // namespace limn

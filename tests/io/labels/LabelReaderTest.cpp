@@ -98,6 +98,16 @@ TEST_F(LabelReader, theOnlyLabelOfAFileThatNamesNoneIsCalledAfterTheFile) {
             glm::dvec3(1.0, 0.0, 0.0));
 }
 
+TEST_F(LabelReader, theOnlyLabelOfAFileIsNeverCalledAfterThePatient) {
+  const PatientLabel patient{"MEIER^ANNA", "", ""};
+  const auto nameIn = [&](const char* name) {
+    const auto path = file(name, nrrdStart + "\n0 3 3 0 0 0 3 0\n");
+    return readSegmentation(path, cube(2), {}, patient).region.labels->labels()[1].name;
+  };
+  EXPECT_EQ(nameIn("Meier_Anna_liver.nrrd"), "liver");
+  EXPECT_EQ(nameIn("Meier_Anna.seg.nrrd"), "Label 3");
+}
+
 TEST_F(LabelReader, refusesWhatIsNoLabelMapOfTheVolume) {
   const auto image = file("image.nrrd", "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\n"
                                         "encoding: ascii\n\n0 1.5 2 3 4 5 6 7\n");

@@ -127,6 +127,18 @@ TEST_F(MaskFolder, callsAMaskWhoseNameTellsNothingAfterItsWholeName) {
             (std::vector<std::string>{"Background", "label_1", "Brain", "mask"}));
 }
 
+TEST_F(MaskFolder, callsNoMaskAfterThePatient) {
+  mask("meier_anna_1.nii.gz", boxOf({0, 0, 0}, {1, 1, 1}));
+  mask("meier_anna_liver.nii.gz", boxOf({2, 0, 0}, {3, 1, 1}));
+  mask("meier_spleen.nii.gz", boxOf({4, 0, 0}, {5, 1, 1}));
+  const PatientLabel patient{"MEIER^ANNA", "", ""};
+  EXPECT_EQ(namesIn(readSegmentation(masks(), grid, {}, patient).region),
+            (std::vector<std::string>{"Background", "Label 1", "liver", "spleen"}));
+  mask("anna_liver.nii.gz", boxOf({5, 1, 1}, {6, 2, 2})); // another liver: neither is it alone
+  EXPECT_EQ(namesIn(readSegmentation(masks(), grid, {}, patient).region),
+            (std::vector<std::string>{"Background", "Label 1", "Label 2", "Label 3", "spleen"}));
+}
+
 TEST_F(MaskFolder, leavesOutWhatIsNoMaskAndSaysSo) {
   mask("liver.nii.gz", boxOf({0, 0, 0}, {3, 2, 2}));
   std::vector<std::uint8_t> image(maskVoxels);

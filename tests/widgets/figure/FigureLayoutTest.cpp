@@ -242,12 +242,12 @@ TEST(FigureText, croppedIsSaidUnlessNothingThatIsSeenIsCutAway) {
   EXPECT_FALSE(notesOf(figure).contains(QStringLiteral("Cropped")));
 }
 
-TEST(PictureMarks, inPerspectiveTheScaleHoldsWhereThePictureTurns) {
+TEST(PictureMarks, inPerspectiveTheScaleHoldsAtTheDepthOfTheTarget) {
   FigurePanel panel = figureOf(1).panels.front();
-  const Camera& camera = panel.scene.camera;
+  Camera& camera = panel.scene.camera;
   ASSERT_EQ(camera.projection, Camera::Projection::perspective);
   const double atTarget = mmPerPixelOf(panel, {200, 200});
-  panel.turnsAboutMm = 0.5 * (camera.position + camera.target);
+  camera.target = 0.5 * (camera.position + camera.target);
   EXPECT_NEAR(mmPerPixelOf(panel, {200, 200}), 0.5 * atTarget, 1e-12 * atTarget);
 }
 

@@ -2,6 +2,7 @@
 #include "widgets/view/gestures/ViewCommands.h"
 
 #include "scene/view/FirstView.h"
+#include "widgets/view/overlay/OrientationMarks.h"
 
 #include <QKeyEvent>
 
@@ -112,7 +113,8 @@ std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& came
     return fitted(firstView(camera, grid, volume.info().orientationKnown));
   if (const auto* turn = std::get_if<Rotate>(&command)) {
     const double step = keyTurnDeg * std::numbers::pi / 180.0;
-    return orbitedAbout(camera, -turn->right * step, -turn->down * step, frame.turnsAbout);
+    return orbitedAbout(camera, -turn->right * step, -turn->down * step,
+                        centreBeforeEye(camera, frame.turnsAbout));
   }
   if (const auto* zoom = std::get_if<Zoom>(&command))
     return wheelZoomed(camera, zoom->notches * wheelNotch);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
+#include "widgets/view/overlay/OrientationMarks.h"
+
 #include <QObject>
 
 #include <algorithm>
@@ -206,7 +208,7 @@ ViewDrag dragFrom(const Press& press, const Comparison& comparison, const ViewGe
   drag.picture = pictureRect(geometry, standingAt(geometry, press.point));
   drag.viewWidth = std::max(1, geometry.size.width());
   drag.before = comparison.scene;
-  drag.turnsAbout = comparison.turnsAboutMm;
+  drag.turnsAbout = centreBeforeEye(comparison.scene.camera, comparison.turnsAboutMm);
   if (handle) {
     drag.kind = DragKind::cropFace;
     drag.face = handle->face;

@@ -101,7 +101,7 @@ struct ViewDrag {
   CropFace face;                        ///< of the crop box, where that is dragged
   TurnedBox box;                        ///< that box, as it was
   QPointF grip;                         ///< from the handle's centre to the pointer
-  std::optional<glm::dvec3> turnsAbout; ///< world; absent: the target
+  std::optional<glm::dvec3> turnsAbout; ///< world, before the eye; absent: the target
   Gesture gesture;
 };
 

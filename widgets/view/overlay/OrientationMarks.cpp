@@ -60,14 +60,33 @@ QRectF laneOf(const QRectF& wished, const LetterWish& wish, Qt::Orientation alon
   return lane;
 }
 
+// Nearer to the eye a scale would shrink to nothing, and behind it a turn would lead away what is seen.
+constexpr double nearestShare = 0.01; // of the target's distance
+
+double depthOf(const Camera& camera, const glm::dvec3& placeMm) {
+  return glm::dot(placeMm - camera.position, basisOf(camera).forward);
+}
+
 } // namespace
+
+std::optional<glm::dvec3> centreBeforeEye(const Camera& camera, const std::optional<glm::dvec3>& placeMm) {
+  const bool isBefore =
+      placeMm && depthOf(camera, *placeMm) > nearestShare * glm::length(camera.target - camera.position);
+  return isBefore ? placeMm : std::nullopt;
+}
+
+Camera withTargetAsDeepAs(Camera camera, const std::optional<glm::dvec3>& placeMm) {
+  if (const std::optional<glm::dvec3> centre = centreBeforeEye(camera, placeMm))
+    camera.target = camera.position + depthOf(camera, *centre) * basisOf(camera).forward;
+  return camera;
+}
 
 double mmPerPixel(const Camera& camera, double heightPixels, const std::optional<glm::dvec3>& placeMm) {
   if (camera.projection == Camera::Projection::orthographic)
     return camera.heightMm / heightPixels;
-  const double depth = placeMm ? glm::dot(*placeMm - camera.position, basisOf(camera).forward) : 0.0;
-  return 2.0 * halfHeight(camera) * (depth > 0.0 ? depth : glm::length(camera.target - camera.position)) /
-         heightPixels;
+  const std::optional<glm::dvec3> centre = centreBeforeEye(camera, placeMm);
+  const double depth = centre ? depthOf(camera, *centre) : glm::length(camera.target - camera.position);
+  return 2.0 * halfHeight(camera) * depth / heightPixels;
 }
 
 ScaleBar scaleBar(double mmPerPixel, double mostPixels) {

@@ -21,8 +21,16 @@ struct ScaleBar {
   double pixels = 0.0;
 };
 
+/// A place of the world that a camera can turn about so that what is seen follows the pointer: one that lies
+/// before the eye, at least a hundredth as far as the target. Otherwise nothing: it turns about its target.
+std::optional<glm::dvec3> centreBeforeEye(const Camera& camera, const std::optional<glm::dvec3>& placeMm);
+
+/// The camera that sees the same, to rounding, with its target as deep as a place of the world that it can
+/// turn about (centreBeforeEye); itself without one.
+Camera withTargetAsDeepAs(Camera camera, const std::optional<glm::dvec3>& placeMm);
+
 /// Millimetres per pixel of a picture `heightPixels` high, in the plane of the camera's target, or of a place
-/// of the world where that lies before the eye.
+/// of the world that it can turn about (centreBeforeEye).
 double mmPerPixel(const Camera& camera, double heightPixels, const std::optional<glm::dvec3>& placeMm = {});
 
 /// The longest bar of a round length that is at most `mostPixels` long.

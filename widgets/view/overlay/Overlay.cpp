@@ -299,7 +299,8 @@ Overlay overlayOf(const OverlaySource& source) {
   addMarks(overlay, source);
   overlay.halves = marksOf(source, source.comparison.halfMm);
   if (source.isTurning)
-    overlay.centres = marksOf(source, source.comparison.turnsAboutMm);
+    overlay.centres =
+        marksOf(source, centreBeforeEye(source.comparison.scene.camera, source.comparison.turnsAboutMm));
   if (source.read)
     overlay.reading = Overlay::Reading{
         withLabelReading(readingText(source.read->value, source.volume()), source.read->label),

@@ -244,6 +244,37 @@ TEST_F(SessionWindow, openingAnotherVolumeKeepsTheUnsavedSession) {
   EXPECT_EQ(test::entriesOf(sessions() / "closed"), 1u);
 }
 
+// Each time, in one sentence that goes by itself, with the way back.
+TEST_F(SessionWindow, whatAnotherVolumeReplacesIsSaidToBeKeptAndComesBack) {
+  window->keepSessions();
+  const auto bar = [this] { return window->findChild<MessageBar*>(QStringLiteral("keptBar")); };
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  EXPECT_FALSE(bar()->isWanted()) << "nothing was changed";
+  dragAPoint();
+  const TransferFunction edited = scene().transferFunction;
+  const auto volume = scene().volume->grid().dims;
+  ASSERT_TRUE(open(QStringLiteral("phantom:5")));
+  ASSERT_TRUE(bar()->isVisible());
+  EXPECT_TRUE(bar()->sentence().startsWith(QStringLiteral("Your work on ")) &&
+              bar()->sentence().endsWith(QStringLiteral(" is kept.")))
+      << bar()->sentence().toStdString();
+  EXPECT_TRUE(bar()->sentence().contains(QStringLiteral("%1×").arg(volume.x)))
+      << bar()->sentence().toStdString();
+  EXPECT_TRUE(bar()->findChild<QTimer*>()->isActive()) << "it goes by itself";
+  dragAPoint();
+  const TransferFunction other = scene().transferFunction;
+  for (const TransferFunction& expected : {edited, other}) {
+    QTest::mouseClick(bar()->findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+    ASSERT_TRUE(test::waitUntil([&] { return scene().transferFunction == expected; }));
+    EXPECT_TRUE(window->isWindowModified());
+    ASSERT_TRUE(bar()->isVisible()) << "what was left for it is kept in its turn";
+  }
+  saving().writeSession(pathTo("mine.json"));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  EXPECT_FALSE(bar()->isWanted()) << "it is saved";
+}
+
 TEST_F(SessionWindow, beforeAVolumeIsReadTheSessionIsOnTheDisk) {
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));

@@ -124,9 +124,27 @@ TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
   const glm::dvec3 nearer = target - 40.0 * basisOf(scene().camera).forward;
   view().setTurnsAbout(nearer);
   ASSERT_TRUE(ask());
-  const FigurePanel& panel = dialog().preview().figure().panels.front();
-  EXPECT_EQ(panel.turnsAboutMm, nearer);
-  EXPECT_DOUBLE_EQ(mmPerPixelOf(panel, {200, 200}), mmPerPixel(scene().camera, 200.0, nearer));
+  check("figureExact");
+  const double onScreen = mmPerPixel(scene().camera, 200.0, nearer);
+  // Rounding: sums of hundreds of millimetres, in double precision.
+  const auto expectItsScale = [&](const FigurePanel& panel, const char* where) {
+    EXPECT_NEAR(mmPerPixelOf(panel, {200, 200}), onScreen, 1e-9 * onScreen) << where;
+    EXPECT_EQ(panel.scene.camera.position, scene().camera.position) << where;
+    EXPECT_NEAR(glm::dot(basisOf(panel.scene.camera).forward, basisOf(scene().camera).forward), 1.0, 1e-12)
+        << where;
+  };
+  ASSERT_LT(onScreen, 0.95 * mmPerPixel(scene().camera, 200.0)) << "which is not that of the middle";
+  for (const FigurePanel& panel : dialog().askedFigure().panels)
+    expectItsScale(panel, "in the preview");
+  EXPECT_EQ(dialog().askedFigure().panels.size(), view().scenesOfSides().size()) << "what is on screen";
+  ASSERT_TRUE(saveAs("turned.png"));
+  const auto loaded = loadFigure((folder.path() / "turned.png").string(), {}, {});
+  ASSERT_TRUE(loaded);
+  for (const auto& read : loaded->panels) {
+    FigurePanel again;
+    again.scene = read.scene.scene;
+    expectItsScale(again, "drawn anew from the file");
+  }
 }
 
 TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {

@@ -66,12 +66,26 @@ TEST(BuiltInPresets, skinIsClosedInBothModels) {
   EXPECT_GE(presetNamed(presets, "CT skin").shading->opacityRange.atFlat, 1.0);
 }
 
+// A curve over the value cannot tell a brain from the skin and muscle around it: over the heads of CT and MR
+// the one that shows a brain shows the scalp, and its name says what it is for.
+TEST(BuiltInPresets, nonePromisesABrainButWhereItWasStripped) {
+  const std::vector<Preset> presets = builtInPresets();
+  const auto says = [](const Preset& preset, const char* word) {
+    return preset.name.find(word) != std::string::npos;
+  };
+  for (const Preset& preset : presets)
+    EXPECT_TRUE(says(preset, "stripped") || !(says(preset, "brain") || says(preset, "Brain"))) << preset.name;
+  const std::string note = presetNamed(presets, "MR stripped brain").note;
+  EXPECT_NE(note.find("on a whole head this shows the scalp"), std::string::npos) << note;
+}
+
 TEST(BuiltInPresets, holdEveryFirstLook) {
   std::set<std::string> names;
   for (const Preset& preset : builtInPresets())
     names.insert(preset.name);
-  for (const char* look : {"CT bone and veil", "CT chest", "CT angiography", "Vessels", "MR head",
-                           "MR T2 head", "MR PD head", "MR brain", "PET hot spots", "Ultrasound surface"})
+  for (const char* look :
+       {"CT bone and veil", "CT chest", "CT angiography", "Vessels", "MR head", "MR T2 head", "MR PD head",
+        "MR stripped brain", "PET hot spots", "Ultrasound surface"})
     EXPECT_TRUE(names.contains(look)) << look;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
+#include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/ViewGeometry.h"
 
 #include <gtest/gtest.h>
@@ -79,6 +80,26 @@ TEST(CameraGesture, aTurnAboutAPlaceKeepsThatPlaceUnderItsPixel) {
     EXPECT_EQ(plain.target, before.target);
   }
   expectNear(orbitedAbout(front, 0.3, 0.2, front.target).position, orbited(front, 0.3, 0.2).position, 1e-9);
+}
+
+// Zoomed into a part, the place may have come to lie behind the eye: turning about it would lead what is seen
+// against the pointer.
+TEST(CameraGesture, aTurnAboutWhatLiesBehindTheEyeGoesAboutTheTarget) {
+  const glm::dvec3 ahead = front.target - 40.0 * basisOf(front).forward;
+  const Camera near = zoomed(front, 4.0); // 25 mm before the target
+  for (const double behind : {30.0, 0.0}) {
+    const glm::dvec3 place = near.position - behind * basisOf(near).forward;
+    Comparison comparison;
+    comparison.scene.camera = near;
+    comparison.turnsAboutMm = place;
+    const ViewGeometry geometry{CompareLayout::single, 0.5, {400, 200}, 1.0};
+    const ViewDrag drag =
+        dragFrom({Qt::LeftButton, Qt::NoModifier, {100, 100}}, comparison, geometry, ViewTool::rotate, {});
+    EXPECT_FALSE(drag.turnsAbout) << behind;
+  }
+  EXPECT_EQ(centreBeforeEye(front, ahead), ahead);
+  EXPECT_FALSE(centreBeforeEye(near, ahead)) << "15 mm behind it";
+  EXPECT_EQ(centreBeforeEye(front, ahead), ahead) << "and comes back with the distance";
 }
 
 TEST(CameraGesture, panningKeepsThePointOfTheTargetPlaneUnderThePointer) {

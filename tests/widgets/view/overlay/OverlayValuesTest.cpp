@@ -43,9 +43,22 @@ TEST(ScaleBar, millimetresPerPixelHoldAtTheTarget) {
   const Camera perspective{.position = {0, -100, 0}, .target = {0, 0, 0}, .fovYDeg = 90.0};
   EXPECT_NEAR(mmPerPixel(perspective, 400.0), 0.5, 1e-12); // 2 · 100 mm · tan 45° over 400 pixels
   EXPECT_NEAR(mmPerPixel(perspective, 400.0, glm::dvec3(30, -60, 0)), 0.2, 1e-12) << "40 mm before the eye";
-  EXPECT_NEAR(mmPerPixel(perspective, 400.0, glm::dvec3(0, -160, 0)), 0.5, 1e-12) << "behind it";
+  for (const double behind : {-160.0, -100.0, -99.5}) // 60 mm behind it, in it, at less than a hundredth
+    EXPECT_NEAR(mmPerPixel(perspective, 400.0, glm::dvec3(0, behind, 0)), 0.5, 1e-12) << behind;
   const Camera parallel{.projection = Camera::Projection::orthographic, .heightMm = 200.0};
   EXPECT_EQ(mmPerPixel(parallel, 400.0), 0.5);
+}
+
+TEST(ScaleBar, aTargetAsDeepAsThePivotLeavesWhatIsSeen) {
+  const Camera camera{.position = {10, -100, 5}, .target = {0, 20, 0}, .fovYDeg = 40.0};
+  const glm::dvec3 pivot(30, -60, 8);
+  const Camera moved = withTargetAsDeepAs(camera, pivot);
+  // Rounding of unit vectors and of sums of a hundred millimetres.
+  EXPECT_NEAR(glm::length(basisOf(moved).forward - basisOf(camera).forward), 0.0, 1e-14);
+  EXPECT_NEAR(glm::dot(moved.target - pivot, basisOf(camera).forward), 0.0, 1e-12);
+  EXPECT_NEAR(mmPerPixel(moved, 400.0), mmPerPixel(camera, 400.0, pivot), 1e-12);
+  EXPECT_EQ(withTargetAsDeepAs(camera, glm::dvec3(0, -160, 0)), camera) << "behind the eye";
+  EXPECT_EQ(withTargetAsDeepAs(camera, std::nullopt), camera);
 }
 
 TEST(SideText, namesTheFewNumbersThatMatter) {
