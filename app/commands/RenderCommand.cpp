@@ -121,6 +121,10 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty() && !isComparison)
     scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
+  if (arguments.filtersNoise && (isComparison || !isPhysical(scene)))
+    throw Error(Error::Kind::usage,
+                "--filter-noise filters pictures of random paths; use it with --model physical.");
+  scene.shading.physical.filtersNoise |= arguments.filtersNoise;
   const auto start = std::chrono::steady_clock::now();
   reportOrStop(progress, -1.0, "Drawing");
   const MadePicture picture = pictureOf(scene, arguments, make);
@@ -190,6 +194,9 @@ void addRenderOptions(CommandSyntax& command, RenderArguments& arguments) {
               "threads of the CPU engine and the reference (default: every core)")
       .within(1, 4096);
   command.flag("--json", arguments.json, "one JSON object on stdout: what was drawn, by whom, and its error");
+  command.flag("--filter-noise", arguments.filtersNoise,
+               "with --model physical: filter the noise that is left, and print what that changed and what "
+               "error remains (an EXR keeps the radiance as paths found it)");
   command.flag("--figures", arguments.printsFigures,
                "print contrast, overflow of highlights, and how much can be seen of what lies at or above "
                "the scene's isovalue (300 if not set)");

@@ -13,6 +13,7 @@ struct RenderArguments {
   std::string engine = "auto";
   int threads = 0;
   bool printsFigures = false;
+  bool filtersNoise = false;
   bool json = false; ///< what was drawn is told on stdout, for machines
   bool skipsExisting = false;
   std::string samplesSpent; ///< empty: not wanted

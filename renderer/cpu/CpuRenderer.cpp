@@ -115,6 +115,24 @@ Image CpuRenderer::drawPaths(const Scene& scene, const glm::ivec2& size, const P
   return picture.displayedTile(tile, scene.shading, m_threads);
 }
 
+std::optional<cpu::FilteredPaths> CpuRenderer::withoutNoise(const Scene& scene, const glm::ivec2& size,
+                                                            const Effort& effort) {
+  const cpu::PathPicture* picture = m_paths.find(scene, size);
+  if (!picture)
+    return std::nullopt;
+  const Effort own{m_threads, effort.isCancelled, {}};
+  const Scene medium = cpu::mediumOf(scene);
+  const EffectPlan needed = plan(medium, effort.isCancelled);
+  const cpu::PictureTerms terms =
+      m_data.terms(medium, size, needed.effects.with(Effect::exponentMap), effort.isCancelled);
+  const cpu::PathTerms paths = m_data.pathTerms(medium, terms, effort.isCancelled);
+  const PixelRect covered = coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size);
+  return cpu::filtered(*picture,
+                       cpu::tracedGuides(paths, terms, scene.shading.physical.seed,
+                                         intersection({{0, 0}, size}, covered), own, *picture),
+                       scene.shading, own);
+}
+
 std::optional<PathFigures> CpuRenderer::pathFigures(const Scene& scene, const glm::ivec2& size) const {
   const cpu::PathPicture* picture = m_paths.find(scene, size);
   return picture ? std::optional(picture->figures(scene.shading, m_threads)) : std::nullopt;

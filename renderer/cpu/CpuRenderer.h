@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cpu/SceneData.h"
+#include "cpu/paths/NoiseFilter.h"
 #include "cpu/paths/PathPicture.h"
 #include "engine/DrawingEngine.h"
 
@@ -37,6 +38,10 @@ public:
   /// the scene asks for (pathsOf) and goes on from those that were followed before.
   std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) const;
   std::optional<Image> radiance(const Scene& scene, const glm::ivec2& size) const;
+  /// A picture of physical light without the noise that its paths left, as far as a filter can tell it from
+  /// what is there (cpu/paths/NoiseFilter); absent as above. Throws Cancelled.
+  std::optional<cpu::FilteredPaths> withoutNoise(const Scene& scene, const glm::ivec2& size,
+                                                 const Effort& effort = {});
   /// How many paths of each pixel a picture goes on from (DrawingEngine).
   int followedPaths(const Scene& scene, const glm::ivec2& size) const;
   /// Of each pixel the standard error of the worst of its display colours, 255 levels, rows from the top;

@@ -16,4 +16,12 @@ struct PathFigures {
   bool operator==(const PathFigures&) const = default;
 };
 
+/// What filtering the noise of random paths did to a picture, 255 levels of display colours.
+struct NoiseFigures {
+  double rmsChange{}, largestChange{};
+  /// The error that is left, its root mean square, judged by paths that the filter did not see. Absent where
+  /// there are too few.
+  std::optional<double> rmsLevels;
+};
+
 } // namespace limn

@@ -178,8 +178,8 @@ Volume maskedWith(int dark, int steps, const std::string& modality, const std::s
 }
 
 TEST(FirstLook, ofABrainWithoutItsSkullIsTheBrain) {
-  EXPECT_EQ(lookOf(maskedWith(3, 50, "MR", "DICOM")), "MR stripped brain");
-  EXPECT_EQ(lookOf(maskedWith(3, 50, "", "NIfTI-1")), "MR stripped brain");
+  EXPECT_EQ(lookOf(maskedWith(3, 50, "MR", "DICOM")), "MR skull-stripped brain");
+  EXPECT_EQ(lookOf(maskedWith(3, 50, "", "NIfTI-1")), "MR skull-stripped brain");
   EXPECT_EQ(lookOf(maskedWith(3, 50, "", "VTI")), "") << "masked, but nothing says by whom";
   EXPECT_EQ(lookOf(maskedWith(4, 50, "MR", "DICOM")), "MR head") << "over 1 % of 350 are dark: skin, noise";
   EXPECT_EQ(lookOf(maskedWith(0, 5, "MR", "NIfTI-1")), "MR head") << "a label map";

@@ -10,6 +10,7 @@
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/LightSection.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QSignalSpy>
 #include <QTest>
@@ -102,6 +103,20 @@ TEST_F(PhysicalSectionTest, anEndIsANumberOfPathsOrLevelsOrSeconds) {
   EXPECT_EQ(m_shading.physical.until, Until(UntilSeconds{90.0}));
   choose(0);
   EXPECT_EQ(m_shading.physical.until, Until(UntilPaths{256}));
+}
+
+TEST_F(PhysicalSectionTest, aSwitchFiltersTheNoiseOfSavedPictures) {
+  auto* filter = m_section.findChild<QCheckBox*>();
+  ASSERT_TRUE(filter);
+  EXPECT_FALSE(filter->isChecked());
+  filter->click();
+  PhysicalLight expected;
+  expected.filtersNoise = true;
+  EXPECT_EQ(m_shading.physical, expected);
+  m_section.setShading(Shading{});
+  EXPECT_FALSE(filter->isChecked());
+  m_section.setModelsShown({ShadingModel::classic});
+  EXPECT_FALSE(filter->isEnabled());
 }
 
 TEST_F(PhysicalSectionTest, withoutAPhysicalPictureItSaysThatNothingIsUsed) {

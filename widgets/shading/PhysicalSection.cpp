@@ -3,6 +3,7 @@
 
 #include "widgets/controls/NumberSliders.h"
 
+#include <QCheckBox>
 #include <QLabel>
 
 #include <cmath>
@@ -195,6 +196,14 @@ void PhysicalSection::addUntil() {
   connect(m_untilNumber, &ValueSlider::valueEdited, this, [this](double value, const Gesture& gesture) {
     editUntil(untilNumber(shading().physical.until, value), gesture);
   });
+  m_filter = new QCheckBox(tr("Filter the noise that is left"));
+  m_filter->setAccessibleName(m_filter->text());
+  contents()->addWidget(m_filter);
+  connect(m_filter, &QAbstractButton::clicked, this, [this](bool checked) {
+    PhysicalLight changed = shading().physical;
+    changed.filtersNoise = checked;
+    edit(&Shading::physical, changed, {nextGestureId(), changeText(m_filter->text())});
+  });
 }
 
 void PhysicalSection::editUntil(const Until& until, const Gesture& gesture) {
@@ -225,6 +234,12 @@ void PhysicalSection::showShading() {
   showUntil();
   m_until->setUnavailable(reason);
   m_untilNumber->setUnavailable(reason);
+  m_filter->setChecked(shown.filtersNoise);
+  setUnavailable(
+      *m_filter, reason,
+      tr("Means over pixels that show the same take the grain away, and a little of the finest "
+         "detail with it. What that changed, and what error is left, is said with the picture. The "
+         "window shows pictures without it."));
 }
 
 } // namespace limn

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+class QCheckBox;
 class QLabel;
 
 namespace limn {
@@ -42,6 +43,7 @@ private:
   std::vector<Row> m_rows;
   ChoiceRow* m_until = nullptr;
   ValueSlider* m_untilNumber = nullptr;
+  QCheckBox* m_filter = nullptr;
 };
 
 } // namespace limn

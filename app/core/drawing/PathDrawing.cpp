@@ -93,6 +93,11 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
     next = nextPaths(until, drawn.figures, drawn.seconds);
   }
   drawn.radiance = *renderer.radiance(pass, size);
+  if (scene.shading.physical.filtersNoise) {
+    cpu::FilteredPaths filtered = *renderer.withoutNoise(pass, size, effort);
+    drawn.image = std::move(filtered.image);
+    drawn.noise = filtered.figures;
+  }
   return drawn;
 }
 
@@ -103,6 +108,16 @@ Message sentenceOf(const PathFigures& figures) {
                      "within %2 (standard error), after %3 paths a pixel.")
       .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
       .arg(figures.paths);
+}
+
+Message sentenceOf(const NoiseFigures& noise) {
+  if (!noise.rmsLevels)
+    return Message::tr("Too few paths were followed to filter their noise.");
+  return Message::tr(
+             "Filtering its noise changed colours by %1 levels RMS, by %2 at most; judged by paths that "
+             "the filter did not see, about %3 levels RMS are left between it and the exact one.")
+      .arg(levelsOfError(noise.rmsChange), levelsOfError(noise.largestChange),
+           levelsOfError(*noise.rmsLevels));
 }
 
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene) {

@@ -17,14 +17,16 @@ struct DrawnByPaths {
   Image image;
   Image radiance;
   PathFigures figures;
+  std::optional<NoiseFigures> noise; ///< where it was filtered; the radiance is as paths found it
   double seconds = 0.0;
 };
 
 /// Draws a scene of physical light until its paths, levels or seconds are reached (DEFINITION section 12), or
 /// as many paths as its quality says: in
 /// passes that grow, each of which goes on from the last. A picture that takes longer for its first pass than
-/// it has seconds has that pass. Throws Error, also where
-/// the memory that is free does not hold what paths find (64 bytes a pixel); Cancelled.
+/// it has seconds has that pass. Where the scene
+/// asks for it, noise that remains is filtered (cpu/paths/NoiseFilter). Throws Error, also where
+/// the memory that is free does not hold what paths find (72 bytes a pixel); Cancelled.
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
                           const Effort& effort);
 
@@ -38,6 +40,9 @@ void requireMemoryForPaths(const glm::ivec2& size);
 
 /// How many paths a picture has and its standard error, one sentence.
 Message sentenceOf(const PathFigures& figures);
+
+/// What the filter changed, and what a picture errs by with it, one sentence.
+Message sentenceOf(const NoiseFigures& noise);
 
 /// What whoever asked is told of it, a sentence each: paths and error, and what of the scene was left out.
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene);

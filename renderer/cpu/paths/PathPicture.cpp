@@ -11,9 +11,6 @@
 namespace limn::cpu {
 namespace {
 
-// A pixel counts from half a level of alpha on (DEFINITION section 9).
-constexpr float leastAlpha = 1.0f / 510.0f;
-
 // What paths depend on: not how many there are to be, nor how they are shown, nor the light of other models.
 Scene asFollowed(Scene scene) {
   const Shading& asked = scene.shading;
@@ -28,6 +25,7 @@ Scene asFollowed(Scene scene) {
   read.physical = asked.physical;
   read.physical.exposureEv = 0.0;
   read.physical.until = {};
+  read.physical.filtersNoise = false;
   scene.shading = read;
   scene.quality.paths.reset();
   scene.fog = {};
@@ -125,7 +123,7 @@ std::vector<float> PathPicture::errors(const Shading& shading, int threads) cons
   forEach(m_size.y, threads, [&](int y) {
     const std::size_t row = static_cast<std::size_t>(y) * m_size.x;
     for (std::size_t n = row; n < row + m_size.x; ++n)
-      if (m_pixels[n].alpha >= leastAlpha) {
+      if (m_pixels[n].isCovered()) {
         const glm::dvec3 error = errorOf(m_pixels[n], shading);
         errors[n] = static_cast<float>(std::max({error.r, error.g, error.b}));
       }
@@ -140,7 +138,7 @@ PathFigures PathPicture::figures(const Shading& shading, int threads) const {
   for (const PixelPaths& pixel : m_pixels) {
     if (pixel.alpha < 0.0f)
       fewest = 0;
-    if (!(pixel.alpha >= leastAlpha))
+    if (!pixel.isCovered())
       continue;
     fewest = std::min(fewest, pixel.paths);
     covered.push_back(&pixel);

@@ -17,9 +17,13 @@ namespace limn::cpu {
 struct PixelPaths {
   glm::dvec3 sum{0.0};     ///< of radiances
   glm::dvec3 squares{0.0}; ///< of each channel
+  glm::vec3 half{0.0f};    ///< the sum over every second path that met something, to judge a filter by
   int met = 0;             ///< how many met something
   int paths = 0;
   float alpha = -1.0f; ///< negative: not known yet
+
+  /// A pixel counts from half a level of alpha on (DEFINITION section 9).
+  bool isCovered() const { return alpha >= 1.0f / 510.0f; }
 };
 
 /// A picture of physical light on its way: the same for each number of paths, whatever tiles, passes and
@@ -33,6 +37,8 @@ public:
   bool isOf(const Scene& scene, const glm::ivec2& size) const;
   bool isOfVolume(const Scene& scene) const { return m_scene.volume == scene.volume; }
 
+  const glm::ivec2& size() const { return m_size; }
+  const std::vector<PixelPaths>& pixels() const { return m_pixels; } ///< rows from the top
   PixelPaths& at(int x, int y) { return m_pixels[static_cast<std::size_t>(y) * m_size.x + x]; }
 
   /// Pixels that had more paths begin anew.

@@ -42,6 +42,25 @@ public:
     return std::nullopt;
   }
 
+  /// What a path first meets.
+  struct Met {
+    glm::vec3 albedo, normal; // turned to the viewer; 0 where the field is flat
+    float depth = 0.0f;       // behind where it begins, lengths
+  };
+
+  /// Absent where it meets nothing; `mostTries` as above.
+  std::optional<Met> firstMet(const PathStart& start, PathRandom& random, int mostTries = 1) const {
+    for (int n = 0; n < mostTries; ++n)
+      if (const auto met = m_way.collision(start.place, start.direction, start.length, random)) {
+        const glm::vec3 gradient = m_medium.gradientAt(*met);
+        const float modulus = glm::length(gradient);
+        const glm::vec3 normal = modulus > m_terms.flatModulus ? gradient / modulus : glm::vec3(0.0f);
+        return Met{m_medium.albedoAt(*met), glm::dot(normal, start.direction) > 0.0f ? -normal : normal,
+                   glm::length((*met - start.place) / m_terms.perLength)};
+      }
+    return std::nullopt;
+  }
+
   /// The radiance that comes along `direction` from a collision at a place.
   glm::vec3 from(glm::vec3 place, glm::vec3 direction, const glm::vec3& towardsKey,
                  PathRandom& random) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/paths/NoiseFilter.h"
 #include "cpu/paths/PathPicture.h"
 #include "cpu/paths/PathTerms.h"
 
@@ -13,5 +14,10 @@ namespace limn::cpu {
 void tracePaths(const PathTerms& paths, const PictureTerms& terms, std::uint32_t seed,
                 const PixelRect& covered, int count, int threads, const std::function<bool()>& isCancelled,
                 PathPicture& picture);
+
+/// What lies where paths of the pixels of `covered` first meet something, a few of each: to guide a filter
+/// (NoiseFilter). The same for each seed, whatever threads there are. Throws Cancelled.
+PathGuides tracedGuides(const PathTerms& paths, const PictureTerms& terms, std::uint32_t seed,
+                        const PixelRect& covered, const Effort& effort, const PathPicture& picture);
 
 } // namespace limn::cpu

@@ -134,6 +134,7 @@ PhysicalLight readPhysicalLight(JsonFields fields) {
   light.seed = static_cast<std::uint32_t>(seed);
   if (fields.has("until"))
     light.until = readUntil(fields.object("until"));
+  fields.boolean("filter_noise", light.filtersNoise);
   fields.finish();
   return light;
 }

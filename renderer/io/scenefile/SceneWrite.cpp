@@ -54,16 +54,19 @@ Json toJson(const Until& until) {
 }
 
 Json toJson(const PhysicalLight& light) {
-  return {{"density", light.density},
-          {"anisotropy", light.anisotropy},
-          {"surface", light.surface},
-          {"specular_share", light.specularShare},
-          {"key_irradiance", light.keyIrradiance},
-          {"key_radius_deg", light.keyRadiusDeg},
-          {"sky", Json::array({light.sky.below, light.sky.above})},
-          {"exposure_ev", light.exposureEv},
-          {"seed", light.seed},
-          {"until", toJson(light.until)}};
+  Json json{{"density", light.density},
+            {"anisotropy", light.anisotropy},
+            {"surface", light.surface},
+            {"specular_share", light.specularShare},
+            {"key_irradiance", light.keyIrradiance},
+            {"key_radius_deg", light.keyRadiusDeg},
+            {"sky", Json::array({light.sky.below, light.sky.above})},
+            {"exposure_ev", light.exposureEv},
+            {"seed", light.seed},
+            {"until", toJson(light.until)}};
+  if (light.filtersNoise)
+    json["filter_noise"] = true;
+  return json;
 }
 
 Json toJson(const Shading& shading) {

@@ -50,6 +50,7 @@ struct PhysicalLight {
   double exposureEv = 0.0; ///< of the picture, -20..20: each step doubles its light
   std::uint32_t seed = 1;
   Until until;
+  bool filtersNoise = false; ///< what is left of it, in pictures that are saved
   bool operator==(const PhysicalLight&) const = default;
 };
 

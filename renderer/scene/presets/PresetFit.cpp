@@ -94,7 +94,7 @@ const char* firstLookOfMr(const ScanHints& hints, const Histogram& histogram) {
   const bool mayBeT1 =
       hints.weighting == ScanHints::Weighting::unknown || hints.weighting == ScanHints::Weighting::t1;
   if (mayBeT1 && holdsBrainAlone(histogram))
-    return "MR stripped brain";
+    return "MR skull-stripped brain";
   return hints.weighting == ScanHints::Weighting::t2   ? "MR T2 head"
          : hints.weighting == ScanHints::Weighting::pd ? "MR PD head"
                                                        : "MR head";
@@ -136,7 +136,7 @@ std::string firstLook(const Volume& volume, const Histogram& histogram) {
   const bool isHead = hints.bodyPart == ScanHints::BodyPart::head;
   const bool mayBeBrain = isHead || volume.info().format.starts_with("NIfTI");
   if (modality.empty() && mayBeBrain && holdsBrainAlone(histogram))
-    return "MR stripped brain";
+    return "MR skull-stripped brain";
   return modality.empty() && isHead ? "MR head" : "";
 }
 

@@ -123,10 +123,10 @@ TEST_F(LookCommand, aPresetIsConvertedByItsName) {
 TEST_F(LookCommand, aPresetThatMovesWithItsDataIsFittedToTheVolume) {
   // The phantom's air lies at -1000 and its brightest far above that of an MR scan.
   const Outcome outcome =
-      run("presets convert \"MR stripped brain\" " + path("brain.json") + " --for phantom:8");
+      run("presets convert \"MR skull-stripped brain\" " + path("brain.json") + " --for phantom:8");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("fitted to the volume's values"), std::string::npos) << outcome.err;
-  ASSERT_EQ(run("presets convert \"MR stripped brain\" " + path("own.json")).status, 0);
+  ASSERT_EQ(run("presets convert \"MR skull-stripped brain\" " + path("own.json")).status, 0);
   EXPECT_NE(readJson("brain.json")["transfer_function"], readJson("own.json")["transfer_function"]);
 }
 

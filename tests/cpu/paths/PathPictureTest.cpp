@@ -172,11 +172,11 @@ TEST(PathPictures, takeLittleMemoryBesideTheLastTwo) {
   CpuRenderer renderer(2);
   Scene scene = physicalHead(1);
   const double before = (renderer.plan(scene), renderer.memoryMb());
-  constexpr glm::ivec2 large{2048, 1280}; // 64 bytes a pixel
+  constexpr glm::ivec2 large{2048, 1280}; // 72 bytes a pixel
   for (int n = 1; n <= 4; ++n) {
     scene.shading.physical.seed = static_cast<std::uint32_t>(n);
     renderer.draw(scene, large, {{0, 0}, {1, 1}});
-    EXPECT_NEAR(renderer.memoryMb() - before, std::min(n, 2) * 64e-6 * large.x * large.y, 2.0) << n;
+    EXPECT_NEAR(renderer.memoryMb() - before, std::min(n, 2) * 72e-6 * large.x * large.y, 2.0) << n;
   }
   const auto drawSmall = [&scene](CpuRenderer& by) {
     for (int n = 10; n <= 30; ++n) {
@@ -188,7 +188,7 @@ TEST(PathPictures, takeLittleMemoryBesideTheLastTwo) {
   EXPECT_LE(renderer.memoryMb() - before, 268.5 + 2.0);
   CpuRenderer other(2);
   drawSmall(other);
-  EXPECT_NEAR(other.memoryMb() - before, 6 * 64e-6 * 512 * 512, 2.0);
+  EXPECT_NEAR(other.memoryMb() - before, 6 * 72e-6 * 512 * 512, 2.0);
 }
 
 TEST(PathPictures, tellTheErrorOfEachPixel) {

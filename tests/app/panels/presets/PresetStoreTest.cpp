@@ -75,7 +75,7 @@ TEST(BuiltInPresets, nonePromisesABrainButWhereItWasStripped) {
   };
   for (const Preset& preset : presets)
     EXPECT_TRUE(says(preset, "stripped") || !(says(preset, "brain") || says(preset, "Brain"))) << preset.name;
-  const std::string note = presetNamed(presets, "MR stripped brain").note;
+  const std::string note = presetNamed(presets, "MR skull-stripped brain").note;
   EXPECT_NE(note.find("on a whole head this shows the scalp"), std::string::npos) << note;
 }
 
@@ -85,7 +85,7 @@ TEST(BuiltInPresets, holdEveryFirstLook) {
     names.insert(preset.name);
   for (const char* look :
        {"CT bone and veil", "CT chest", "CT angiography", "Vessels", "MR head", "MR T2 head", "MR PD head",
-        "MR stripped brain", "PET hot spots", "Ultrasound surface"})
+        "MR skull-stripped brain", "PET hot spots", "Ultrasound surface"})
     EXPECT_TRUE(names.contains(look)) << look;
 }
 
