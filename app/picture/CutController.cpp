@@ -11,6 +11,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/planes/PlaneCut.h"
 #include "widgets/planes/PlaneDeck.h"
+#include "widgets/properties/CutSection.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/Overlay.h"
@@ -73,9 +74,10 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
 
 // "226 – 3071 HU · 812 ml · mean 640 HU"
 QString pieceText(const ConnectedPiece& piece, const SetFigures& figures, const Volume& volume) {
+  const ValueRange range = foundRange(piece, volume);
   return CutController::tr("%1 – %2 · %3 ml · mean %4")
-      .arg(valueText(piece.range.x, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
-           readingText(piece.range.y, volume),
+      .arg(valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
+           readingText(range.highest, volume),
            plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
            readingText(figures.mean, volume));
 }

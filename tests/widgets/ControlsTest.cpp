@@ -141,6 +141,35 @@ TEST(NumberField, takesPerCentWhereThatIsMeant) {
   EXPECT_TRUE(typedInto(field, QStringLiteral("10")).refusal.contains(QStringLiteral("per cent")));
 }
 
+// Left out without a word, letters would make another number of what was typed: 81 of 8x1.
+TEST(NumberField, refusesWhatIsNoNumberAsItWasTyped) {
+  NumberField field(0.0, 200.0, 2);
+  field.show();
+  for (const char* keys : {"8x1", "abc", "1-1"}) {
+    const Typed typed = typedInto(field, QString::fromLatin1(keys));
+    EXPECT_TRUE(typed.edits.empty()) << keys << " became " << typed.number;
+    EXPECT_EQ(typed.number, 0.55) << keys;
+    const QString shown = QString::fromLatin1(keys).replace(QLatin1Char('-'), QChar(0x2212));
+    EXPECT_TRUE(typed.refusal.startsWith(shown)) << keys << ": " << typed.refusal.toStdString();
+  }
+  EXPECT_EQ(typedInto(field, QStringLiteral("1e2")).number, 100.0);
+  EXPECT_EQ(typedInto(field, QStringLiteral("1.239")).number, 1.24) << "as exact as it is shown";
+  const Typed nothing = typedInto(field, QStringLiteral(" "));
+  EXPECT_EQ(nothing.number, 0.55);
+  EXPECT_TRUE(nothing.refusal.isEmpty()) << "nothing was said, so nothing is refused";
+}
+
+TEST(NumberField, takesItsUnitAsItIsTyped) {
+  NumberField field(0.0, 200.0, 1);
+  field.setSuffix(QChar(0x00a0) + QStringLiteral("HU"));
+  field.show();
+  for (const char* keys : {"90 HU", "90HU"}) {
+    const Typed typed = typedInto(field, QString::fromLatin1(keys));
+    EXPECT_EQ(typed.number, 90.0) << keys << ": " << typed.refusal.toStdString();
+  }
+  EXPECT_EQ(field.text(), QStringLiteral("90") + QChar(0x00a0) + QStringLiteral("HU"));
+}
+
 TEST(NumberField, readsBothMinusSignsAndShowsTheRealOne) {
   NumberField field(-1000.0, 1000.0, 1);
   field.show();
@@ -425,6 +454,73 @@ TEST(ColorPicker, allThatIsPickedIsOneGestureThatCanBeTakenBack) {
   EXPECT_EQ(takenBack, std::vector{picked.front().second}) << "once";
   QTest::mouseClick(&picker, Qt::LeftButton, {}, {100, 100});
   EXPECT_NE(picked.back().second, picked.front().second) << "another one";
+}
+
+TEST(ColorPicker, takesNamesAndCodesAndRefusesTheRestWithASentence) {
+  ColorPicker picker;
+  picker.setColor({0.0, 0.0, 0.0});
+  picker.show();
+  std::vector<glm::dvec3> picked;
+  QObject::connect(&picker, &ColorPicker::colorPicked, &picker,
+                   [&](const glm::dvec3& color) { picked.push_back(color); });
+  auto* hex = picker.findChild<QLineEdit*>();
+  const auto type = [&](const char* text) {
+    hex->selectAll();
+    QTest::keyClicks(hex, QString::fromLatin1(text));
+    QTest::keyClick(hex, Qt::Key_Return);
+  };
+  const glm::dvec3 red(1.0, 0.0, 0.0), green(0.0, 1.0, 0.0);
+  type("red");
+  EXPECT_EQ(picked, std::vector{red});
+  EXPECT_EQ(hex->text(), QStringLiteral("#ff0000"));
+  type("0f0");
+  EXPECT_EQ(picked, (std::vector{red, green}));
+  type("rot");
+  EXPECT_EQ(picked.size(), 2u);
+  EXPECT_TRUE(picker.refusal().startsWith(QStringLiteral("rot is no colour")))
+      << picker.refusal().toStdString();
+  EXPECT_EQ(hex->text(), QStringLiteral("rot")) << "so that it is seen what was wrong";
+  EXPECT_EQ(hex->accessibleDescription(), picker.refusal());
+  type("#0000ff");
+  EXPECT_TRUE(picker.refusal().isEmpty());
+  EXPECT_EQ(picked.back(), glm::dvec3(0.0, 0.0, 1.0));
+}
+
+TEST(ColorPicker, isWorkedByKeys) {
+  ColorPicker picker;
+  picker.setColor({1.0, 0.0, 0.0});
+  picker.show();
+  std::vector<glm::dvec3> picked;
+  QObject::connect(&picker, &ColorPicker::colorPicked, &picker,
+                   [&](const glm::dvec3& color) { picked.push_back(color); });
+  EXPECT_TRUE(picker.focusPolicy() & Qt::TabFocus);
+  QTest::keyClick(&picker, Qt::Key_Down, Qt::ShiftModifier);
+  // The picker counts in 65535ths of a share, and colours on screen in 255ths.
+  EXPECT_NEAR(picked.back().r, 0.9, 0.5 / 255.0);
+  QTest::keyClick(&picker, Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_NEAR(picked.back().g, 0.09, 0.5 / 255.0);
+  QTest::keyClick(&picker, Qt::Key_PageDown, Qt::ShiftModifier);
+  EXPECT_GT(picked.back().g, picked.back().b) << "towards yellow";
+  QTest::keyClick(&picker, Qt::Key_5);
+  EXPECT_EQ(picked.back(), glm::dvec3(0xd8, 0x26, 0x1c) / 255.0) << "the fifth swatch: vessels";
+}
+
+TEST(ColorButton, enterKeepsWhatWasPickedAndClosesWhereItIsAColour) {
+  ColorButton button(QStringLiteral("change colour"));
+  button.setColor({0.5, 0.5, 0.5});
+  button.show();
+  button.click();
+  auto* picker = button.findChild<ColorPicker*>();
+  ASSERT_NE(picker, nullptr);
+  auto* hex = picker->findChild<QLineEdit*>();
+  EXPECT_EQ(picker->window()->focusWidget(), hex) << "to type at once";
+  QTest::keyClicks(hex, QStringLiteral("rot"));
+  QTest::keyClick(hex, Qt::Key_Return);
+  EXPECT_TRUE(picker->isVisible()) << "to be typed once more";
+  QTest::keyClicks(hex, QStringLiteral("#ff0000"));
+  QTest::keyClick(hex, Qt::Key_Return);
+  EXPECT_FALSE(picker->isVisible());
+  EXPECT_EQ(button.color(), glm::dvec3(1.0, 0.0, 0.0));
 }
 
 TEST(ColorButton, escTakesBackWhatWasPicked) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/ColorPicker.h"
 
+#include "widgets/controls/NumberField.h"
 #include "widgets/controls/Popups.h"
 #include "widgets/theme/Theme.h"
 
@@ -25,8 +26,19 @@ constexpr std::array<const char*, 8> swatches{"#f4ecd8", "#f0cf7a", "#e0a98c", "
 constexpr double barWidth = 16.0;
 constexpr double gap = 8.0;
 constexpr double rowHeight = 26.0;
+constexpr double keyShare = 0.01; // of the field and the hues, at one press
 
-// Closes on a click elsewhere, which keeps what was picked, and on Esc.
+QColor swatch(int index) {
+  return QColor(QLatin1String(swatches[static_cast<std::size_t>(index)]));
+}
+
+// A hex code with or without its sign, or a name; what is a code is never a name.
+QColor typedColor(const QString& text) {
+  const QColor code(text.startsWith('#') ? text : '#' + text);
+  return code.isValid() ? code : QColor(text);
+}
+
+// Closes on a click elsewhere and on Enter, which keep what was picked, and on Esc.
 class PickerPopup : public QFrame {
 public:
   PickerPopup(ColorPicker& picker, QWidget* parent) : QFrame(parent, Qt::Popup), m_picker(picker) {
@@ -39,6 +51,11 @@ public:
 
 protected:
   void keyPressEvent(QKeyEvent* event) override {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && m_picker.refusal().isEmpty())
+      close();
+    if (isEnter)
+      return;
     if (event->matches(QKeySequence::Cancel))
       m_picker.takeBack();
     QFrame::keyPressEvent(event);
@@ -53,17 +70,51 @@ private:
 ColorPicker::ColorPicker(QWidget* parent) : QWidget(parent), m_hex(new QLineEdit(this)) {
   setMinimumWidth(sizeHint().width());
   setFixedHeight(sizeHint().height());
+  setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Colour"));
+  setAccessibleDescription(tr("Arrows: saturation and brightness. Page Up, Page Down: hue. 1 to 8: the "
+                              "colours of tissues."));
   m_hex->setAccessibleName(tr("Colour as hex code"));
   m_hex->setToolTip(tr("The colour as a hex code, from #000000 (black) to #ffffff (white)"));
-  connect(m_hex, &QLineEdit::editingFinished, this, [this] {
-    const QColor typed(m_hex->text().startsWith('#') ? m_hex->text() : '#' + m_hex->text());
-    const QColor shown = QColor::fromHsvF(float(m_hue), float(m_saturation), float(m_brightness));
-    if (!typed.isValid())
-      return m_hex->setText(shown.name());
-    if (typed.rgb() != shown.rgb())
-      pick(typed);
-  });
+  connect(m_hex, &QLineEdit::editingFinished, this, &ColorPicker::takeTyped);
+  connect(m_hex, &QLineEdit::textEdited, this, [this] { refuse({}); });
+}
+
+// As it was typed, where it is no colour: it is seen what was wrong.
+void ColorPicker::takeTyped() {
+  const QString text = m_hex->text().trimmed();
+  if (text.isEmpty())
+    return m_hex->setText(shown().name());
+  const QColor typed = typedColor(text);
+  if (!typed.isValid())
+    return refuse(tr("%1 is no colour: give a hex code such as %2.").arg(text, shown().name()));
+  if (typed.rgb() != shown().rgb())
+    pick(typed);
+  else
+    m_hex->setText(typed.name());
+}
+
+void ColorPicker::refuse(const QString& refusal) {
+  const bool isNews = refusal != m_refusal;
+  m_refusal = refusal;
+  m_hex->setAccessibleDescription(refusal);
+  if (!isNews)
+    return;
+  placeHex();
+  update();
+  if (refusal.isEmpty())
+    return;
+  m_hex->selectAll(); // to be typed once more
+  sayRefusal(*m_hex, refusal);
+}
+
+void ColorPicker::focusCode() {
+  m_hex->setFocus(Qt::PopupFocusReason);
+  m_hex->selectAll();
+}
+
+QColor ColorPicker::shown() const {
+  return QColor::fromHsvF(float(m_hue), float(m_saturation), float(m_brightness));
 }
 
 void ColorPicker::setColor(const glm::dvec3& color) {
@@ -82,9 +133,9 @@ void ColorPicker::takeBack() {
 }
 
 void ColorPicker::showColor(const QColor& wanted) {
-  const QColor shown = QColor::fromHsvF(float(m_hue), float(m_saturation), float(m_brightness));
   m_hex->setText(wanted.name());
-  if (wanted.rgb() == shown.rgb())
+  refuse({});
+  if (wanted.rgb() == shown().rgb())
     return;
   const QColor hsv = wanted.toHsv();
   if (hsv.hsvHueF() >= 0.0f)
@@ -140,12 +191,20 @@ void ColorPicker::paintEvent(QPaintEvent*) {
     painter.drawEllipse(place, 6.0, 6.0);
     painter.drawRoundedRect(QRectF(hueRect().left() + 2.0, hueY - 3.0, barWidth - 4.0, 6.0), 2.0, 2.0);
   }
+  if (hasFocus()) { // two rings: one of them stands out from whatever colour is there
+    painter.setPen(QPen(themeColors(palette()).accent, 2.0));
+    painter.drawRoundedRect(fieldRect().adjusted(1.0, 1.0, -1.0, -1.0), 4.0, 4.0);
+    painter.setPen(QPen(themeColors(palette()).base, 1.0));
+    painter.drawRoundedRect(fieldRect().adjusted(2.5, 2.5, -2.5, -2.5), 3.0, 3.0);
+  }
+  if (!m_refusal.isEmpty()) // around the field of the code
+    paintRefusedEdge(painter, QRectF(m_hex->geometry()).adjusted(-2.0, -2.0, 2.0, 2.0));
 }
 
 void ColorPicker::paintSwatches(QPainter& painter) const {
   painter.setPen(themeColors(palette()).border);
   for (int i = 0; i < static_cast<int>(swatches.size()); ++i) {
-    painter.setBrush(QColor(QLatin1String(swatches[static_cast<std::size_t>(i)])));
+    painter.setBrush(swatch(i));
     painter.drawRoundedRect(swatchRect(i).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
   }
 }
@@ -159,7 +218,7 @@ void ColorPicker::mousePressEvent(QMouseEvent* event) {
     m_part = Part::hue;
   for (int i = 0; i < static_cast<int>(swatches.size()); ++i)
     if (swatchRect(i).contains(position))
-      return pick(QColor(QLatin1String(swatches[static_cast<std::size_t>(i)])));
+      return pick(swatch(i));
   pickAt(position);
 }
 
@@ -168,8 +227,39 @@ void ColorPicker::mouseMoveEvent(QMouseEvent* event) {
     pickAt(event->position());
 }
 
+void ColorPicker::keyPressEvent(QKeyEvent* event) {
+  const double step = event->modifiers() & Qt::ShiftModifier ? 10.0 * keyShare : keyShare;
+  const int digit = event->key() - Qt::Key_1;
+  if (digit >= 0 && digit < static_cast<int>(swatches.size()))
+    return pick(swatch(digit));
+  switch (event->key()) {
+  case Qt::Key_Left:
+  case Qt::Key_Right:
+    m_saturation = std::clamp(m_saturation + (event->key() == Qt::Key_Left ? -step : step), 0.0, 1.0);
+    return pickShown();
+  case Qt::Key_Down:
+  case Qt::Key_Up:
+    m_brightness = std::clamp(m_brightness + (event->key() == Qt::Key_Down ? -step : step), 0.0, 1.0);
+    return pickShown();
+  case Qt::Key_PageUp:
+  case Qt::Key_PageDown: // hues are a circle
+    m_hue += event->key() == Qt::Key_PageUp ? -step : step;
+    m_hue -= std::floor(m_hue);
+    return pickShown();
+  default:
+    return QWidget::keyPressEvent(event);
+  }
+}
+
 void ColorPicker::resizeEvent(QResizeEvent*) {
-  m_hex->setGeometry(0, height() - static_cast<int>(rowHeight), width(), static_cast<int>(rowHeight));
+  placeHex();
+}
+
+// A red edge has room around it.
+void ColorPicker::placeHex() {
+  const QRect row(0, height() - static_cast<int>(rowHeight), width(), static_cast<int>(rowHeight));
+  const int edge = m_refusal.isEmpty() ? 0 : 2;
+  m_hex->setGeometry(row.adjusted(edge, -edge, -edge, -edge)); // as high as before: it cannot be lower
 }
 
 void ColorPicker::pickAt(const QPointF& position) {
@@ -182,7 +272,11 @@ void ColorPicker::pickAt(const QPointF& position) {
     m_saturation = std::clamp((position.x() - field.left()) / field.width(), 0.0, 1.0);
     m_brightness = std::clamp((field.bottom() - position.y()) / field.height(), 0.0, 1.0);
   }
-  pick(QColor::fromHsvF(float(m_hue), float(m_saturation), float(m_brightness)));
+  pickShown();
+}
+
+void ColorPicker::pickShown() {
+  pick(shown());
 }
 
 void ColorPicker::pick(const QColor& color) {
@@ -197,6 +291,7 @@ ColorPicker* openColorPicker(const glm::dvec3& color, const QRect& anchor, QWidg
   auto* picker = new ColorPicker;
   picker->setColor(color);
   showPopupAt(*new PickerPopup(*picker, parent), anchor);
+  picker->focusCode();
   return picker;
 }
 

@@ -15,8 +15,10 @@ class QLineEdit;
 namespace limn {
 
 /// Picks a colour: a field of saturation (right) and brightness (up), a bar of hues, swatches of tissues, and
-/// the hex code to type. Live: every move of the mouse reports, and all that is picked until another colour
-/// is set is one gesture, which can be taken back.
+/// the hex code to type, or the English name. Live: every move of the mouse reports, and all that is picked
+/// until another colour is set is one gesture, which can be taken back. With the keyboard arrows move in the
+/// field (Shift: ten steps), Page Up and Page Down along the hues, digits are the swatches from left to
+/// right.
 class ColorPicker : public QWidget {
   Q_OBJECT
 
@@ -27,6 +29,12 @@ public:
 
   /// Picks the colour that was set again, exactly; nothing where none was picked since.
   void takeBack();
+
+  /// The keyboard goes to the code, all of which is replaced by what is typed.
+  void focusCode();
+
+  /// Why what was typed is no colour; empty once another is typed.
+  const QString& refusal() const { return m_refusal; }
 
   QSize sizeHint() const override { return {236, 208}; }
 
@@ -41,6 +49,7 @@ protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -51,6 +60,11 @@ private:
   QRectF swatchRect(int index) const;
   void pickAt(const QPointF& position);
   void pick(const QColor& color);
+  void pickShown();
+  void takeTyped();
+  void refuse(const QString& refusal);
+  QColor shown() const;
+  void placeHex();
   void showColor(const QColor& color);
   void paintSwatches(QPainter& painter) const;
 
@@ -61,14 +75,15 @@ private:
   Part m_part = Part::none;
   glm::dvec3 m_before{1.0};      ///< that was set
   std::uint64_t m_gestureId = 0; ///< 0: nothing was picked since
+  QString m_refusal;
   QLineEdit* m_hex;
 };
 
 /// Opens a ColorPicker with this colour in a pop-up beside `anchor` (global pixels), which closes on a click
-/// elsewhere, and on Esc, which takes back what was picked. The pop-up goes when it is closed.
+/// elsewhere, on Enter, and on Esc, which takes back what was picked. The pop-up goes when it is closed.
 ColorPicker* openColorPicker(const glm::dvec3& color, const QRect& anchor, QWidget* parent);
 
-/// A swatch that opens a ColorPicker below itself. Esc there takes back what was picked.
+/// A swatch that opens a ColorPicker below itself. Enter there keeps what was picked, Esc takes it back.
 class ColorButton : public QAbstractButton {
   Q_OBJECT
 

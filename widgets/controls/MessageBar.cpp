@@ -15,14 +15,15 @@
 namespace limn {
 namespace {
 
-constexpr int widestOver = 720; // of what lies over a picture, pixels
+constexpr int widestOver = 720;      // of what lies over a picture, pixels
+constexpr int narrowestBeside = 240; // of a sentence beside buttons
 constexpr int marginOver = 12;
 constexpr int marginBelow = 48; // clear of what is written at the lower edge of a picture
 
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_sentence(new QLabel(this)), m_details(new QLabel(this)),
+    : QFrame(parent), m_row(new QHBoxLayout), m_sentence(new QLabel(this)), m_details(new QLabel(this)),
       m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_close(new QToolButton(this)),
       m_end(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
@@ -38,14 +39,16 @@ MessageBar::MessageBar(QWidget* parent)
   m_close->setText(tr("Dismiss"));
   m_more->setCheckable(true);
   m_more->setToolTip(tr("Shows every remark about this volume."));
-  auto* row = new QHBoxLayout;
-  row->addWidget(m_sentence, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
   for (QToolButton* button : {m_action, m_more, m_close})
-    row->addWidget(button, 0, Qt::AlignTop);
+    buttons->addWidget(button, 0, Qt::AlignTop);
+  m_row->addWidget(m_sentence, 1);
+  m_row->addLayout(buttons);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 8, 8);
   column->setSpacing(4);
-  column->addLayout(row);
+  column->addLayout(m_row);
   column->addWidget(m_details);
   connect(m_more, &QToolButton::toggled, m_details, &QWidget::setVisible);
   connect(m_action, &QToolButton::clicked, this, [this] {
@@ -86,11 +89,26 @@ void MessageBar::setVisible(bool visible) {
     emit wanted();
 }
 
+// Beside its buttons a sentence is read in lines of several words or not at all.
+void MessageBar::arrangeIn(int width) {
+  const int lines = m_sentence->fontMetrics().horizontalAdvance(m_sentence->text());
+  const int beside = std::min(lines, narrowestBeside);
+  int buttons = contentsMargins().left() + contentsMargins().right();
+  for (const QToolButton* button : {m_action, m_more, m_close})
+    if (!button->isHidden())
+      buttons += button->sizeHint().width() + m_row->spacing();
+  const QBoxLayout::Direction direction =
+      beside + buttons <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+  if (direction != m_row->direction())
+    m_row->setDirection(direction);
+}
+
 void MessageBar::layOver() {
   if (!parentWidget())
     return;
   const QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginBelow);
   const int width = std::min(room.width(), widestOver);
+  arrangeIn(width);
   const int height =
       std::min(room.height(), hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
   setGeometry(room.left() + (room.width() - width) / 2, room.bottom() + 1 - height, width, height);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+class QBoxLayout;
 class QLabel;
 class QTimer;
 class QToolButton;
@@ -14,8 +15,9 @@ class QToolButton;
 namespace limn {
 
 /// One sentence about what is shown: an error or a warning, with an optional action and further lines on
-/// demand. Never modal. It lies over the lower edge of its parent, from which it takes no room; a note, which
-/// asks nothing and warns of nothing, goes by itself.
+/// demand. Never modal. It lies over the lower edge of its parent, from which it takes no room; where that is
+/// narrow, its buttons stand below the sentence. A note, which asks nothing and warns of nothing, goes by
+/// itself.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -67,8 +69,10 @@ protected:
 
 private:
   void layOver();
+  void arrangeIn(int width);
   void goInTime();
 
+  QBoxLayout* m_row; ///< of the sentence and the buttons
   QLabel* m_sentence;
   QLabel* m_details;
   QToolButton* m_more;

@@ -118,9 +118,14 @@ QValidator::State NumberField::validate(QString& text, int& position) const {
   if (number && m_takesPercent && (text.endsWith(QLatin1Char('%')) || text.endsWith(QLatin1Char(' '))))
     return QValidator::Acceptable;
   QString typed = withHyphen(shown) + unit;
+  const int cursor = position;
   const QValidator::State state = QDoubleSpinBox::validate(typed, position); // which may add the unit
   text = shown + unitOf(typed);
-  return state;
+  if (state != QValidator::Invalid)
+    return state;
+  position = cursor; // the spin box would have taken the last letter out
+  // Letters can be typed, too: left out without a word they would make another number, 81 of 8x1.
+  return number ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 QString NumberField::unitOf(const QString& text) const {
@@ -130,6 +135,8 @@ QString NumberField::unitOf(const QString& text) const {
 // Without suffix, in the user's locale.
 std::optional<double> NumberField::read(const QString& text) const {
   QString plain = withHyphen(text.chopped(unitOf(text).size())).trimmed();
+  if (const QString unit = suffix().trimmed(); !unit.isEmpty() && plain.endsWith(unit)) // typed by hand
+    plain = plain.chopped(unit.size()).trimmed();
   const bool isPercent = m_takesPercent && plain.endsWith(QLatin1Char('%'));
   if (isPercent)
     plain = plain.chopped(1).trimmed();
@@ -140,13 +147,18 @@ std::optional<double> NumberField::read(const QString& text) const {
   return isPercent ? number / 100.0 : number;
 }
 
+// As it is shown: more digits can be typed.
 double NumberField::valueFromText(const QString& text) const {
-  return read(text).value_or(m_number);
+  const std::optional<double> number = read(text);
+  return number ? QString::number(*number, 'f', decimals()).toDouble() : m_number;
 }
 
 // Asked of what is no number or does not fit, before the one before comes back.
 void NumberField::fixup(QString& text) const {
-  if (const std::optional<double> number = read(text); number && (*number < minimum() || *number > maximum()))
+  if (text.chopped(unitOf(text).size()).trimmed().isEmpty())
+    return;
+  const std::optional<double> number = read(text);
+  if (!number || *number < minimum() || *number > maximum())
     const_cast<NumberField*>(this)->refuse(text); // Qt asks a constant object
 }
 
@@ -156,8 +168,7 @@ void NumberField::refuse(const QString& text) {
                               : tr("%1 does not fit: give a number from %2 to %3."))
                   .arg(text.trimmed(), lowest, highest);
   setAccessibleDescription(m_refusal);
-  if (isVisible())
-    QToolTip::showText(mapToGlobal(rect().bottomLeft()), m_refusal, this, {}, refusalMs);
+  sayRefusal(*this, m_refusal);
   update();
 }
 
@@ -174,9 +185,7 @@ void NumberField::paintEvent(QPaintEvent* event) {
   if (m_refusal.isEmpty())
     return;
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(refusedColor, 2.0));
-  painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), 3.0, 3.0);
+  paintRefusedEdge(painter, rect());
 }
 
 bool NumberField::event(QEvent* event) {
@@ -209,6 +218,18 @@ void NumberField::reportIfChanged() {
     return;
   m_number = value();
   emit numberEdited(m_number);
+}
+
+void sayRefusal(QWidget& field, const QString& sentence) {
+  if (field.isVisible())
+    QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), sentence, &field, {}, refusalMs);
+}
+
+void paintRefusedEdge(QPainter& painter, const QRectF& field) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(refusedColor, 2.0));
+  painter.drawRoundedRect(field.adjusted(1.0, 1.0, -1.0, -1.0), 3.0, 3.0);
 }
 
 } // namespace limn

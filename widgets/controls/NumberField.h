@@ -5,6 +5,8 @@
 
 #include <optional>
 
+class QPainter;
+
 namespace limn {
 
 /// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It
@@ -75,5 +77,11 @@ private:
   std::optional<QString> m_leastText; ///< where it is as wide as its numbers
   QString (*m_write)(double) = nullptr;
 };
+
+/// Says below a field why what was typed in it was refused, where it is seen.
+void sayRefusal(QWidget& field, const QString& sentence);
+
+/// The red edge of a field whose text was refused, within `field`.
+void paintRefusedEdge(QPainter& painter, const QRectF& field);
 
 } // namespace limn

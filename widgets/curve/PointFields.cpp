@@ -210,6 +210,11 @@ PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, c
 
 // Wherever in it the keyboard is.
 void PointPopup::keyPressEvent(QKeyEvent* event) {
+  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (isEnter && m_picker->refusal().isEmpty())
+    close();
+  if (isEnter)
+    return;
   if (event->matches(QKeySequence::Cancel))
     m_picker->takeBack();
   QFrame::keyPressEvent(event);

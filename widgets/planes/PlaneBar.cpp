@@ -18,6 +18,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace limn {
@@ -262,8 +263,11 @@ void PlaneBar::setContent(const PlaneContent& content) {
   if (isOther)
     fillWindowMenu();
   const GreyWindow window = windowOf(content);
-  const int decimals = decimalsFor(window.width / 500.0);
-  m_width->setLimits(0.0, anyNumber, decimals);
+  // A window that is far wider than the values still has a centre among them.
+  const ValueRange range = content.volume->range();
+  const double span = range.highest > range.lowest ? range.highest - range.lowest : window.width;
+  const int decimals = decimalsFor(std::min(window.width, span) / 500.0);
+  m_width->setLimits(std::pow(10.0, -decimals), anyNumber, decimals); // 0 is no width
   m_centre->setLimits(-anyNumber, anyNumber, decimals);
   m_width->setNumber(window.width);
   m_centre->setNumber(window.centre);

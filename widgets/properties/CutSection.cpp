@@ -51,6 +51,11 @@ QString summaryOf(const std::vector<Cut>& cuts) {
 
 } // namespace
 
+ValueRange foundRange(const ConnectedPiece& piece, const Volume& volume) {
+  const ValueRange all = volume.range();
+  return {std::max(piece.range.x, all.lowest), std::min(piece.range.y, all.highest)};
+}
+
 QString cutText(const Cut& cut, const Volume& volume) {
   if (const auto* scissors = std::get_if<Scissors>(&cut.how)) {
     const QString where =
@@ -66,8 +71,9 @@ QString cutText(const Cut& cut, const Volume& volume) {
   const auto& piece = std::get<ConnectedPiece>(cut.how);
   const QString unit = QString::fromStdString(volume.info().unit);
   const int decimals = decimalsOfSpan(volume.range().highest - volume.range().lowest);
-  const QString range = CutSection::tr("%1 – %2").arg(valueText(piece.range.x, {}, decimals),
-                                                      valueText(piece.range.y, unit, decimals));
+  const ValueRange found = foundRange(piece, volume);
+  const QString range = CutSection::tr("%1 – %2").arg(valueText(found.lowest, {}, decimals),
+                                                      valueText(found.highest, unit, decimals));
   switch (piece.fate) {
   case ConnectedPiece::Fate::alone:
     return CutSection::tr("Piece %1, alone").arg(range);
@@ -139,6 +145,9 @@ CutSection::CutSection(QWidget* parent)
 
 void CutSection::setScene(const Scene& scene) {
   const bool hadCuts = !m_cuts.empty();
+  const std::vector<Cut>& cuts = scene.keep.cuts;
+  const bool isMadeLast = m_volume == scene.volume && cuts.size() > m_cuts.size() &&
+                          std::equal(m_cuts.begin(), m_cuts.end(), cuts.begin());
   m_scissors->setEnabled(scene.volume != nullptr);
   m_piece->setEnabled(scene.volume != nullptr);
   if (!hadCuts && !scene.keep.cuts.empty())
@@ -149,6 +158,8 @@ void CutSection::setScene(const Scene& scene) {
   m_volume = scene.volume;
   if (isOther || m_cuts.empty())
     showCuts();
+  if (isMadeLast) // or Delete would take another one back
+    m_list->setCurrentRow(m_list->count() - 1);
 }
 
 void CutSection::showCuts() {

@@ -47,6 +47,9 @@ private:
   QPushButton* m_delete;
 };
 
+/// The range of a piece as far as the volume has values: what it was picked with may reach beyond.
+ValueRange foundRange(const ConnectedPiece& piece, const Volume& volume);
+
 /// What a list of cuts says of one of a volume: "Scissors, inside", "Piece 226 – 3071 HU, hidden".
 QString cutText(const Cut& cut, const Volume& volume);
 

@@ -23,6 +23,20 @@ BodyFinding bodyIn(const Volume& volume, const Progress& progress) {
                        : findBody(volume, effort);
 }
 
+// Of cut `number`, which takes nothing; empty where nobody need know. A line that leaves its inside leaves
+// all that was meant: of one that was just drawn it is said, of those that are opened again it is not.
+Message remarkOnNothing(const Cut& cut, std::size_t number, bool isJustMade) {
+  const auto* scissors = std::get_if<Scissors>(&cut.how);
+  if (!scissors)
+    return Message::tr("Cut %1 finds no piece: nothing in its range of values is left at its place.")
+        .arg(number);
+  if (scissors->removesInside)
+    return Message::tr("Cut %1 takes nothing away: its line goes around nothing that is left.").arg(number);
+  if (isJustMade)
+    return Message::tr("Cut %1 takes nothing away: its line goes around all that is left.").arg(number);
+  return {};
+}
+
 } // namespace
 
 FoundRegion bodyOf(const Volume& volume, const Progress& progress) {
@@ -90,15 +104,10 @@ FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<
   FoundRegion found{std::move(made.region), {}};
   // Of what stood there before it was said then.
   const auto known = static_cast<std::size_t>(std::ranges::mismatch(cuts, region.cuts).in1 - cuts.begin());
+  const bool isOneMore = known + 1 == cuts.size();
   for (std::size_t n = known; n < cuts.size() && found.remark.empty(); ++n)
     if (cuts[n].isOn && made.taken[n] == 0)
-      found.remark =
-          std::holds_alternative<ConnectedPiece>(cuts[n].how)
-              ? Message::tr("Cut %1 finds no piece: nothing in its range of values is left at its "
-                            "place.")
-                    .arg(n + 1)
-              : Message::tr("Cut %1 takes nothing away: its line goes around nothing that is left.")
-                    .arg(n + 1);
+      found.remark = remarkOnNothing(cuts[n], n + 1, isOneMore);
   found.takesNothing = !found.remark.empty() && made.taken.back() == 0;
   if (made.left == 0)
     found.remark = Message::tr("The cuts take everything away.");

@@ -14,6 +14,7 @@
 #include "widgets/figure/FigureText.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/OrientationCube.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -130,6 +131,17 @@ void addViews(std::vector<PanelSource>& sources, const FigureIngredients& from) 
   }
 }
 
+// From as far away as the picture is seen from, so that they have one scale.
+void addSides(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  for (const CubeFace& face : cubeFaces(*from.scene.volume)) {
+    Scene scene = from.scene;
+    Camera& camera = scene.camera;
+    camera.position = camera.target + glm::distance(camera.position, camera.target) * face.outward;
+    camera.up = face.up;
+    sources.push_back(withLook(QObject::tr("View: %1"), scene, face.side));
+  }
+}
+
 void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from) {
   for (const PatientPlane plane : patientPlanes) {
     FigurePanel panel;
@@ -148,13 +160,14 @@ void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from
 }
 
 // All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,
-// from the views that were kept, its slices, every preset from where the camera is.
+// from the views that were kept and from every side, its slices, every preset from where the camera is.
 std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   std::vector<PanelSource> sources;
   addLooks(sources, from);
   addScenes(sources, from);
   addRemembered(sources, from);
   addViews(sources, from);
+  addSides(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
   for (PanelSource& source : sources)

@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -66,6 +67,17 @@ PictureOptions readOptions(const QString& text) {
   for (bool* mark : {&marks.names, &marks.letters, &marks.scale, &marks.warning, &marks.measurements})
     *mark = words[at++].toInt() != 0;
   return options;
+}
+
+QString groundRemark(const QString& path, const PictureOptions& options) {
+  const QFileInfo file(path);
+  const QString ending = file.suffix().toLower();
+  const bool isJpeg = ending == QLatin1String("jpg") || ending == QLatin1String("jpeg");
+  if (!isJpeg || options.ground != PictureOptions::Ground::transparent)
+    return {};
+  return PictureDialog::tr("%1 has the ground of the screen: JPEG knows no transparent one. Save the picture "
+                           "as PNG to have none.")
+      .arg(file.fileName());
 }
 
 PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,

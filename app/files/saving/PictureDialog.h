@@ -41,6 +41,9 @@ double scaleOf(const PictureOptions& options, int screenWidth);
 QString writtenOptions(const PictureOptions& options);
 PictureOptions readOptions(const QString& text);
 
+/// What is to be said of a file that was asked for without a ground and has one; empty where nothing is.
+QString groundRemark(const QString& path, const PictureOptions& options);
+
 /// Of the 3D view, or a slice, which has no ground of its own.
 enum class PictureKind { view, slice };
 

@@ -9,6 +9,7 @@
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
+#include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 
 #include <QFileInfo>
@@ -366,7 +367,8 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
       sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(view.pictureState()) : std::nullopt,
                   m_context.session.measurements());
   if (isOnScreen) {
-    m_context.notes.attempt([&] { file.write(sides); }, path);
+    if (m_context.notes.attempt([&] { file.write(sides); }, path))
+      sayGround(path, options);
     return;
   }
   std::vector<Scene> scenes;
@@ -396,11 +398,17 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
       ++done;
     });
     file.write(sides); // seconds of a large one
-    return [this, path = QString::fromStdString(file.path)] {
+    return [this, path = QString::fromStdString(file.path), options = file.options] {
       emit drawing({});
       m_context.notes.attempt([] {}, path); // it is there
+      sayGround(path, options);
     };
   });
+}
+
+void SavingController::sayGround(const QString& path, const PictureOptions& options) {
+  if (const QString remark = groundRemark(path, options); !remark.isEmpty())
+    m_context.messages.show(MessageBar::Kind::warning, remark);
 }
 
 void SavingController::cancelPicture() {

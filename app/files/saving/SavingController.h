@@ -135,6 +135,7 @@ signals:
 private:
   struct PictureFile;
   void drawPicture(const PictureFile& file, const std::vector<Scene>& scenes, const glm::ivec2& size);
+  void sayGround(const QString& path, const PictureOptions& options);
   std::string seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
                        const std::string& kind) const;
   std::string volumeSeenFrom(const std::filesystem::path& file) const;

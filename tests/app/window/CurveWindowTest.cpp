@@ -5,6 +5,7 @@
 #include "widgets/curve/PointFields.h"
 #include "widgets/curve/picture/CurveGeometry.h"
 
+#include <QLineEdit>
 #include <QPointer>
 #include <QToolButton>
 
@@ -115,6 +116,41 @@ TEST_F(CurveWindow, enterAndEscInTheNumbersOfAPointLeadBackToIt) {
   EXPECT_EQ(plot().selected(), PointIndices{2});
   QTest::keyClick(&plot(), Qt::Key_Up);
   EXPECT_GT(scene().transferFunction.points[2].opacity, 0.25) << "the keys are the point's again";
+}
+
+TEST_F(CurveWindow, aPointGetsAColourByTheKeyboardAlone) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  for (const bool isInPopup : {false, true}) {
+    plot().setFocus();
+    plot().takeInHand(2);
+    if (isInPopup) {
+      const QPointF at = positionOf(plot().transform(), plot().transferFunction().points[2]);
+      QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at.toPoint());
+    } else {
+      QTest::keyClick(&plot(), Qt::Key_Return);
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    }
+    ColorPicker* picker = nullptr;
+    for (ColorPicker* one : window->findChildren<ColorPicker*>())
+      if (one->isVisible())
+        picker = one;
+    ASSERT_NE(picker, nullptr);
+    ASSERT_TRUE(test::waitUntilExposed(*picker->window()));
+    auto* hex = picker->findChild<QLineEdit*>();
+    if (!isInPopup) {
+      EXPECT_EQ(picker->window()->focusWidget(), hex);
+    }
+    hex->setFocus();
+    hex->selectAll();
+    QTest::keyClicks(hex, isInPopup ? QStringLiteral("blue") : QStringLiteral("#ff0000"));
+    QTest::keyClick(hex, Qt::Key_Return);
+    EXPECT_FALSE(picker->isVisible());
+    EXPECT_EQ(scene().transferFunction.points[2].color,
+              isInPopup ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
 }
 
 TEST_F(CurveWindow, aTissueClickedInThePictureIsMadeTransparentByOneMoreClick) {

@@ -3,6 +3,7 @@
 #include "app/picture/CutController.h"
 #include "app/picture/RegionController.h"
 #include "scene/LabelLooks.h"
+#include "widgets/ValueText.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
@@ -272,6 +273,16 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_NE(scene().camera, before) << "the wheel zooms again";
 }
 
+// A curve may go on beyond the values there are; a piece does not.
+TEST_F(CutWindow, theRangeOfAPieceEndsWhereTheValuesDo) {
+  const ValueRange values = scene().volume->range();
+  ConnectedPiece piece;
+  piece.range = {values.highest - 10.0, values.highest + 1000.0};
+  EXPECT_EQ(foundRange(piece, *scene().volume), (ValueRange{values.highest - 10.0, values.highest}));
+  const QString said = cutText({piece}, *scene().volume);
+  EXPECT_TRUE(said.contains(plainNumber(values.highest, 0))) << said.toStdString();
+}
+
 // A message that waits for an answer would hide what is said of a piece, and the buttons.
 TEST_F(CutWindow, theBarStandsAboveAMessage) {
   const auto bottom = [this] { return bar().mapTo(window.get(), QPoint(0, bar().height())).y(); };
@@ -428,6 +439,7 @@ TEST_F(CutWindow, theListSwitchesMovesAndDeletes) {
   draw({{-120, -20}, {-80, -20}, {-80, 20}, {-120, 20}});
   ASSERT_TRUE(ready());
   ASSERT_EQ(list().count(), 2);
+  EXPECT_EQ(list().currentRow(), 1) << "Delete means what was made last";
   list().item(0)->setCheckState(Qt::Unchecked);
   ASSERT_TRUE(ready());
   EXPECT_FALSE(cuts()[0].isOn);

@@ -138,6 +138,30 @@ TEST_F(Room, aSessionOfWhatGaveWayHasBothPicturesAgainWhereThereIsRoom) {
   EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
 }
 
+TEST_F(Room, buttonsOfAMessageStandBelowItWhereThePictureIsNarrow) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const auto showIn = [&](const QSize& size) {
+    setSize(size);
+    messages().show(
+        MessageBar::Kind::warning,
+        QStringLiteral("Schnitt 3 nimmt nichts weg: Seine Linie umschließt nichts, was noch da ist."),
+        {QStringLiteral("Noch etwas.")}, {QStringLiteral("Orientierung festlegen…"), [] {}});
+    QCoreApplication::processEvents();
+    const QList<QToolButton*> buttons = messages().findChildren<QToolButton*>();
+    EXPECT_EQ(buttons.size(), 3);
+    const auto* sentence = messages().findChild<QLabel*>();
+    for (const QToolButton* button : buttons) {
+      EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
+      EXPECT_TRUE(messages().rect().contains(button->geometry()));
+      EXPECT_FALSE(sentence->geometry().intersects(button->geometry()));
+    }
+    EXPECT_GE(sentence->width(), 240);
+    return buttons.front()->y() >= sentence->geometry().bottom();
+  };
+  EXPECT_TRUE(showIn({1024, 700}));
+  EXPECT_FALSE(showIn({1440, 900})) << "beside it where there is room";
+}
+
 // In the program's own style; in Qt's the button is narrower than what our sheet puts around its icon.
 // What can be had elsewhere does not ask to be dismissed in its turn: late, it goes by itself.
 TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {

@@ -67,7 +67,25 @@ TEST_F(PlaneBarTest, windowsAreTyped) {
   type(QStringLiteral("Window level"), QStringLiteral("40"));
   EXPECT_EQ(host.settings().window, (GreyWindow{40.0, 80.0}));
   type(QStringLiteral("Window width"), QStringLiteral("0"));
-  EXPECT_GT(host.settings().window->width, 0.0) << "never none";
+  EXPECT_EQ(host.settings().window, (GreyWindow{40.0, 80.0})) << "no width is none";
+  EXPECT_FALSE(named<NumberField>(host.widget, QStringLiteral("Window width"))->refusal().isEmpty());
+}
+
+// Of values between 0 and 1, whatever width was typed.
+TEST_F(PlaneBarTest, theLevelIsSaidAsExactlyAsTheValuesNeed) {
+  Grid grid;
+  grid.dims = {4, 4, 4};
+  std::vector<float> values(64);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>(i) / 63.0f;
+  host.content = test::contentOf(
+      std::make_shared<const Volume>(grid, VoxelArray(values), Rescale{}, std::nullopt, VolumeInfo{}));
+  host.content.settings.window = GreyWindow{0.234, 99999.0};
+  host.widget.setContent(host.content);
+  const auto* level = named<NumberField>(host.widget, QStringLiteral("Window level"));
+  EXPECT_EQ(level->text(), QLocale().toString(0.234));
+  type(QStringLiteral("Window width"), QStringLiteral("0.5"));
+  EXPECT_EQ(host.settings().window, (GreyWindow{0.234, 0.5})) << "and the way back is open";
 }
 
 TEST_F(PlaneBarTest, windowsOfTissuesAreChosenWhereValuesAreHounsfieldUnits) {

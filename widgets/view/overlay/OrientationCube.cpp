@@ -42,6 +42,24 @@ QString meaningOf(StandardView view) {
   return {};
 }
 
+QString sideOf(StandardView view) {
+  switch (view) {
+  case StandardView::anterior:
+    return QObject::tr("Anterior");
+  case StandardView::posterior:
+    return QObject::tr("Posterior");
+  case StandardView::left:
+    return QObject::tr("Left");
+  case StandardView::right:
+    return QObject::tr("Right");
+  case StandardView::superior:
+    return QObject::tr("Superior");
+  case StandardView::inferior:
+    return QObject::tr("Inferior");
+  }
+  return {};
+}
+
 // Of a face across an axis of the grid.
 QString gridMeaningOf(int axis, bool isLast) {
   switch (axis) {
@@ -64,6 +82,7 @@ CubeFace ofTheGrid(CubeFace face, const Grid& grid) {
   face.view.reset();
   face.letter = (isLast ? QChar(u'+') : QChar(0x2212)) + QString(QLatin1Char("xyz"[axis]));
   face.meaning = gridMeaningOf(axis, isLast);
+  face.side = face.letter;
   return face;
 }
 
@@ -110,6 +129,7 @@ std::array<CubeFace, 6> cubeFaces(const Volume& volume) {
     face.view = cubeViews[i];
     face.letter = QString::fromStdString(lettersOf(face.outward));
     face.meaning = meaningOf(cubeViews[i]);
+    face.side = sideOf(cubeViews[i]);
     if (!volume.info().orientationKnown)
       face = ofTheGrid(face, volume.grid());
   }

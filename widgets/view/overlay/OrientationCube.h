@@ -24,6 +24,7 @@ struct CubeFace {
   std::optional<StandardView> view; ///< which that is; none where sides are unknown
   QString letter;                   ///< "A"; of an axis of the grid "−y"
   QString meaning;                  ///< "Look from the front"
+  QString side;                     ///< "Anterior"; of an axis of the grid "−y"
 };
 
 /// The six faces in the order of StandardView: those that lie opposite each other are 2n and 2n + 1. Where

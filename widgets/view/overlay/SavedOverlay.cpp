@@ -51,6 +51,11 @@ Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks) {
   };
   std::vector<Note> notes;
   std::ranges::copy_if(overlay.notes, std::back_inserter(notes), isWanted);
+  for (Note& note : notes) // no pointer will make them say more
+    if (hidden.contains(note.text))
+      note.plate.setWidth(
+          noteAt(source.font, note.text, note.plate.topLeft(), Qt::AlignLeft, note.plate.width())
+              .plate.width());
   overlay.notes = std::move(notes);
   overlay.gap.reset(); // pictures stand without one in a file
   // No menu opens in a file.

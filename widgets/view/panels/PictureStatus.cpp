@@ -129,6 +129,9 @@ QString coarsenessText(const Coarseness& coarseness) {
 // 9).
 constexpr double exactLevels = 1.0;
 
+// A hundredth of white: what an eye just tells apart of two fields that touch (Weber's law).
+constexpr double nearlyExactLevels = 2.55;
+
 QString badgeText(const PictureState& state) {
   if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
     return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
@@ -139,7 +142,8 @@ QString badgeText(const PictureState& state) {
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
-  if (isResolved(state) && state.refinementEnd == RefinementEnd::withinHalfALevel)
+  const bool isNear = !isKnown(state) || *levelsOf(worstOf(state)) <= nearlyExactLevels;
+  if (isResolved(state) && isNear && state.refinementEnd == RefinementEnd::withinHalfALevel)
     return QObject::tr("○ nearly exact"); // no step would make it exact
   return isResolved(state) ? QObject::tr("○ not exact") : QObject::tr("○ not resolved");
 }

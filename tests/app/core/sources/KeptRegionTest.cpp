@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/sources/KeptRegion.h"
 #include "app/core/sources/SceneSource.h"
+#include "scene/view/Camera.h"
 #include "scene/volume/Phantom.h"
 #include "support/TemporaryFolder.h"
 
@@ -30,6 +31,25 @@ TEST(KeptRegion, ofAHeadAloneIsItsBodyOnlyWhereAskedFor) {
   EXPECT_EQ(asked.region.kind, Region::Kind::body);
   EXPECT_EQ(asked.remark.english(), "");
   EXPECT_EQ(sureBodyOf(*phantom), Region{}) << "there is no table to hide";
+}
+
+// Of lines that are opened again it is said only where something that was meant to go is still there.
+TEST(KeptRegion, aLineThatLeavesAllIsNoReasonForAWordWhereItIsOpenedAgain) {
+  const auto phantom = phantomVolume({16.0, 0.0, 1});
+  const Camera camera = defaultCamera(phantom->grid());
+  const std::vector<glm::dvec2> everything{{-9.0, -9.0}, {9.0, -9.0}, {9.0, 9.0}, {-9.0, 9.0}};
+  const std::vector<glm::dvec2> left{{-9.0, -9.0}, {0.0, -9.0}, {0.0, 9.0}, {-9.0, 9.0}};
+  const std::vector<glm::dvec2> corner{{8.0, 8.0}, {9.0, 8.0}, {9.0, 9.0}};
+  const Cut half{Scissors{camera, 1.0, left, true, {}}};
+  const Cut leaves{Scissors{camera, 1.0, everything, false, {}}};
+  const Cut misses{Scissors{camera, 1.0, corner, true, {}}};
+  EXPECT_EQ(cutIn(*phantom, Region{}, {half, leaves}, {}).remark.english(), "");
+  EXPECT_EQ(cutIn(*phantom, Region{}, {half, misses}, {}).remark.english(),
+            "Cut 2 takes nothing away: its line goes around nothing that is left.");
+  const Region before = cutIn(*phantom, Region{}, {half}, {}).region;
+  EXPECT_EQ(cutIn(*phantom, before, {half, leaves}, {}).remark.english(),
+            "Cut 2 takes nothing away: its line goes around all that is left.")
+      << "just drawn";
 }
 
 // A volume of 8 voxels, and a label map on its grid.

@@ -183,6 +183,35 @@ TEST_F(FigureWindow, aViewThatWasKeptCanStandInAPanel) {
   EXPECT_LE(dialog().width(), 1200);
 }
 
+// Four pictures of a head without a view that was kept for each.
+TEST_F(FigureWindow, theSidesFromWhichRadiologistsLookAreOfferedInOneScale) {
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  auto& source = part<QComboBox>("panelSource-a");
+  const Camera shown = scene().camera;
+  for (const auto& [name, view] : {std::pair{"Anterior", StandardView::anterior},
+                                   {"Left", StandardView::left},
+                                   {"Posterior", StandardView::posterior},
+                                   {"Superior", StandardView::superior}}) {
+    const int chosen = source.findText(QStringLiteral("View: ") + QLatin1String(name));
+    ASSERT_GE(chosen, 0) << name;
+    source.setFocus();
+    QTest::keyClick(&source, Qt::Key_Home);
+    for (int step = 0; step < chosen; ++step)
+      QTest::keyClick(&source, Qt::Key_Down);
+    ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+    const FigurePanel panel = dialog().askedFigure().panels[0];
+    EXPECT_EQ(panel.name, QLatin1String(name));
+    const CameraBasis basis = basisOf(panel.scene.camera);
+    const CameraBasis wanted = basisOf(standardView(shown, scene().volume->grid(), view));
+    EXPECT_GT(glm::dot(basis.forward, wanted.forward), 1.0 - 1e-12) << name; // rounding of one rotation
+    EXPECT_GT(glm::dot(basis.up, wanted.up), 1.0 - 1e-12) << name;
+    EXPECT_NEAR(mmPerPixel(panel.scene.camera, 200.0, panel.scene.camera.target),
+                mmPerPixel(shown, 200.0, shown.target), 1e-9)
+        << name;
+  }
+}
+
 TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
   setLayout(CompareLayout::single);
   window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();

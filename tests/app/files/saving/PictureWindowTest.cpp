@@ -68,6 +68,23 @@ TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {
   EXPECT_EQ(saved("white.png", options).pixelColor(0, 0), QColor(Qt::white));
 }
 
+TEST_F(SavedPicture, saysWhereItsFormatKnowsNoTransparentGround) {
+  PictureOptions options;
+  options.marks = noMarks;
+  options.ground = PictureOptions::Ground::transparent;
+  messages().hide();
+  saved("clear.png", options);
+  EXPECT_FALSE(messages().isVisible());
+  for (const PictureOptions::Size size : {PictureOptions::Size::screen, PictureOptions::Size::twice}) {
+    options.size = size;
+    saved("ground.jpg", options);
+    EXPECT_TRUE(messages().isVisible());
+    EXPECT_TRUE(messages().sentence().startsWith(QStringLiteral("ground.jpg has the ground of the screen")))
+        << messages().sentence().toStdString();
+    messages().hide();
+  }
+}
+
 TEST_F(SavedPicture, takesTheMarksAlongThatAreAskedFor) {
   PictureOptions options;
   options.marks = noMarks;

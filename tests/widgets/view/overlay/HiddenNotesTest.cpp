@@ -3,6 +3,7 @@
 
 #include "scene/volume/Phantom.h"
 #include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/overlay/OverlayParts.h"
 #include "widgets/view/overlay/SavedOverlay.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,15 @@ TEST_F(HiddenNotes, goWithTheNamesIntoAFile) {
   };
   EXPECT_TRUE(told({}));
   EXPECT_FALSE(told(noMarks));
+  // On screen it has room for what it says under the pointer.
+  const double onScreen = hiddenNotesOf(source())[0].note.plate.width();
+  const Note alone =
+      noteAt(source().font, QStringLiteral("Body only: table hidden"), {}, Qt::AlignLeft, 1000.0);
+  for (const Note& note : savedOverlay(source(), {}).notes)
+    if (note.text == alone.text) {
+      EXPECT_EQ(note.plate.width(), alone.plate.width());
+    }
+  EXPECT_GE(onScreen, alone.plate.width());
 }
 
 TEST_F(HiddenNotes, keepClearOfEverythingElseInEveryLayout) {

@@ -105,6 +105,8 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
       << "beside 1.2 levels, whatever was estimated";
   state.refinementEnd = RefinementEnd::withinHalfALevel;
   EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact"));
+  state.sides[0].chance->levels = 11.65;
+  EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ not exact")) << "that is seen";
   state.sides[0].measuredLevels = 0.347;
   state.sides[1].measuredLevels = 0.2;
   EXPECT_NE(lineOf(state).find("within 0.35 of 255 levels, measured"), std::string::npos)
