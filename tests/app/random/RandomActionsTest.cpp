@@ -73,7 +73,11 @@ protected:
       return glm::length(glm::dvec3(v) - 16.0) < 5.0 ? 7 : v.x > 16 && v.z > 16 ? 2 : 0;
     });
   }
-  void TearDown() override { qInstallMessageHandler(m_before); }
+  void TearDown() override {
+    test::noteAction(QStringLiteral("close the window"));
+    window.reset();
+    qInstallMessageHandler(m_before);
+  }
 
   // What makes places to go to: every panel, and a volume.
   [[nodiscard]] bool bringBack() {
