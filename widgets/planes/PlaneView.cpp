@@ -79,6 +79,7 @@ void PlaneView::setContent(const PlaneContent& content) {
   if (content == m_content)
     return;
   if (content.volume != m_content.volume) {
+    m_pictures.forget();
     m_zoom.reset();
     m_drag.reset();
   }
