@@ -157,7 +157,10 @@ private:
   std::vector<NamedView> m_after;
 };
 
-Session::Session(QObject* parent) : QObject(parent) {}
+Session::Session(QObject* parent, std::size_t mostLabelBytes)
+    : QObject(parent), m_mostLabelBytes(mostLabelBytes) {
+  m_undo.setUndoLimit(mostSteps);
+}
 
 void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_undo.clear();
@@ -224,7 +227,27 @@ std::shared_ptr<const PackedLabels> Session::packed(const std::shared_ptr<const 
   const auto labels =
       std::make_shared<const PackedLabels>(map, m_scene.volume ? m_scene.volume->room() : nullptr);
   m_packed.push_back(labels);
+  putOldLabelsAside();
   return labels;
+}
+
+// Who undoes comes to the latest first.
+void Session::putOldLabelsAside() const {
+  std::size_t bytes = 0;
+  for (auto known = m_packed.rbegin(); known != m_packed.rend(); ++known)
+    if (const auto labels = known->lock()) {
+      bytes += labels->bytesInMemory();
+      if (bytes > m_mostLabelBytes)
+        labels->putAside(m_aside);
+    }
+}
+
+std::size_t Session::labelBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& known : m_packed)
+    if (const auto labels = known.lock())
+      bytes += labels->bytesInMemory();
+  return bytes;
 }
 
 void Session::setViews(const std::vector<NamedView>& views, const QString& what) {

@@ -35,7 +35,12 @@ class Session : public QObject {
   Q_OBJECT
 
 public:
-  explicit Session(QObject* parent = nullptr);
+  /// No more can be undone than so many steps: of more the oldest goes.
+  static constexpr int mostSteps = 1000;
+
+  /// Steps hold at most `mostLabelBytes` of maps of labels in memory (each cut has one); those of the oldest
+  /// lie on the disk.
+  explicit Session(QObject* parent = nullptr, std::size_t mostLabelBytes = std::size_t{256} << 20);
 
   const Scene& scene() const { return m_scene; }
   const std::string& volumePath() const { return m_volumePath; }
@@ -97,6 +102,9 @@ public:
   const std::vector<NamedView>& views() const { return m_views; }
   void setViews(const std::vector<NamedView>& views, const QString& what);
 
+  /// Of maps of labels that steps hold in memory, as far as they are packed.
+  std::size_t labelBytes() const;
+
 signals:
   void viewsChanged(const std::vector<limn::NamedView>& views);
   void sceneChanged(const limn::Scene& scene);
@@ -107,6 +115,7 @@ private:
   friend class SceneEdit;
   /// What the history holds of a map of labels, once for all steps that have it; null of none.
   std::shared_ptr<const PackedLabels> packed(const std::shared_ptr<const LabelMap>& map);
+  void putOldLabelsAside() const;
   friend class MeasurementsEdit;
   friend class ViewsEdit;
   template <class Part>
@@ -126,7 +135,9 @@ private:
   Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;
-  std::vector<std::weak_ptr<const PackedLabels>> m_packed; ///< that steps hold
+  std::vector<std::weak_ptr<const PackedLabels>> m_packed; ///< that steps hold, the latest last
+  std::size_t m_mostLabelBytes;
+  std::shared_ptr<Room> m_aside = std::make_shared<Room>(); ///< of the oldest of them
 };
 
 } // namespace limn

@@ -106,6 +106,30 @@ TEST(PackedLabels, bringBackTheVeryMapOrOneThatIsEqual) {
     }
 }
 
+TEST(PackedLabels, putAsideTakeNoMemoryAndComeBack) {
+  const auto room = std::make_shared<Room>(), none = std::make_shared<Room>("/no such folder");
+  const glm::ivec3 dims(77, 130, 50); // more than is worth a file
+  auto map = mapOf<std::uint8_t>(dims, 200, 0.5);
+  const PackedLabels packed(map);
+  const std::size_t bytes = packed.bytes();
+  EXPECT_EQ(packed.bytesInMemory(), bytes);
+  packed.putAside(none);
+  EXPECT_EQ(packed.bytesInMemory(), bytes) << "there is no place for them";
+  packed.putAside(room);
+  packed.putAside(room);
+  EXPECT_EQ(packed.bytesInMemory(), 0u);
+  EXPECT_EQ(packed.bytes(), bytes);
+  EXPECT_GE(room->taken(), bytes);
+  const LabelMap before = *map;
+  map.reset();
+  EXPECT_EQ(packed.map()->places(), before.places());
+
+  const PackedLabels few(mapOf<std::uint8_t>({8, 8, 8}, 200, 0.5));
+  EXPECT_GT(few.bytes(), 0u);
+  few.putAside(room);
+  EXPECT_EQ(few.bytesInMemory(), few.bytes()) << "not worth a file";
+}
+
 TEST(PackedLabels, ofAWideRowAndOfBlocksTakeFewBytes) {
   EXPECT_EQ(PackedLabels(mapOf<std::uint8_t>({200000, 1, 1}, 1, 1.0)).bytes(),
             4u * 3); // of at most 65535 each

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -150,6 +151,13 @@ int PlanePictures::coarseness(const PlaneContent& content, const PlaneGrid& plan
   wanted.plane = m_read.plane;
   const double ms = wanted == m_read ? m_msPerPixel * plane.size.x * plane.size.y : 0.0;
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(ms / mostMs) - 1e-9)));
+}
+
+void PlanePictures::forget() {
+  PlanePictures fresh;
+  fresh.m_readings = m_readings;
+  fresh.m_msPerPixel = m_msPerPixel;
+  *this = std::move(fresh);
 }
 
 void PlanePictures::keep(const PlaneReading& read, PlaneImage values, double ms) {

@@ -38,6 +38,9 @@ public:
   /// Takes what somebody else has read, in `ms`, in the place of what was read before.
   void take(const PlaneReading& read, const PlaneImage& values, double ms) { keep(read, values, ms); }
 
+  /// Lets what was read go, as another volume is shown: who is hidden meanwhile would hold it.
+  void forget();
+
   /// How often voxels were read.
   int readings() const { return m_readings; }
 

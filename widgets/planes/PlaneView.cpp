@@ -27,8 +27,7 @@ constexpr int notch = 120; // of a wheel, in Qt's eighths of a degree
 constexpr double zoomStep = 1.15;
 constexpr int fastSlices = 10;
 
-// A slice follows the pointer; what takes longer (thick slabs of oblique volumes) is coarse until nothing
-// moves.
+// A slice follows the pointer; what takes longer (thick slabs that lie obliquely) is coarse until it rests.
 constexpr double mostMovingMs = 16.0;
 constexpr int restMs = 150;
 
@@ -76,6 +75,7 @@ void PlaneView::setContent(const PlaneContent& content) {
   if (content == m_content)
     return;
   if (content.volume != m_content.volume) {
+    m_pictures.forget();
     m_zoom.reset();
     m_drag.reset();
   }

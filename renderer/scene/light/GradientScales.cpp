@@ -2,6 +2,12 @@
 #include "scene/light/GradientScales.h"
 
 namespace limn {
+namespace {
+
+// Of a slider that is dragged; what is asked for again is found again.
+constexpr std::size_t mostPercentiles = 64;
+
+} // namespace
 
 void GradientScales::setVolume(const std::shared_ptr<const Volume>& volume) {
   if (volume == m_volume)
@@ -18,6 +24,8 @@ GradientScale GradientScales::of(const Shading& shading, bool usesRatio, const E
     // One pass finds both.
     const FoundModuli found = findModuli(*m_volume, percentile->percent, effort);
     m_largest = found.largest;
+    if (m_percentiles.size() >= mostPercentiles)
+      m_percentiles.clear();
     m_percentiles.emplace(percentile->percent, found.percentile);
   }
   if (!m_largest)

@@ -2,10 +2,13 @@
 #include "scene/regions/PackedLabels.h"
 
 #include "scene/basics/Effort.h"
+#include "scene/basics/Error.h"
 #include "scene/regions/LabelRuns.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <span>
 
 namespace limn {
 namespace {
@@ -40,7 +43,7 @@ std::vector<std::uint8_t> packed(const Place* slice, int width, int rows) {
 }
 
 template <class Place>
-void unpack(const std::vector<std::uint8_t>& bytes, std::size_t voxels, Place* slice) {
+void unpack(std::span<const std::uint8_t> bytes, std::size_t voxels, Place* slice) {
   if (bytes.size() == sizeof(Place) * voxels) {
     std::memcpy(slice, bytes.data(), bytes.size());
     return;
@@ -55,12 +58,13 @@ void unpack(const std::vector<std::uint8_t>& bytes, std::size_t voxels, Place* s
 }
 
 template <class Place>
-LabelMap::Places unpacked(const std::vector<std::vector<std::uint8_t>>& slices, std::size_t voxelsOfSlice,
-                          const std::shared_ptr<Room>& room) {
-  RoomVector<Place> places(slices.size() * voxelsOfSlice, room);
-  forEachPiece(static_cast<int>(slices.size()), {}, [&](int z) {
+LabelMap::Places unpacked(std::span<const std::uint8_t> bytes, const std::vector<std::size_t>& ends,
+                          std::size_t voxelsOfSlice, const std::shared_ptr<Room>& room) {
+  RoomVector<Place> places(ends.size() * voxelsOfSlice, room);
+  forEachPiece(static_cast<int>(ends.size()), {}, [&](int z) {
     const auto slice = static_cast<std::size_t>(z);
-    unpack(slices[slice], voxelsOfSlice, places.data() + slice * voxelsOfSlice);
+    const std::size_t begin = slice == 0 ? 0 : ends[slice - 1];
+    unpack(bytes.subspan(begin, ends[slice] - begin), voxelsOfSlice, places.data() + slice * voxelsOfSlice);
   });
   return StoredVoxels<Place>(std::move(places));
 }
@@ -85,31 +89,63 @@ PackedLabels::PackedLabels(const std::shared_ptr<const LabelMap>& map, std::shar
     : m_dims(map->dims()), m_labels(map->labels()), m_isOfBytes(map->places().index() == 0),
       m_room(std::move(room)), m_map(map) {
   // What was asked for outlives its answer: the map is let go by hand.
-  m_slices = std::async(std::launch::async, [held = map]() mutable {
-               Slices slices = slicesOf(*held);
-               held.reset();
-               return slices;
-             }).share();
+  m_runs = std::async(std::launch::async, [held = map]() mutable {
+             std::shared_ptr<Runs> runs = runsOf(*held);
+             held.reset();
+             return runs;
+           }).share();
+}
+
+std::shared_ptr<PackedLabels::Runs> PackedLabels::runsOf(const LabelMap& map) {
+  const std::vector<std::vector<std::uint8_t>> slices = slicesOf(map);
+  auto runs = std::make_shared<Runs>();
+  std::size_t end = 0;
+  for (const std::vector<std::uint8_t>& slice : slices)
+    runs->ends.push_back(end += slice.size());
+  runs->bytes.reserve(end);
+  for (const std::vector<std::uint8_t>& slice : slices)
+    runs->bytes.insert(runs->bytes.end(), slice.begin(), slice.end());
+  return runs;
 }
 
 std::shared_ptr<const LabelMap> PackedLabels::map() const {
   if (std::shared_ptr<const LabelMap> known = m_map.lock())
     return known;
   const std::size_t voxels = static_cast<std::size_t>(m_dims.x) * static_cast<std::size_t>(m_dims.y);
-  const Slices& slices = m_slices.get();
-  auto map = std::make_shared<const LabelMap>(m_dims,
-                                              m_isOfBytes ? unpacked<std::uint8_t>(slices, voxels, m_room)
-                                                          : unpacked<std::uint16_t>(slices, voxels, m_room),
-                                              m_labels);
+  const Runs& runs = *m_runs.get();
+  auto map = std::make_shared<const LabelMap>(
+      m_dims,
+      m_isOfBytes ? unpacked<std::uint8_t>(runs.bytes, runs.ends, voxels, m_room)
+                  : unpacked<std::uint16_t>(runs.bytes, runs.ends, voxels, m_room),
+      m_labels);
   m_map = map;
   return map;
 }
 
 std::size_t PackedLabels::bytes() const {
-  std::size_t bytes = 0;
-  for (const std::vector<std::uint8_t>& slice : m_slices.get())
-    bytes += slice.size();
-  return bytes;
+  return m_runs.get()->bytes.size();
+}
+
+bool PackedLabels::isFound() const {
+  return m_runs.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+std::size_t PackedLabels::bytesInMemory() const {
+  return isFound() && !m_runs.get()->isAside ? bytes() : 0;
+}
+
+void PackedLabels::putAside(const std::shared_ptr<Room>& aside) const {
+  if (bytesInMemory() < Room::smallest) // none are found, or they are not worth a file
+    return;
+  Runs& runs = *m_runs.get();
+  try {
+    RoomVector<std::uint8_t> there(runs.bytes.size(), aside);
+    std::ranges::copy(runs.bytes, there.begin());
+    runs.bytes = std::move(there);
+    runs.isAside = true;
+  } catch (const Error&) {
+    // A history that takes more memory is better than none.
+  }
 }
 
 } // namespace limn

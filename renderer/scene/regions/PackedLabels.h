@@ -28,12 +28,27 @@ public:
   /// Of the runs, once they are found.
   std::size_t bytes() const;
 
+  /// Of the runs as far as they lie in memory: 0 while they are being found, and once they are put aside.
+  std::size_t bytesInMemory() const;
+
+  /// Puts runs that are found into `aside`, on the disk, whence `map` reads them. Where that has no place for
+  /// them they stay in memory. For the thread that asks for the map.
+  void putAside(const std::shared_ptr<Room>& aside) const;
+
 private:
   glm::ivec3 m_dims;
   std::vector<Label> m_labels;
-  using Slices = std::vector<std::vector<std::uint8_t>>;
-  std::shared_future<Slices> m_slices; ///< runs, or voxels where these are fewer bytes
-  bool m_isOfBytes;                    ///< a voxel, else of two
+  // Of slice after slice, or voxels where these are fewer bytes.
+  struct Runs {
+    RoomVector<std::uint8_t> bytes;
+    std::vector<std::size_t> ends; ///< of slices, in `bytes`
+    bool isAside = false;
+  };
+  static std::shared_ptr<Runs> runsOf(const LabelMap& map);
+  bool isFound() const;
+
+  std::shared_future<std::shared_ptr<Runs>> m_runs;
+  bool m_isOfBytes; ///< a voxel, else of two
   std::shared_ptr<Room> m_room;
   mutable std::weak_ptr<const LabelMap> m_map;
 };

@@ -118,6 +118,50 @@ TEST(Session, theHistoryHoldsNoMapOfLabelsButThatOfTheMoment) {
   EXPECT_EQ(session.scene().keep.labels->placeAt(0), 1u);
 }
 
+// Each cut of a volume has a map of its own, and a day's work has hundreds of cuts.
+TEST(Session, theHistoryTakesBoundedMemoryForLabelsAndUndoesAllOfThem) {
+  constexpr glm::ivec3 dims(64, 64, 32);
+  constexpr std::size_t voxels = 64 * 64 * 32; // a map without runs takes as many bytes
+  constexpr std::size_t most = 3 * voxels;
+  constexpr int cuts = 20;
+  Session session(nullptr, most);
+  const auto placeAt = [](int cut, std::size_t voxel) {
+    return static_cast<std::uint8_t>((voxel + static_cast<std::size_t>(cut)) % 2);
+  };
+  for (int cut = 0; cut < cuts; ++cut) {
+    std::vector<std::uint8_t> places(voxels);
+    for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+      places[voxel] = placeAt(cut, voxel);
+    std::weak_ptr<const LabelMap> before = session.scene().keep.labels;
+    session.setKeep({Region::Kind::labels,
+                     "s",
+                     std::make_shared<const LabelMap>(dims, std::move(places), std::vector<Label>(2)),
+                     {1.0, 0.5}},
+                    {nextGestureId(), "cut"});
+    EXPECT_TRUE(isLetGo(before)); // which is packed by then
+  }
+  // Those of the last two cuts may still be packed as the last one comes, and are counted with the next.
+  EXPECT_GE(session.labelBytes(), voxels);
+  EXPECT_LE(session.labelBytes(), most + 2 * voxels);
+  for (int cut = cuts; cut-- > 0;) {
+    ASSERT_TRUE(session.scene().keep.labels);
+    for (const std::size_t voxel : {std::size_t{0}, voxels / 2, voxels - 1})
+      EXPECT_EQ(session.scene().keep.labels->placeAt(voxel), placeAt(cut, voxel)) << cut;
+    session.undoStack().undo();
+  }
+  EXPECT_EQ(session.scene(), Scene{});
+}
+
+TEST(Session, theOldestOfManyStepsIsForgotten) {
+  Session session;
+  for (int n = 0; n <= Session::mostSteps; ++n)
+    session.setTransferFunction(rampTo(n + 1), {nextGestureId(), "curve"});
+  EXPECT_EQ(session.undoStack().count(), Session::mostSteps);
+  session.undoStack().setIndex(0);
+  EXPECT_EQ(session.scene().transferFunction, rampTo(1)) << "as the first step left it";
+  EXPECT_TRUE(session.isEdited()) << "what was opened cannot be come back to";
+}
+
 Measurement distanceTo(double mm) {
   return {Measurement::Kind::distance, PatientPlane::axial, {{0, 0, 0}, {mm, 0, 0}}};
 }

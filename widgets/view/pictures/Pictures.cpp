@@ -29,6 +29,10 @@ void Pictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
   m_count = static_cast<int>(scenes.size());
   for (int i = 0; i < m_count; ++i)
     m_sides[i].want(scenes[i], size);
+  // One that nobody looks at any more would hold its volume, whichever is opened next, and its pictures.
+  for (int i = m_count; i < static_cast<int>(m_sides.size()); ++i)
+    if (m_sides[i].scene().volume)
+      m_sides[i] = SidePicture(*m_screen);
   m_rest.want(scenes, size);
   m_refinement.reset();
   m_chance.reset();
