@@ -16,9 +16,14 @@ namespace {
 // Of the voxels' bytes, for the nodes of a grid.
 constexpr std::size_t shareOfVoxels = 8;
 
-// So many nodes are found while a hand moves, and within seconds of its rest.
+// So many nodes of a light are found while a hand moves, and within seconds of its rest. The shadow of a
+// small lamp has an edge, and where that falls shows to half a voxel: more nodes in fewer directions.
 constexpr std::size_t mostCoarseNodes = 60'000;
-constexpr std::size_t mostFineNodes = 300'000;
+constexpr std::size_t mostFineNodes = 450'000;
+constexpr std::size_t mostFineOfSmallLamp = 1'200'000;
+constexpr double smallLampDeg = 10.0; // behind what samples look at its edges are softer than nodes lie apart
+
+constexpr std::size_t directBytes = 1, ambientBytes = 4;
 
 // How many directions are tried, and how far apart a path is looked at, lengths.
 struct Thoroughness {
@@ -27,6 +32,7 @@ struct Thoroughness {
 };
 constexpr Thoroughness ofSamples{512, 0.25f};
 constexpr Thoroughness ofFineNodes{64, 1.0f};
+constexpr Thoroughness ofSmallLamp{24, 1.0f};
 constexpr Thoroughness ofCoarseNodes{12, 1.5f};
 
 constexpr std::size_t mostKept = 4;
@@ -38,15 +44,22 @@ Directions directionsOf(int count, const Of& of) {
   std::vector<glm::vec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
   for (int n = 0; n < count; ++n)
-    directions.push_back(glm::vec3(of(spreadPoint(n))));
+    directions.push_back(glm::vec3(of(n)));
   return std::make_shared<const std::vector<glm::vec3>>(std::move(directions));
 }
 
 Directions overLight(const PictureTerms& terms, int count) {
   const double angle = terms.light.shadow.softnessDeg;
   const glm::dmat3 axes = axesAround(terms.towardsLight);
-  return directionsOf(angle > 0.0 ? count : 1,
-                      [&](const glm::dvec2& point) { return axes * directionInCone(point, angle); });
+  return directionsOf(angle > 0.0 ? count : 1, [&](int n) {
+    // Of so few all are taken.
+    const glm::dvec2 point = count == ofSmallLamp.directions ? latticePoint(n, count) : spreadPoint(n);
+    return axes * directionInCone(point, angle);
+  });
+}
+
+bool isSmallLamp(const PictureTerms& terms) {
+  return terms.light.shadow.softnessDeg <= smallLampDeg;
 }
 
 std::size_t bytesOfVoxels(const Volume& volume) {
@@ -69,16 +82,34 @@ TravelTerms travelOf(const Scene& scene, const PictureTerms& terms, const Thorou
   if (terms.effects.has(Effect::shadow))
     travel.towardsLight = overLight(terms, with.directions);
   if (terms.effects.has(Effect::occlusion)) {
-    travel.byCosine = directionsOf(with.directions, directionByCosine);
-    travel.onSphere = directionsOf(with.directions, directionOnSphere);
+    travel.byCosine = directionsOf(with.directions, [](int n) { return directionByCosine(spreadPoint(n)); });
+    travel.onSphere = directionsOf(with.directions, [](int n) { return directionOnSphere(spreadPoint(n)); });
   }
   return travel;
+}
+
+TravelTerms::ToNodes toNodes(const LightNodes& nodes, const PictureTerms& terms) {
+  if (nodes.count.x == 0)
+    return {};
+  return {glm::vec3(1.0 / nodes.stride), glm::vec3(-(terms.centre + nodes.first) / nodes.stride)};
 }
 
 // From one node to the next, lengths; of the axes the shortest way.
 float distanceOf(const LightNodes& nodes, const PictureTerms& terms) {
   const glm::dvec3 distance = nodes.stride * terms.spacing;
   return static_cast<float>(std::min({distance.x, distance.y, distance.z}));
+}
+
+// The terms of a search for what comes to nodes from `from` lengths on.
+PictureTerms termsOfNodes(const Scene& scene, const PictureTerms& terms, const Thoroughness& with,
+                          const LightNodes& nodes, bool isCoarse, float from) {
+  PictureTerms looking = terms;
+  looking.travel = travelOf(scene, terms, with);
+  looking.travel.from = from;
+  if (isCoarse) // what lies between nodes is not told anyway
+    looking.travel.step = looking.travel.farStep =
+        std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
+  return looking;
 }
 
 // The numbers of the nodes in a plane z = `plane` that places which show can be next to.
@@ -144,14 +175,14 @@ Region withoutColors(Region keep) {
 }
 
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms) {
-  if (light.nodes.count.x == 0)
+  if (!light.areKnown())
     return travelOf(scene, terms, ofSamples);
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
-  travel.look =
-      lightLook(light.nodes, scene.volume->grid(), scene.quality.light == LightDetail::fine && light.isFine);
-  travel.perIndex = glm::vec3(1.0 / light.nodes.stride);
-  travel.shift = glm::vec3(-(terms.centre + light.nodes.first) / light.nodes.stride);
+  travel.look = lightLook(light, scene.volume->grid(), scene.quality.light == LightDetail::fine);
+  travel.layers = layerLengths(travel.from);
+  travel.toDirect = toNodes(light.directNodes, terms);
+  travel.toAmbient = toNodes(light.ambientNodes, terms);
   return travel;
 }
 
@@ -169,10 +200,19 @@ std::shared_ptr<const Light> LightStore::of(Kept<Light>& kept, const Key& key, c
 
 LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
                                     bool isCoarse) {
-  const std::size_t bytesEach =
-      (terms.effects.has(Effect::shadow) ? 1 : 0) + (terms.effects.has(Effect::occlusion) ? 4 : 0);
-  const std::size_t mostNodes = isCoarse ? mostCoarseNodes : mostFineNodes;
-  const std::size_t mostBytes = std::min(bytesOfVoxels(*scene.volume) / shareOfVoxels, bytesEach * mostNodes);
+  // Fine nodes of both lights share the bytes, coarse ones are as many.
+  const std::size_t mostBytes = bytesOfVoxels(*scene.volume) / shareOfVoxels;
+  const bool areBoth = terms.effects.has(Effect::shadow) && terms.effects.has(Effect::occlusion);
+  const std::size_t ofDirect = !areBoth   ? mostBytes
+                               : isCoarse ? mostBytes * directBytes / (directBytes + ambientBytes)
+                                          : mostBytes / 2;
+  const std::size_t ofAmbient = areBoth ? mostBytes - ofDirect : mostBytes;
+  const std::size_t most = isCoarse ? mostCoarseNodes : mostFineNodes;
+  const std::size_t mostDirect = !isCoarse && isSmallLamp(terms) ? mostFineOfSmallLamp : most;
+  const auto nodesOf = [&](std::size_t bytesEach, std::size_t mostNodes, std::size_t bytes) {
+    return lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach,
+                      std::min(bytes, bytesEach * mostNodes));
+  };
   Keys keys;
   keys.direct = {scene.volume,
                  withoutColors(scene.transferFunction),
@@ -186,8 +226,9 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
                  scene.projection,
                  scene.isovalue,
                  isCoarse,
-                 lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach, mostBytes)};
+                 nodesOf(directBytes, mostDirect, ofDirect)};
   keys.ambient = keys.direct;
+  keys.ambient.nodes = nodesOf(ambientBytes, most, ofAmbient);
   keys.ambient.size = terms.light.occlusion.reachMm;
   keys.direct.towardsLight = terms.towardsLight;
   keys.direct.size = terms.light.shadow.softnessDeg;
@@ -210,26 +251,31 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);
   if (isCoarse)
     keys = keysOf(scene, terms, shows, true);
-  const LightNodes& nodes = keys.direct.nodes;
-  PictureTerms looking = terms;
-  looking.travel = travelOf(scene, terms, isCoarse ? ofCoarseNodes : ofFineNodes);
-  looking.travel.from = 0.0f; // what stands near samples is looked at from them
-  if (isCoarse)               // what lies between nodes is not told anyway
-    looking.travel.step = looking.travel.farStep =
-        std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
-  LightVolumes light{nodes, nullptr, nullptr, !isCoarse};
-  if (terms.effects.has(Effect::shadow))
+  const Thoroughness& ofAmbient = isCoarse ? ofCoarseNodes : ofFineNodes;
+  const Thoroughness& ofDirect = !isCoarse && isSmallLamp(terms) ? ofSmallLamp : ofAmbient;
+  LightVolumes light;
+  light.isFine = !isCoarse;
+  if (terms.effects.has(Effect::shadow)) {
+    light.directNodes = keys.direct.nodes;
     light.direct = of(m_direct, keys.direct, [&] {
-      return found<DirectLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
-        findDirect(looking, nodes, some, out);
-      });
+      const PictureTerms looking = termsOfNodes(scene, terms, ofDirect, light.directNodes, isCoarse,
+                                                static_cast<float>(light.directFrom()));
+      return found<DirectLight>(looking, light.directNodes, effort,
+                                [&](std::span<const std::int32_t> some, auto* out) {
+                                  findDirect(looking, light.directNodes, some, out);
+                                });
     });
-  if (terms.effects.has(Effect::occlusion))
+  }
+  if (terms.effects.has(Effect::occlusion)) {
+    light.ambientNodes = keys.ambient.nodes;
     light.ambient = of(m_ambient, keys.ambient, [&] {
-      return found<AmbientLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
-        findAmbient(looking, nodes, some, out);
-      });
+      const PictureTerms looking = termsOfNodes(scene, terms, ofAmbient, light.ambientNodes, isCoarse, 0.0f);
+      return found<AmbientLight>(looking, light.ambientNodes, effort,
+                                 [&](std::span<const std::int32_t> some, auto* out) {
+                                   findAmbient(looking, light.ambientNodes, some, out);
+                                 });
     });
+  }
   return travelIn(light, scene, terms);
 }
 
