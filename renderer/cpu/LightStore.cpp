@@ -25,14 +25,20 @@ constexpr double smallLampDeg = 10.0; // behind what samples look at its edges a
 
 constexpr std::size_t directBytes = 1, ambientBytes = 4;
 
-// How many directions are tried, and how far apart a path is looked at, lengths.
+// Directions of a sequence, any number of which are spread evenly, or of a lattice, which all together are
+// spread more evenly than as many of the sequence.
+enum class Spread { sequence, lattice };
+
+// How many directions are tried, how far apart a path is looked at, lengths, and how directions are spread
+// over a lamp.
 struct Thoroughness {
   int directions;
   float step;
+  Spread overLight = Spread::sequence;
 };
 constexpr Thoroughness ofSamples{512, 0.25f};
 constexpr Thoroughness ofFineNodes{64, 1.0f};
-constexpr Thoroughness ofSmallLamp{24, 1.0f};
+constexpr Thoroughness ofSmallLamp{24, 1.0f, Spread::lattice};
 constexpr Thoroughness ofCoarseNodes{12, 1.5f};
 
 constexpr std::size_t mostKept = 4;
@@ -48,12 +54,12 @@ Directions directionsOf(int count, const Of& of) {
   return std::make_shared<const std::vector<glm::vec3>>(std::move(directions));
 }
 
-Directions overLight(const PictureTerms& terms, int count) {
+Directions overLight(const PictureTerms& terms, const Thoroughness& with) {
   const double angle = terms.light.shadow.softnessDeg;
   const glm::dmat3 axes = axesAround(terms.towardsLight);
-  return directionsOf(angle > 0.0 ? count : 1, [&](int n) {
-    // Of so few all are taken.
-    const glm::dvec2 point = count == ofSmallLamp.directions ? latticePoint(n, count) : spreadPoint(n);
+  const int count = angle > 0.0 ? with.directions : 1;
+  return directionsOf(count, [&](int n) {
+    const glm::dvec2 point = with.overLight == Spread::lattice ? latticePoint(n, count) : spreadPoint(n);
     return axes * directionInCone(point, angle);
   });
 }
@@ -80,7 +86,7 @@ TravelTerms travelOf(const Scene& scene, const PictureTerms& terms, const Thorou
   // A surface is there or not: whoever steps over it sees no part of it.
   travel.farStep = terms.effects.has(Effect::isosurface) ? with.step : std::max(with.step, 1.0f);
   if (terms.effects.has(Effect::shadow))
-    travel.towardsLight = overLight(terms, with.directions);
+    travel.towardsLight = overLight(terms, with);
   if (terms.effects.has(Effect::occlusion)) {
     travel.byCosine = directionsOf(with.directions, [](int n) { return directionByCosine(spreadPoint(n)); });
     travel.onSphere = directionsOf(with.directions, [](int n) { return directionOnSphere(spreadPoint(n)); });
@@ -110,6 +116,13 @@ PictureTerms termsOfNodes(const Scene& scene, const PictureTerms& terms, const T
     looking.travel.step = looking.travel.farStep =
         std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
   return looking;
+}
+
+// What moves asks fine nodes as far behind a place, away from the light, as they leave out of what is near.
+IndexBox withAskedBehind(const IndexBox& shows, const PictureTerms& terms) {
+  const glm::dvec3 behind =
+      (LightLook::farthest - LightLook::awayMoving) * terms.towardsLight / terms.spacing;
+  return {shows.lower - glm::max(behind, glm::dvec3(0.0)), shows.upper - glm::min(behind, glm::dvec3(0.0))};
 }
 
 // The numbers of the nodes in a plane z = `plane` that places which show can be next to.
@@ -180,7 +193,7 @@ TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const Pictur
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
   travel.look = lightLook(light, scene.volume->grid(), scene.quality.light == LightDetail::fine);
-  travel.layers = layerLengths(travel.from);
+  travel.layers = lightLayers(travel.from);
   travel.toDirect = toNodes(light.directNodes, terms);
   travel.toAmbient = toNodes(light.ambientNodes, terms);
   return travel;
@@ -209,26 +222,28 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
   const std::size_t ofAmbient = areBoth ? mostBytes - ofDirect : mostBytes;
   const std::size_t most = isCoarse ? mostCoarseNodes : mostFineNodes;
   const std::size_t mostDirect = !isCoarse && isSmallLamp(terms) ? mostFineOfSmallLamp : most;
-  const auto nodesOf = [&](std::size_t bytesEach, std::size_t mostNodes, std::size_t bytes) {
-    return lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach,
+  const auto nodesOf = [&](const IndexBox& box, std::size_t bytesEach, std::size_t mostNodes,
+                           std::size_t bytes) {
+    return lightNodes(scene.volume->grid(), box.lower, box.upper, bytesEach,
                       std::min(bytes, bytesEach * mostNodes));
   };
   Keys keys;
-  keys.direct = {scene.volume,
-                 withoutColors(scene.transferFunction),
-                 scene.gradientOpacity,
-                 terms.light.opacity,
-                 terms.effects.has(Effect::opacityMap) ? terms.light.curve : GradientCurve(),
-                 terms.effects.has(Effect::opacityMap) ? terms.perReference : 0.0f,
-                 terms.effects.has(Effect::smoothNormals) ? scene.shading.gradientSmoothing : 0.0,
-                 withoutColors(scene.keep),
-                 scene.crop,
-                 scene.projection,
-                 scene.isovalue,
-                 isCoarse,
-                 nodesOf(directBytes, mostDirect, ofDirect)};
+  keys.direct = {
+      scene.volume,
+      withoutColors(scene.transferFunction),
+      scene.gradientOpacity,
+      terms.light.opacity,
+      terms.effects.has(Effect::opacityMap) ? terms.light.curve : GradientCurve(),
+      terms.effects.has(Effect::opacityMap) ? terms.perReference : 0.0f,
+      terms.effects.has(Effect::smoothNormals) ? scene.shading.gradientSmoothing : 0.0,
+      withoutColors(scene.keep),
+      scene.crop,
+      scene.projection,
+      scene.isovalue,
+      isCoarse,
+      nodesOf(isCoarse ? shows : withAskedBehind(shows, terms), directBytes, mostDirect, ofDirect)};
   keys.ambient = keys.direct;
-  keys.ambient.nodes = nodesOf(ambientBytes, most, ofAmbient);
+  keys.ambient.nodes = nodesOf(shows, ambientBytes, most, ofAmbient);
   keys.ambient.size = terms.light.occlusion.reachMm;
   keys.direct.towardsLight = terms.towardsLight;
   keys.direct.size = terms.light.shadow.softnessDeg;

@@ -73,7 +73,7 @@ RayCaster::Parts::Parts(const Decisions& chosen, const VolumeRoom& room)
     : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen),
       nodePrograms(
           chosen,
-          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, ShadowLooks::nodesAlone); },
+          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, LightFrom::nodesAlone); },
           ProgramCache::most / 5),
       filter(chosen) {
   const SavedState saved;
@@ -299,9 +299,9 @@ std::string RayCaster::fragmentShader(const Scene& scene) {
   if (!needed.isVisible)
     return {};
   const EffectSet effects = m_parts->programFor(needed.effects, Content::picture);
-  const ShadowLooks looks =
-      m_parts->isOfNodes(effects, scene) ? ShadowLooks::nodesAlone : ShadowLooks::nearby;
-  return fragmentSource(effects, m_parts->decisions, looks).text;
+  const LightFrom lightFrom =
+      m_parts->isOfNodes(effects, scene) ? LightFrom::nodesAlone : LightFrom::nodesAndNear;
+  return fragmentSource(effects, m_parts->decisions, lightFrom).text;
 }
 
 bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
