@@ -13,10 +13,7 @@ uniform vec3 u_ambientOffset;
 uniform float u_lightFrom; // from here on light is stopped, lengths
 #ifndef NODES_ALONE
 uniform float u_looksNear; // 1: what stands near is looked at; 0: nodes alone tell
-uniform float u_firstLayer; // where layers begin along the normal, lengths
-uniform float u_layerHeight;
-uniform vec3 u_layerLengths[3]; // of paths at three angles in each
-uniform vec3 u_angleShares; // of ambient light
+uniform float u_layersReach; // so far along the normal, lengths
 #endif
 uniform float u_shadow; // strengths
 uniform float u_occlusion;
@@ -75,13 +72,23 @@ float nearTransmittance(vec3 centredIndex, vec3 perLength) {
 #endif
 
 #ifdef EFFECT_OCCLUSION
-// What comes of ambient light past the layers above a place (scene/light/LightGrid.h: LightLayers).
+// Of ambient light past layers at an angle to the normal (scene/light/LightGrid.h: LayerLengths).
+float pastLayers(vec4 extinctions, float cosine) {
+  float height = 0.25 * u_layersReach;
+  vec4 lower = max(height * vec4(0.0, 1.0, 2.0, 3.0), u_lightFrom * cosine);
+  vec4 upper = min(height * vec4(1.0, 2.0, 3.0, 4.0), u_layersReach * cosine);
+  return exp(-dot(extinctions, max(upper - lower, 0.0)) / cosine);
+}
+
 float throughLayers(vec3 centredIndex, vec3 normal) {
-  vec3 perLength = normal / u_spacing;
-  vec3 depths = vec3(0.0);
-  for (int i = 0; i < 3; ++i)
-    depths += extinctionAt(centredIndex + (u_firstLayer + (float(i) + 0.5) * u_layerHeight) * perLength) * u_layerLengths[i];
-  return dot(normal, normal) > 0.25 ? dot(exp(-depths), u_angleShares) : 1.0;
+  vec3 layer = 0.25 * u_layersReach * normal / u_spacing;
+  vec4 extinctions = vec4(extinctionAt(centredIndex + 0.5 * layer), extinctionAt(centredIndex + 1.5 * layer),
+                          extinctionAt(centredIndex + 2.5 * layer), extinctionAt(centredIndex + 3.5 * layer));
+  // The roots of 1/12, 3/12, 5/12 and so on.
+  float sum = pastLayers(extinctions, 0.28867513) + pastLayers(extinctions, 0.5);
+  sum += pastLayers(extinctions, 0.64549722) + pastLayers(extinctions, 0.76376262);
+  sum += pastLayers(extinctions, 0.86602540) + pastLayers(extinctions, 0.95742711);
+  return dot(normal, normal) > 0.25 ? sum / 6.0 : 1.0;
 }
 #endif
 #endif

@@ -118,11 +118,30 @@ PictureTerms termsOfNodes(const Scene& scene, const PictureTerms& terms, const T
   return looking;
 }
 
-// What moves asks fine nodes as far behind a place, away from the light, as they leave out of what is near.
-IndexBox withAskedBehind(const IndexBox& shows, const PictureTerms& terms) {
+// What moves asks fine nodes as far behind a place, away from the light, as they leave out of what is near:
+// so nodes go on behind all that shows.
+LightNodes withAskedBehind(LightNodes nodes, const PictureTerms& terms) {
+  if (nodes.count.x == 0)
+    return nodes;
   const glm::dvec3 behind =
-      (LightLook::farthest - LightLook::awayMoving) * terms.towardsLight / terms.spacing;
-  return {shows.lower - glm::max(behind, glm::dvec3(0.0)), shows.upper - glm::min(behind, glm::dvec3(0.0))};
+      (LightLook::farthest - LightLook::awayMoving) * terms.towardsLight / terms.spacing / nodes.stride;
+  const glm::dvec3 below = glm::ceil(glm::max(behind, glm::dvec3(0.0)));
+  const glm::dvec3 above = glm::ceil(glm::max(-behind, glm::dvec3(0.0)));
+  nodes.first -= below * nodes.stride;
+  nodes.count += glm::ivec3(below + above);
+  return nodes;
+}
+
+// The nodes that `nodesOf` so many bytes makes with those behind them, which take `mostBytes` at most
+// together; none behind where there is room for nothing.
+template <class NodesOf>
+LightNodes fineDirectNodes(const PictureTerms& terms, std::size_t mostBytes, const NodesOf& nodesOf) {
+  constexpr std::size_t fewest = 64;
+  for (std::size_t bytes = mostBytes; bytes >= fewest; bytes -= bytes / 32)
+    if (const LightNodes nodes = withAskedBehind(nodesOf(bytes), terms);
+        directBytes * nodes.size() <= mostBytes)
+      return nodes;
+  return nodesOf(mostBytes);
 }
 
 // The numbers of the nodes in a plane z = `plane` that places which show can be next to.
@@ -193,7 +212,7 @@ TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const Pictur
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
   travel.look = lightLook(light, scene.volume->grid(), scene.quality.light == LightDetail::fine);
-  travel.layers = lightLayers(travel.from);
+  travel.layers = layerLengths(travel.from);
   travel.toDirect = toNodes(light.directNodes, terms);
   travel.toAmbient = toNodes(light.ambientNodes, terms);
   return travel;
@@ -219,31 +238,34 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
   const std::size_t ofDirect = !areBoth   ? mostBytes
                                : isCoarse ? mostBytes * directBytes / (directBytes + ambientBytes)
                                           : mostBytes / 2;
-  const std::size_t ofAmbient = areBoth ? mostBytes - ofDirect : mostBytes;
   const std::size_t most = isCoarse ? mostCoarseNodes : mostFineNodes;
-  const std::size_t mostDirect = !isCoarse && isSmallLamp(terms) ? mostFineOfSmallLamp : most;
-  const auto nodesOf = [&](const IndexBox& box, std::size_t bytesEach, std::size_t mostNodes,
-                           std::size_t bytes) {
-    return lightNodes(scene.volume->grid(), box.lower, box.upper, bytesEach,
+  const auto nodesOf = [&](std::size_t bytesEach, std::size_t mostNodes, std::size_t bytes) {
+    return lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach,
                       std::min(bytes, bytesEach * mostNodes));
   };
+  const LightNodes direct =
+      isCoarse ? nodesOf(directBytes, most, ofDirect)
+               : fineDirectNodes(terms, areBoth ? mostBytes * 5 / 8 : mostBytes, [&](std::size_t bytes) {
+                   return nodesOf(directBytes, isSmallLamp(terms) ? mostFineOfSmallLamp : most,
+                                  std::min(bytes, ofDirect));
+                 });
+  const std::size_t ofAmbient = areBoth ? mostBytes - std::max(ofDirect, direct.size()) : mostBytes;
   Keys keys;
-  keys.direct = {
-      scene.volume,
-      withoutColors(scene.transferFunction),
-      scene.gradientOpacity,
-      terms.light.opacity,
-      terms.effects.has(Effect::opacityMap) ? terms.light.curve : GradientCurve(),
-      terms.effects.has(Effect::opacityMap) ? terms.perReference : 0.0f,
-      terms.effects.has(Effect::smoothNormals) ? scene.shading.gradientSmoothing : 0.0,
-      withoutColors(scene.keep),
-      scene.crop,
-      scene.projection,
-      scene.isovalue,
-      isCoarse,
-      nodesOf(isCoarse ? shows : withAskedBehind(shows, terms), directBytes, mostDirect, ofDirect)};
+  keys.direct = {scene.volume,
+                 withoutColors(scene.transferFunction),
+                 scene.gradientOpacity,
+                 terms.light.opacity,
+                 terms.effects.has(Effect::opacityMap) ? terms.light.curve : GradientCurve(),
+                 terms.effects.has(Effect::opacityMap) ? terms.perReference : 0.0f,
+                 terms.effects.has(Effect::smoothNormals) ? scene.shading.gradientSmoothing : 0.0,
+                 withoutColors(scene.keep),
+                 scene.crop,
+                 scene.projection,
+                 scene.isovalue,
+                 isCoarse,
+                 direct};
   keys.ambient = keys.direct;
-  keys.ambient.nodes = nodesOf(shows, ambientBytes, most, ofAmbient);
+  keys.ambient.nodes = nodesOf(ambientBytes, most, ofAmbient);
   keys.ambient.size = terms.light.occlusion.reachMm;
   keys.direct.towardsLight = terms.towardsLight;
   keys.direct.size = terms.light.shadow.softnessDeg;

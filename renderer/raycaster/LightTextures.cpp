@@ -4,7 +4,6 @@
 #include "gl/DriverHealth.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "scene/basics/Error.h"
-#include "scene/light/LightDirections.h"
 
 #include <epoxy/gl.h>
 
@@ -85,13 +84,7 @@ void LightTextures::apply(const ShaderProgram& program, const Grid& grid, bool i
   program.set("u_directAway", static_cast<float>(look.directAway));
   program.set("u_directAsked", static_cast<float>(look.directAsked));
   program.set("u_ambientAway", static_cast<float>(look.ambientAway));
-  const LightLayers layers = lightLayers(lightOffsetMm(grid) / lengthUnitMm(grid));
-  program.set("u_firstLayer", layers.first);
-  program.set("u_layerHeight", layers.height);
-  program.set("u_layerLengths[0]", layers.lengths[0]);
-  program.set("u_layerLengths[1]", layers.lengths[1]);
-  program.set("u_layerLengths[2]", layers.lengths[2]);
-  program.set("u_angleShares", angleShares);
+  program.set("u_layersReach", static_cast<float>(LightLook::layersReach));
   program.set("u_looksNear", look.looksNear ? 1.0f : 0.0f);
   bindNodes(TextureUnit::directLight, m_direct->name());
   bindNodes(TextureUnit::ambientLight, m_ambient->name());

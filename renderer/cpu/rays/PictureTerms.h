@@ -81,7 +81,7 @@ struct TravelTerms {
   LightVolumes found;
   ToNodes toDirect, toAmbient;
   LightLook look;
-  LightLayers layers;      ///< of what dims ambient light near a sample
+  LayerLengths layers{};   ///< of what dims ambient light near a sample
   Directions towardsLight; ///< over the light, grid axes
   Directions byCosine;     ///< around a normal, the third axis
   Directions onSphere;     ///< as many

@@ -63,23 +63,27 @@ private:
 
   // What comes of ambient light past the layers above places; all where there is no normal.
   HWY_NOINLINE VF throughLayers(const V3& normal) const {
-    const LightLayers& layers = m_terms.travel.layers;
-    V3 depths = zero();
-    float at = layers.first + 0.5f * layers.height;
-    for (const glm::vec3& lengths : layers.lengths) {
-      const VF extinction = m_march.extinctionAlong(m_index, normal, at);
-      depths = {hn::MulAdd(extinction, all(lengths.x), depths.x),
-                hn::MulAdd(extinction, all(lengths.y), depths.y),
-                hn::MulAdd(extinction, all(lengths.z), depths.z)};
-      at += layers.height;
+    const LayerLengths& lengths = m_terms.travel.layers;
+    constexpr std::size_t layers = std::tuple_size_v<LayerLengths::value_type>;
+    constexpr float height = static_cast<float>(LightLook::layersReach) / layers;
+    VF extinctions[layers];
+    VF most = hn::Zero(floats);
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      extinctions[layer] =
+          m_march.extinctionAlong(m_index, normal, (static_cast<float>(layer) + 0.5f) * height);
+      most = hn::Max(most, extinctions[layer]);
     }
-    const VF most = hn::Max(hn::Max(depths.x, depths.y), depths.z);
     const Mask isDimmed = hn::And(hn::Gt(most, hn::Zero(floats)), hn::Gt(dot(normal, normal), all(0.25f)));
     if (hn::AllFalse(floats, isDimmed))
       return all(1.0f);
-    VF mean = hn::Mul(expNeg(depths.x), all(angleShares.x));
-    mean = hn::MulAdd(expNeg(depths.y), all(angleShares.y), mean);
-    mean = hn::MulAdd(expNeg(depths.z), all(angleShares.z), mean);
+    VF sum = hn::Zero(floats);
+    for (const LayerLengths::value_type& path : lengths) {
+      VF depth = hn::Zero(floats);
+      for (std::size_t layer = 0; layer < layers; ++layer)
+        depth = hn::MulAdd(extinctions[layer], all(path[layer]), depth);
+      sum = hn::Add(sum, expNeg(depth));
+    }
+    const VF mean = hn::Mul(sum, all(1.0f / static_cast<float>(lengths.size())));
     return hn::IfThenElse(isDimmed, mean, all(1.0f));
   }
 

@@ -76,22 +76,19 @@ LightLook lightLook(const LightVolumes& light, const Grid& grid, bool isFine) {
   return {away, away - light.directFrom(), ambientAway, false};
 }
 
-LightLayers lightLayers(double from) {
-  // The roots of the third Legendre polynomial over 0..1, of the cosine's square.
-  const double aside = std::sqrt(0.15);
-  const glm::dvec3 cosines = glm::sqrt(glm::dvec3(0.5 - aside, 0.5, 0.5 + aside));
-  LightLayers layers;
-  const double first = from * cosines.x;
-  const double height = (LightLook::layersReach - first) / static_cast<double>(layers.lengths.size());
-  layers.first = static_cast<float>(first);
-  layers.height = static_cast<float>(height);
-  for (std::size_t i = 0; i < layers.lengths.size(); ++i) {
-    const double bottom = first + static_cast<double>(i) * height;
-    const glm::dvec3 lower = glm::max(glm::dvec3(bottom), from * cosines);
-    const glm::dvec3 upper = glm::min(glm::dvec3(bottom + height), LightLook::layersReach * cosines);
-    layers.lengths[i] = glm::vec3(glm::max(upper - lower, glm::dvec3(0.0)) / cosines);
+LayerLengths layerLengths(double from) {
+  LayerLengths lengths{};
+  const double height = LightLook::layersReach / static_cast<double>(lengths[0].size());
+  for (std::size_t angle = 0; angle < lengths.size(); ++angle) {
+    // Weighed by the cosine light of equal shares comes from equal parts of the cosine's square.
+    const double cosine = std::sqrt((static_cast<double>(angle) + 0.5) / static_cast<double>(lengths.size()));
+    for (std::size_t layer = 0; layer < lengths[angle].size(); ++layer) {
+      const double lower = std::max(static_cast<double>(layer) * height, from * cosine);
+      const double upper = std::min(static_cast<double>(layer + 1) * height, LightLook::layersReach * cosine);
+      lengths[angle][layer] = static_cast<float>(std::max(0.0, upper - lower) / cosine);
+    }
   }
-  return layers;
+  return lengths;
 }
 
 void complete(const LightNodes& nodes, DirectLight& light) {

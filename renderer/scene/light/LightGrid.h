@@ -10,8 +10,8 @@
 
 namespace limn {
 
-/// Nodes over a box, the part of a volume that shows or a little more, equally far apart in mm along all axes
-/// as far as whole numbers of them allow; the outermost lie on the faces of the box.
+/// Nodes over the part of a volume that shows, equally far apart in mm along all axes as far as whole numbers
+/// of them allow: on the faces of that part, and where they are asked from farther off beyond them.
 struct LightNodes {
   glm::ivec3 count{0};    ///< 2 or more along each axis; 0 where there are none
   glm::dvec3 first{0.0};  ///< where the first is, centred index
@@ -59,9 +59,9 @@ struct LightLook {
   /// The farthest that samples look towards the light.
   static constexpr double farthest = 6.5;
 
-  /// What stands farther towards the light is told by fine nodes while something moves, or farther than half
-  /// the way between them: nodes tell of tissue, too, at whose edge light changes. Farther than this they
-  /// leave out more of what is near, nearer they tell of the sample's own tissue.
+  /// While something moves fine nodes tell what stands farther than this towards the light, or than half the
+  /// way between them: they tell of tissue, too, at whose edge light changes. Farther they would leave out
+  /// more of what is near, nearer they would tell of the sample's own tissue.
   static constexpr double awayMoving = 1.5;
 
   /// So far above a sample it is looked at what dims ambient light, which is taken to lie in layers across
@@ -82,20 +82,11 @@ struct LightLook {
 /// each sample (`limn_cpu_tests --gtest_filter=CpuTravellingLight.lookedUp*`).
 LightLook lightLook(const LightVolumes& light, const Grid& grid, bool isFine);
 
-/// What is near above a sample, as layers of the same height across its normal, smallest spacings: they begin
-/// where the flattest path begins to count and end at `LightLook::layersReach`.
-struct LightLayers {
-  float first = 0.0f; ///< where the lowest begins along the normal
-  float height = 0.0f;
-  std::array<glm::vec3, 3> lengths{}; ///< of paths at each of three angles, in each
-};
-
-/// Of paths that count from `from` on.
-LightLayers lightLayers(double from);
-
-/// For how much of the light from a half space each angle stands (Gauss and Legendre's quadrature of three
-/// points over the cosine's square, of which light weighed by the cosine comes in equal shares).
-constexpr glm::vec3 angleShares{5.0f / 18.0f, 8.0f / 18.0f, 5.0f / 18.0f};
+/// Of light from a half space past layers, of four of the same height up to `LightLook::layersReach` along
+/// the normal: how long paths are in each that leave at one of six angles, smallest spacings; each angle
+/// stands for as much of the light as another. `from`: from where on a path counts.
+using LayerLengths = std::array<std::array<float, 4>, 6>;
+LayerLengths layerLengths(double from);
 
 /// Makes every node known: one that is not takes the mean of those that are among its 26 neighbours, so that
 /// every cell with a known node has eight; where there is none, all light comes.
