@@ -11,8 +11,10 @@ struct March {
   float stepLength;
   float units;     // step in unit distances
   float offset;    // of sample 0 behind the entry, in steps
-#if defined(EFFECT_LIGHTING) && !defined(EFFECT_TRAVELLING_LIGHT)
+#ifdef EFFECT_LIGHTING
+#ifndef EFFECT_TRAVELLING_LIGHT
   Light light; // others work it out from the stride (lightOf)
+#endif
 #endif
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
   BlockRay blocks;
@@ -33,8 +35,10 @@ March marchThrough(Ray ray, vec2 span, int count) {
   march.first = toTexture(ray.anchor + span.x * ray.direction) + march.offset * march.advance;
   march.depth = span.x + ray.aside + march.offset * march.stepLength;
   march.units = march.stepLength * u_perUnitDistance;
-#if defined(EFFECT_LIGHTING) && !defined(EFFECT_TRAVELLING_LIGHT)
+#ifdef EFFECT_LIGHTING
+#ifndef EFFECT_TRAVELLING_LIGHT
   march.light = lightAlong(ray.direction * u_spacing);
+#endif
 #endif
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
   march.blocks = blockRay(march.first, march.advance);
@@ -54,8 +58,10 @@ March marchFrom(Ray ray, float begin) {
   march.first = toTexture(march.firstIndex);
   march.depth = begin + ray.aside;
   march.units = u_perUnitDistance;
-#if defined(EFFECT_LIGHTING) && !defined(EFFECT_TRAVELLING_LIGHT)
+#ifdef EFFECT_LIGHTING
+#ifndef EFFECT_TRAVELLING_LIGHT
   march.light = lightAlong(ray.direction * u_spacing);
+#endif
 #endif
   return march;
 }
