@@ -12,7 +12,9 @@ struct March {
   float units;     // step in unit distances
   float offset;    // of sample 0 behind the entry, in steps
 #ifdef EFFECT_LIGHTING
-  Light light;
+#ifndef EFFECT_TRAVELLING_LIGHT
+  Light light; // others work it out from the stride (lightOf)
+#endif
 #endif
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
   BlockRay blocks;
@@ -34,7 +36,9 @@ March marchThrough(Ray ray, vec2 span, int count) {
   march.depth = span.x + ray.aside + march.offset * march.stepLength;
   march.units = march.stepLength * u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
+#ifndef EFFECT_TRAVELLING_LIGHT
   march.light = lightAlong(ray.direction * u_spacing);
+#endif
 #endif
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
   march.blocks = blockRay(march.first, march.advance);
@@ -55,13 +59,31 @@ March marchFrom(Ray ray, float begin) {
   march.depth = begin + ray.aside;
   march.units = u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
+#ifndef EFFECT_TRAVELLING_LIGHT
   march.light = lightAlong(ray.direction * u_spacing);
+#endif
 #endif
   return march;
 }
 #endif
 
-// Texture coordinates `i` steps behind sample 0; clamped, because the field ends at the outermost centres.
+// Texture coordinates `i` steps behind sample 0; clamped, because the field ends at the outermost centres. Where
+// samples look about them a ray holds as few numbers as it can: a card draws as many rays at once as have room.
 vec3 positionOf(March march, float i) {
+#ifdef EFFECT_TRAVELLING_LIGHT
+  return clamp(toTexture(march.firstIndex + i * march.stride), u_textureLower, u_textureUpper);
+#else
   return clamp(march.first + i * march.advance, u_textureLower, u_textureUpper);
+#endif
 }
+
+#ifdef EFFECT_LIGHTING
+// What lighting needs of the ray.
+Light lightOf(March march) {
+#ifdef EFFECT_TRAVELLING_LIGHT
+  return lightAlong(march.stride * u_spacing / march.stepLength);
+#else
+  return march.light;
+#endif
+}
+#endif

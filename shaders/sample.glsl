@@ -73,7 +73,7 @@ vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
 #ifdef EFFECT_TRAVELLING_LIGHT
   reaching = reachingLight(march.firstIndex + i * march.stride, normal);
 #endif
-  color = lit(color, march.light, normal, r, reaching);
+  color = lit(color, lightOf(march), normal, r, reaching);
 #endif
 #ifdef EFFECT_FOG
   color = fogged(color, march.depth + i * march.stepLength);

@@ -16,17 +16,29 @@ namespace {
 // Of the voxels' bytes, for the nodes of a grid.
 constexpr std::size_t shareOfVoxels = 8;
 
-// So many nodes are found while a hand moves, and within seconds of its rest.
+// So many nodes of a light are found while a hand moves, and within seconds of its rest. The shadow of a
+// small lamp has an edge, and where that falls shows to half a voxel: more nodes in fewer directions.
 constexpr std::size_t mostCoarseNodes = 60'000;
-constexpr std::size_t mostFineNodes = 300'000;
+constexpr std::size_t mostFineNodes = 450'000;
+constexpr std::size_t mostFineOfSmallLamp = 1'200'000;
+constexpr double smallLampDeg = 10.0; // behind what samples look at its edges are softer than nodes lie apart
 
-// How many directions are tried, and how far apart a path is looked at, lengths.
+constexpr std::size_t directBytes = 1, ambientBytes = 4;
+
+// Directions of a sequence, any number of which are spread evenly, or of a lattice, which all together are
+// spread more evenly than as many of the sequence.
+enum class Spread { sequence, lattice };
+
+// How many directions are tried, how far apart a path is looked at, lengths, and how directions are spread
+// over a lamp.
 struct Thoroughness {
   int directions;
   float step;
+  Spread overLight = Spread::sequence;
 };
 constexpr Thoroughness ofSamples{512, 0.25f};
 constexpr Thoroughness ofFineNodes{64, 1.0f};
+constexpr Thoroughness ofSmallLamp{24, 1.0f, Spread::lattice};
 constexpr Thoroughness ofCoarseNodes{12, 1.5f};
 
 constexpr std::size_t mostKept = 4;
@@ -38,15 +50,22 @@ Directions directionsOf(int count, const Of& of) {
   std::vector<glm::vec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
   for (int n = 0; n < count; ++n)
-    directions.push_back(glm::vec3(of(spreadPoint(n))));
+    directions.push_back(glm::vec3(of(n)));
   return std::make_shared<const std::vector<glm::vec3>>(std::move(directions));
 }
 
-Directions overLight(const PictureTerms& terms, int count) {
+Directions overLight(const PictureTerms& terms, const Thoroughness& with) {
   const double angle = terms.light.shadow.softnessDeg;
   const glm::dmat3 axes = axesAround(terms.towardsLight);
-  return directionsOf(angle > 0.0 ? count : 1,
-                      [&](const glm::dvec2& point) { return axes * directionInCone(point, angle); });
+  const int count = angle > 0.0 ? with.directions : 1;
+  return directionsOf(count, [&](int n) {
+    const glm::dvec2 point = with.overLight == Spread::lattice ? latticePoint(n, count) : spreadPoint(n);
+    return axes * directionInCone(point, angle);
+  });
+}
+
+bool isSmallLamp(const PictureTerms& terms) {
+  return terms.light.shadow.softnessDeg <= smallLampDeg;
 }
 
 std::size_t bytesOfVoxels(const Volume& volume) {
@@ -67,18 +86,62 @@ TravelTerms travelOf(const Scene& scene, const PictureTerms& terms, const Thorou
   // A surface is there or not: whoever steps over it sees no part of it.
   travel.farStep = terms.effects.has(Effect::isosurface) ? with.step : std::max(with.step, 1.0f);
   if (terms.effects.has(Effect::shadow))
-    travel.towardsLight = overLight(terms, with.directions);
+    travel.towardsLight = overLight(terms, with);
   if (terms.effects.has(Effect::occlusion)) {
-    travel.byCosine = directionsOf(with.directions, directionByCosine);
-    travel.onSphere = directionsOf(with.directions, directionOnSphere);
+    travel.byCosine = directionsOf(with.directions, [](int n) { return directionByCosine(spreadPoint(n)); });
+    travel.onSphere = directionsOf(with.directions, [](int n) { return directionOnSphere(spreadPoint(n)); });
   }
   return travel;
+}
+
+TravelTerms::ToNodes toNodes(const LightNodes& nodes, const PictureTerms& terms) {
+  if (nodes.count.x == 0)
+    return {};
+  return {glm::vec3(1.0 / nodes.stride), glm::vec3(-(terms.centre + nodes.first) / nodes.stride)};
 }
 
 // From one node to the next, lengths; of the axes the shortest way.
 float distanceOf(const LightNodes& nodes, const PictureTerms& terms) {
   const glm::dvec3 distance = nodes.stride * terms.spacing;
   return static_cast<float>(std::min({distance.x, distance.y, distance.z}));
+}
+
+// The terms of a search for what comes to nodes from `from` lengths on.
+PictureTerms termsOfNodes(const Scene& scene, const PictureTerms& terms, const Thoroughness& with,
+                          const LightNodes& nodes, bool isCoarse, float from) {
+  PictureTerms looking = terms;
+  looking.travel = travelOf(scene, terms, with);
+  looking.travel.from = from;
+  if (isCoarse) // what lies between nodes is not told anyway
+    looking.travel.step = looking.travel.farStep =
+        std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
+  return looking;
+}
+
+// What moves asks fine nodes as far behind a place, away from the light, as they leave out of what is near:
+// so nodes go on behind all that shows.
+LightNodes withAskedBehind(LightNodes nodes, const PictureTerms& terms) {
+  if (nodes.count.x == 0)
+    return nodes;
+  const glm::dvec3 behind =
+      (LightLook::farthest - LightLook::awayMoving) * terms.towardsLight / terms.spacing / nodes.stride;
+  const glm::dvec3 below = glm::ceil(glm::max(behind, glm::dvec3(0.0)));
+  const glm::dvec3 above = glm::ceil(glm::max(-behind, glm::dvec3(0.0)));
+  nodes.first -= below * nodes.stride;
+  nodes.count += glm::ivec3(below + above);
+  return nodes;
+}
+
+// The nodes that `nodesOf` so many bytes makes with those behind them, which take `mostBytes` at most
+// together; none behind where there is room for nothing.
+template <class NodesOf>
+LightNodes fineDirectNodes(const PictureTerms& terms, std::size_t mostBytes, const NodesOf& nodesOf) {
+  constexpr std::size_t fewest = 64;
+  for (std::size_t bytes = mostBytes; bytes >= fewest; bytes -= bytes / 32)
+    if (const LightNodes nodes = withAskedBehind(nodesOf(bytes), terms);
+        directBytes * nodes.size() <= mostBytes)
+      return nodes;
+  return nodesOf(mostBytes);
 }
 
 // The numbers of the nodes in a plane z = `plane` that places which show can be next to.
@@ -144,14 +207,14 @@ Region withoutColors(Region keep) {
 }
 
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms) {
-  if (light.nodes.count.x == 0)
+  if (!light.areKnown())
     return travelOf(scene, terms, ofSamples);
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
-  travel.look =
-      lightLook(light.nodes, scene.volume->grid(), scene.quality.light == LightDetail::fine && light.isFine);
-  travel.perIndex = glm::vec3(1.0 / light.nodes.stride);
-  travel.shift = glm::vec3(-(terms.centre + light.nodes.first) / light.nodes.stride);
+  travel.look = lightLook(light, scene.volume->grid(), scene.quality.light == LightDetail::fine);
+  travel.layers = layerLengths(travel.from);
+  travel.toDirect = toNodes(light.directNodes, terms);
+  travel.toAmbient = toNodes(light.ambientNodes, terms);
   return travel;
 }
 
@@ -169,10 +232,24 @@ std::shared_ptr<const Light> LightStore::of(Kept<Light>& kept, const Key& key, c
 
 LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
                                     bool isCoarse) {
-  const std::size_t bytesEach =
-      (terms.effects.has(Effect::shadow) ? 1 : 0) + (terms.effects.has(Effect::occlusion) ? 4 : 0);
-  const std::size_t mostNodes = isCoarse ? mostCoarseNodes : mostFineNodes;
-  const std::size_t mostBytes = std::min(bytesOfVoxels(*scene.volume) / shareOfVoxels, bytesEach * mostNodes);
+  // Fine nodes of both lights share the bytes, coarse ones are as many.
+  const std::size_t mostBytes = bytesOfVoxels(*scene.volume) / shareOfVoxels;
+  const bool areBoth = terms.effects.has(Effect::shadow) && terms.effects.has(Effect::occlusion);
+  const std::size_t ofDirect = !areBoth   ? mostBytes
+                               : isCoarse ? mostBytes * directBytes / (directBytes + ambientBytes)
+                                          : mostBytes / 2;
+  const std::size_t most = isCoarse ? mostCoarseNodes : mostFineNodes;
+  const auto nodesOf = [&](std::size_t bytesEach, std::size_t mostNodes, std::size_t bytes) {
+    return lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach,
+                      std::min(bytes, bytesEach * mostNodes));
+  };
+  const LightNodes direct =
+      isCoarse ? nodesOf(directBytes, most, ofDirect)
+               : fineDirectNodes(terms, areBoth ? mostBytes * 5 / 8 : mostBytes, [&](std::size_t bytes) {
+                   return nodesOf(directBytes, isSmallLamp(terms) ? mostFineOfSmallLamp : most,
+                                  std::min(bytes, ofDirect));
+                 });
+  const std::size_t ofAmbient = areBoth ? mostBytes - std::max(ofDirect, direct.size()) : mostBytes;
   Keys keys;
   keys.direct = {scene.volume,
                  withoutColors(scene.transferFunction),
@@ -186,8 +263,9 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
                  scene.projection,
                  scene.isovalue,
                  isCoarse,
-                 lightNodes(scene.volume->grid(), shows.lower, shows.upper, bytesEach, mostBytes)};
+                 direct};
   keys.ambient = keys.direct;
+  keys.ambient.nodes = nodesOf(ambientBytes, most, ofAmbient);
   keys.ambient.size = terms.light.occlusion.reachMm;
   keys.direct.towardsLight = terms.towardsLight;
   keys.direct.size = terms.light.shadow.softnessDeg;
@@ -210,26 +288,31 @@ TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, co
   const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);
   if (isCoarse)
     keys = keysOf(scene, terms, shows, true);
-  const LightNodes& nodes = keys.direct.nodes;
-  PictureTerms looking = terms;
-  looking.travel = travelOf(scene, terms, isCoarse ? ofCoarseNodes : ofFineNodes);
-  looking.travel.from = 0.0f; // what stands near samples is looked at from them
-  if (isCoarse)               // what lies between nodes is not told anyway
-    looking.travel.step = looking.travel.farStep =
-        std::max(looking.travel.step, 0.5f * distanceOf(nodes, terms));
-  LightVolumes light{nodes, nullptr, nullptr, !isCoarse};
-  if (terms.effects.has(Effect::shadow))
+  const Thoroughness& ofAmbient = isCoarse ? ofCoarseNodes : ofFineNodes;
+  const Thoroughness& ofDirect = !isCoarse && isSmallLamp(terms) ? ofSmallLamp : ofAmbient;
+  LightVolumes light;
+  light.isFine = !isCoarse;
+  if (terms.effects.has(Effect::shadow)) {
+    light.directNodes = keys.direct.nodes;
     light.direct = of(m_direct, keys.direct, [&] {
-      return found<DirectLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
-        findDirect(looking, nodes, some, out);
-      });
+      const PictureTerms looking = termsOfNodes(scene, terms, ofDirect, light.directNodes, isCoarse,
+                                                static_cast<float>(light.directFrom()));
+      return found<DirectLight>(looking, light.directNodes, effort,
+                                [&](std::span<const std::int32_t> some, auto* out) {
+                                  findDirect(looking, light.directNodes, some, out);
+                                });
     });
-  if (terms.effects.has(Effect::occlusion))
+  }
+  if (terms.effects.has(Effect::occlusion)) {
+    light.ambientNodes = keys.ambient.nodes;
     light.ambient = of(m_ambient, keys.ambient, [&] {
-      return found<AmbientLight>(looking, nodes, effort, [&](std::span<const std::int32_t> some, auto* out) {
-        findAmbient(looking, nodes, some, out);
-      });
+      const PictureTerms looking = termsOfNodes(scene, terms, ofAmbient, light.ambientNodes, isCoarse, 0.0f);
+      return found<AmbientLight>(looking, light.ambientNodes, effort,
+                                 [&](std::span<const std::int32_t> some, auto* out) {
+                                   findAmbient(looking, light.ambientNodes, some, out);
+                                 });
     });
+  }
   return travelIn(light, scene, terms);
 }
 

@@ -52,7 +52,6 @@ private:
     bool operator==(const Key&) const = default;
   };
 
-  // On the same nodes.
   struct Keys {
     Key direct, ambient;
   };

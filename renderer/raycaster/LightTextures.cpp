@@ -34,6 +34,16 @@ void bindNodes(TextureUnit unit, unsigned texture) {
   glBindTexture(GL_TEXTURE_3D, texture);
 }
 
+// From voxels to texture coordinates; without nodes the single one there is.
+void setPlace(const ShaderProgram& program, const char* scale, const char* offset, const LightNodes& nodes) {
+  const bool isKnown = nodes.count.x > 0;
+  const glm::dvec3 count = isKnown ? glm::dvec3(nodes.count) : glm::dvec3(1.0);
+  // The first node lies in the middle of the first texel.
+  const glm::dvec3 perVoxel = isKnown ? 1.0 / (nodes.stride * count) : glm::dvec3(0.0);
+  program.set(scale, glm::vec3(perVoxel));
+  program.set(offset, glm::vec3(0.5 / count - nodes.first * perVoxel));
+}
+
 } // namespace
 
 void LightTextures::update(const LightVolumes& light) {
@@ -41,16 +51,16 @@ void LightTextures::update(const LightVolumes& light) {
     return;
   forgetDriverErrors();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const bool isOther = !m_direct || light.nodes != m_light.nodes;
-  if (isOther || light.direct != m_light.direct)
-    uploadNodes(m_direct, false, light.direct ? light.nodes.count : glm::ivec3(1),
+  if (!m_direct || light.directNodes != m_light.directNodes || light.direct != m_light.direct)
+    uploadNodes(m_direct, false, light.direct ? light.directNodes.count : glm::ivec3(1),
                 light.direct ? static_cast<const void*>(light.direct->data()) : allDirect.data());
-  if (isOther || light.ambient != m_light.ambient)
-    uploadNodes(m_ambient, true, light.ambient ? light.nodes.count : glm::ivec3(1),
+  if (!m_ambient || light.ambientNodes != m_light.ambientNodes || light.ambient != m_light.ambient)
+    uploadNodes(m_ambient, true, light.ambient ? light.ambientNodes.count : glm::ivec3(1),
                 light.ambient ? static_cast<const void*>(light.ambient->data()) : allAmbient.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   if (glGetError() != GL_NO_ERROR) {
     m_direct.reset();
+    m_ambient.reset();
     throw Error(Error::Kind::openGl, Message::tr("The graphics driver has no room for shadows and occlusion; "
                                                  "draw without them, or with --engine cpu."));
   }
@@ -58,7 +68,7 @@ void LightTextures::update(const LightVolumes& light) {
 }
 
 LightLook LightTextures::lookOn(const Grid& grid, bool isFine) const {
-  return m_light.nodes.count.x > 0 ? lightLook(m_light.nodes, grid, isFine && m_light.isFine) : LightLook();
+  return m_light.areKnown() ? lightLook(m_light, grid, isFine) : LightLook();
 }
 
 bool LightTextures::looksNear(const Grid& grid, bool isFine) const {
@@ -68,16 +78,13 @@ bool LightTextures::looksNear(const Grid& grid, bool isFine) const {
 void LightTextures::apply(const ShaderProgram& program, const Grid& grid, bool isFine) const {
   if (!m_direct)
     return;
-  const LightNodes& nodes = m_light.nodes;
-  const bool isKnown = nodes.count.x > 0;
-  const glm::dvec3 count = isKnown ? glm::dvec3(nodes.count) : glm::dvec3(1.0);
-  // The first node lies in the middle of the first texel.
-  const glm::dvec3 perVoxel = isKnown ? 1.0 / (nodes.stride * count) : glm::dvec3(0.0);
-  program.set("u_nodesScale", glm::vec3(perVoxel));
-  program.set("u_nodesOffset", glm::vec3(0.5 / count - nodes.first * perVoxel));
+  setPlace(program, "u_directScale", "u_directOffset", m_light.directNodes);
+  setPlace(program, "u_ambientScale", "u_ambientOffset", m_light.ambientNodes);
   const LightLook look = lookOn(grid, isFine);
   program.set("u_directAway", static_cast<float>(look.directAway));
+  program.set("u_directAsked", static_cast<float>(look.directAsked));
   program.set("u_ambientAway", static_cast<float>(look.ambientAway));
+  program.set("u_layersReach", static_cast<float>(LightLook::layersReach));
   program.set("u_looksNear", look.looksNear ? 1.0f : 0.0f);
   bindNodes(TextureUnit::directLight, m_direct->name());
   bindNodes(TextureUnit::ambientLight, m_ambient->name());

@@ -73,7 +73,7 @@ RayCaster::Parts::Parts(const Decisions& chosen, const VolumeRoom& room)
     : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen),
       nodePrograms(
           chosen,
-          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, ShadowLooks::nodesAlone); },
+          [chosen](EffectSet effects) { return fragmentSource(effects, chosen, LightFrom::nodesAlone); },
           ProgramCache::most / 5),
       filter(chosen) {
   const SavedState saved;
@@ -149,18 +149,26 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
   drawWith(programOf(effects, scene), scene, size);
 }
 
-// While something moves nodes alone tell of shadows. The program for that serves from when there was time to
-// compile it: the other draws the same.
+// While something moves nodes alone tell of light. The other program draws the same, several times as slowly
+// in a software driver: it serves where the driver refuses this one, and at rest; until fine light is there,
+// only if it is at hand.
 const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene& scene) {
   if (leftOut || compilesAllEffects)
     return programs.exactly(effects);
-  return isOfNodes(effects, scene) ? nodePrograms.programFor(effects) : programs.programFor(effects);
+  if (isOfNodes(effects, scene))
+    try {
+      return nodePrograms.programFor(effects);
+    } catch (const DriverError&) {
+      // Asked once: from now on it is known to be refused.
+    }
+  return programs.programFor(effects);
 }
 
 bool RayCaster::Parts::isOfNodes(EffectSet effects, const Scene& scene) {
-  return effects.has(Effect::shadow) &&
-         !light.looksNear(scene.volume->grid(), scene.quality.light == LightDetail::fine) &&
-         nodePrograms.isAtHand(effects);
+  const bool isFine = scene.quality.light == LightDetail::fine;
+  return !leftOut && !compilesAllEffects && effects.hasAny(travellingLight) &&
+         !light.looksNear(scene.volume->grid(), isFine) &&
+         (nodePrograms.isAtHand(effects) || (!isFine && !nodePrograms.has(effects)));
 }
 
 // The box outside which all pixels are empty.
@@ -291,9 +299,9 @@ std::string RayCaster::fragmentShader(const Scene& scene) {
   if (!needed.isVisible)
     return {};
   const EffectSet effects = m_parts->programFor(needed.effects, Content::picture);
-  const ShadowLooks looks =
-      m_parts->isOfNodes(effects, scene) ? ShadowLooks::nodesAlone : ShadowLooks::nearby;
-  return fragmentSource(effects, m_parts->decisions, looks).text;
+  const LightFrom lightFrom =
+      m_parts->isOfNodes(effects, scene) ? LightFrom::nodesAlone : LightFrom::nodesAndNear;
+  return fragmentSource(effects, m_parts->decisions, lightFrom).text;
 }
 
 bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
@@ -305,7 +313,7 @@ bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
     m_parts->tryOut(m_parts->programs, needed.effects, scene, size);
     return true;
   }
-  if (needed.effects.has(Effect::shadow) && m_parts->programs.isAtHand(needed.effects) &&
+  if (needed.effects.hasAny(travellingLight) && m_parts->programs.isAtHand(needed.effects) &&
       !m_parts->nodePrograms.has(needed.effects)) {
     try {
       m_parts->tryOut(m_parts->nodePrograms, needed.effects, scene, size);
@@ -332,7 +340,8 @@ DrawingFacts RayCaster::facts(const Scene& scene) {
   facts.takesAllSamples = m_parts->stepLimitation.empty();
   facts.filterBits = m_parts->filter.measured();
   const EffectSet program = m_parts->programFor(facts.plan.effects, Content::picture);
-  facts.isReady = !facts.plan.isVisible || m_parts->programs.canDraw(program);
+  ProgramCache& cache = m_parts->isOfNodes(program, scene) ? m_parts->nodePrograms : m_parts->programs;
+  facts.isReady = !facts.plan.isVisible || cache.canDraw(program);
   return facts;
 }
 

@@ -85,7 +85,7 @@ TEST_F(CasterLightKept, lightOfNoStrengthLeavesNoTrace) {
       EXPECT_EQ(caster.compiledPrograms(), programs);
       EXPECT_EQ(caster.volumeMb(), mb);
       EXPECT_EQ(caster.fragmentShader(neutral), caster.fragmentShader(plain));
-      for (const char* word : {"u_directLight", "u_ambientLight", "u_nodesScale"})
+      for (const char* word : {"u_directLight", "u_ambientLight", "u_directScale"})
         EXPECT_EQ(caster.fragmentShader(plain).find(word), std::string::npos) << word;
     }
 }
@@ -124,7 +124,7 @@ TEST_F(CasterLightKept, aCropThatIsOpenedWhileLightIsFoundHasItsOwnLight) {
   light.known(open);
   finish(light, open);
   const LightVolumes found = light.known(open), expected = LightFinder().find(open);
-  EXPECT_EQ(found.nodes, expected.nodes);
+  EXPECT_EQ(found.directNodes, expected.directNodes);
   EXPECT_TRUE(found.isFine);
   EXPECT_EQ(*found.direct, *expected.direct);
   EXPECT_EQ(*found.ambient, *expected.ambient);
@@ -184,7 +184,7 @@ TEST_F(CasterLightKept, untilItsOwnIsThereASideHasTheLightNearestToIt) {
 TEST_F(CasterLightKept, fineLightGivesWayToCoarseLightOfTheOtherSide) {
   TwoSides sides = sidesOfOneModel(1.5);
   LightInBackground light;
-  while (light.known(sides.left).nodes.count.x == 0) // coarse light first
+  while (!light.known(sides.left).areKnown()) // coarse light first
     std::this_thread::yield();
   ASSERT_TRUE(light.isFinding(sides.left));
   sides.right.quality.light = LightDetail::coarse;

@@ -132,14 +132,15 @@ TEST(Minimality, aPreintegratedStepFetchesOneScalarMoreInAll) {
   EXPECT_EQ(volumeFetches(functions, "addMaterial"), 0);
 }
 
-// Around the sample two places are looked at; of what moves none.
+// Around the sample six places are looked at in a loop towards the light, and four one by one along the
+// normal; of what moves none.
 TEST(Minimality, aShadowThatNodesAloneTellFetchesTheVolumeNoMoreThanNone) {
   for (const EffectSet& changes : {EffectSet{}, EffectSet{Effect::opacityMap}}) {
     const EffectSet shadowed =
         canonical(lit.with({Effect::fixedLight, Effect::shadow, Effect::occlusion}).with(changes));
     const auto nearby = functionsOf(preprocessed(fragmentSource(shadowed).text));
-    EXPECT_EQ(volumeFetches(nearby, "addMaterial"), 6 + 2 * (changes.isEmpty() ? 1 : 7));
-    const auto nodes = functionsOf(preprocessed(fragmentSource(shadowed, {}, ShadowLooks::nodesAlone).text));
+    EXPECT_EQ(volumeFetches(nearby, "addMaterial"), 6 + 5 * (changes.isEmpty() ? 1 : 7));
+    const auto nodes = functionsOf(preprocessed(fragmentSource(shadowed, {}, LightFrom::nodesAlone).text));
     EXPECT_EQ(volumeFetches(nodes, "addMaterial"), 6);
     EXPECT_FALSE(nodes.contains("extinctionAt"));
   }

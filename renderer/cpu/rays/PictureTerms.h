@@ -77,9 +77,14 @@ struct LookTerms {
 /// there are none, along paths from each sample. Read where an effect needs it.
 struct TravelTerms {
   using Directions = std::shared_ptr<const std::vector<glm::vec3>>;
+  /// From voxel indices to nodes.
+  struct ToNodes {
+    glm::vec3 perIndex{0.0f}, shift{0.0f};
+  };
   LightVolumes found;
-  glm::vec3 perIndex{0.0f}, shift{0.0f}; ///< from voxel indices to nodes
+  ToNodes toDirect, toAmbient;
   LightLook look;
+  LayerLengths layers{};   ///< of what dims ambient light near a sample
   Directions towardsLight; ///< over the light, grid axes
   Directions byCosine;     ///< around a normal, the third axis
   Directions onSphere;     ///< as many

@@ -38,7 +38,9 @@ public:
       const V3 index = indexOf(numbers, begin);
       const VF comes = light.direct(index);
       HWY_ALIGN float codes[most];
-      hn::Store(codeOf(comes, mayBeSeen(index, comes)), floats, codes);
+      // What comes from afar alone is smooth in tissue, too.
+      const Mask every = hn::Ge(comes, hn::Zero(floats));
+      hn::Store(codeOf(comes, m_travel.from > 0.0f ? every : mayBeSeen(index, comes)), floats, codes);
       for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes()) && begin + lane < numbers.size();
            ++lane)
         out[numbers[begin + lane]] = static_cast<std::uint8_t>(codes[lane]);

@@ -19,23 +19,24 @@ namespace limn::cpu::HWY_NAMESPACE {
 /// mixed in 16 bits, two to a lane: that loses less than a twenty-eighth of one.
 class GridLight {
 public:
-  HWY_INLINE GridLight(const TravelTerms& travel, const V3& index) : m_travel(travel) {
+  HWY_INLINE GridLight(const LightNodes& nodes, const TravelTerms::ToNodes& to, const V3& index)
+      : m_nodes(nodes), m_to(to) {
     VF x, y, z;
     const VI lowX = lowOf(index.x, 0, x), lowY = lowOf(index.y, 1, y), lowZ = lowOf(index.z, 2, z);
-    const VI row = hn::Add(hn::Mul(lowZ, hn::Set(ints, travel.found.nodes.count.y)), lowY);
-    hn::Store(hn::Add(hn::Mul(row, hn::Set(ints, travel.found.nodes.count.x)), lowX), ints, m_low);
+    const VI row = hn::Add(hn::Mul(lowZ, hn::Set(ints, nodes.count.y)), lowY);
+    hn::Store(hn::Add(hn::Mul(row, hn::Set(ints, nodes.count.x)), lowX), ints, m_low);
     m_upper = {twice(x), twice(y), twice(z)};
     m_lower = {restOf(m_upper.x), restOf(m_upper.y), restOf(m_upper.z)};
   }
 
   /// Of a light that has a direction.
-  HWY_INLINE VF direct() const {
+  HWY_INLINE VF direct(const DirectLight& light) const {
     VH planes[2];
     for (int z = 0; z < 2; ++z) {
       // Neighbours along x are read together; those of the next row stand in the upper half.
       HWY_ALIGN std::uint32_t pairs[most];
-      const std::uint8_t* nodes = m_travel.found.direct->data() + stepTo(0, z);
-      const std::uint8_t* next = m_travel.found.direct->data() + stepTo(1, z);
+      const std::uint8_t* nodes = light.data() + stepTo(0, z);
+      const std::uint8_t* next = light.data() + stepTo(1, z);
       for (int lane = 0; lane < lanes(); ++lane) {
         std::uint16_t one = 0, other = 0;
         std::memcpy(&one, nodes + m_low[lane], 2);
@@ -53,13 +54,13 @@ public:
   }
 
   /// Of ambient light, around normals of unit length, or zero.
-  HWY_INLINE VF ambient(const V3& normal) const {
+  HWY_INLINE VF ambient(const AmbientLight& light, const V3& normal) const {
     VH evens[2], odds[2];
     for (int z = 0; z < 2; ++z) {
       VH even[2], odd[2];
       for (int y = 0; y < 2; ++y) {
         HWY_ALIGN std::uint32_t pairs[2 * most];
-        const std::array<std::uint8_t, 4>* nodes = m_travel.found.ambient->data() + stepTo(y, z);
+        const std::array<std::uint8_t, 4>* nodes = light.data() + stepTo(y, z);
         for (int lane = 0; lane < lanes(); ++lane)
           std::memcpy(&pairs[2 * lane], nodes + m_low[lane], 8);
         VW lower, upper;
@@ -91,9 +92,8 @@ private:
   };
 
   HWY_INLINE VI lowOf(VF index, int axis, VF& weight) const {
-    const auto last = static_cast<float>(m_travel.found.nodes.count[axis] - 1);
-    const VF place =
-        clamped(hn::MulAdd(index, all(m_travel.perIndex[axis]), all(m_travel.shift[axis])), 0.0f, last);
+    const auto last = static_cast<float>(m_nodes.count[axis] - 1);
+    const VF place = clamped(hn::MulAdd(index, all(m_to.perIndex[axis]), all(m_to.shift[axis])), 0.0f, last);
     const VF low = hn::Min(hn::Floor(place), all(last - 1.0f));
     weight = hn::Sub(place, low);
     return intOf(low);
@@ -101,8 +101,8 @@ private:
 
   // From the node of the smallest indices.
   HWY_INLINE std::ptrdiff_t stepTo(int y, int z) const {
-    const std::ptrdiff_t row = m_travel.found.nodes.count.x;
-    return y * row + z * row * m_travel.found.nodes.count.y;
+    const std::ptrdiff_t row = m_nodes.count.x;
+    return y * row + z * row * m_nodes.count.y;
   }
 
   // In 65535ths, rounded by intOf.
@@ -129,7 +129,8 @@ private:
   HWY_INLINE static VF highHalf(VW pair) { return numberOf(hn::ShiftRight<16>(pair)); }
   HWY_INLINE static VF numberOf(VW word) { return hn::ConvertTo(floats, hn::BitCast(ints, word)); }
 
-  const TravelTerms& m_travel;
+  const LightNodes& m_nodes;
+  const TravelTerms::ToNodes& m_to;
   Weights m_lower, m_upper;
   HWY_ALIGN std::int32_t m_low[most]; // the node of smallest indices around each place
 };

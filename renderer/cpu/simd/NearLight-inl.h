@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes of light to places (DEFINITION section 11) from a grid of nodes, which stands for what is some
-// way off. Along a light of a direction M changes within a voxel: what stands near is looked at from the
-// place.
+// What comes of light to places (DEFINITION section 11) from grids of nodes, which stand for what is some way
+// off. M changes within a voxel: at rest what stands near is looked at from the place, towards the light and
+// along the normal.
 #if defined(LIMN_CPU_NEAR_LIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef LIMN_CPU_NEAR_LIGHT_INL_H
 #undef LIMN_CPU_NEAR_LIGHT_INL_H
@@ -28,10 +28,10 @@ public:
     const TravelTerms& travel = m_terms.travel;
     const glm::vec3 towards(m_terms.towardsLight);
     const auto reach = static_cast<float>(travel.look.directAway);
-    const glm::vec3 way = reach * towards / glm::vec3(m_terms.spacing);
+    const glm::vec3 way = static_cast<float>(travel.look.directAsked) * towards / glm::vec3(m_terms.spacing);
     const V3 away{hn::Add(m_index.x, all(way.x)), hn::Add(m_index.y, all(way.y)),
                   hn::Add(m_index.z, all(way.z))};
-    const VF far = GridLight(travel, away).direct();
+    const VF far = GridLight(travel.found.directNodes, travel.toDirect, away).direct(*travel.found.direct);
     if (!travel.look.looksNear || hn::AllFalse(floats, hn::Gt(far, hn::Zero(floats))))
       return far;
     if (m_terms.effects.has(Effect::isosurface)) { // which is there or not, and met once by a ray
@@ -49,14 +49,43 @@ public:
 
   /// Of ambient light, around normals of unit length, or zero.
   HWY_INLINE VF ambient(const V3& normal) const {
-    const glm::vec3 way = static_cast<float>(m_terms.travel.look.ambientAway) / glm::vec3(m_terms.spacing);
+    const TravelTerms& travel = m_terms.travel;
+    const glm::vec3 way = static_cast<float>(travel.look.ambientAway) / glm::vec3(m_terms.spacing);
     const V3 away{hn::MulAdd(normal.x, all(way.x), m_index.x), hn::MulAdd(normal.y, all(way.y), m_index.y),
                   hn::MulAdd(normal.z, all(way.z), m_index.z)};
-    return GridLight(m_terms.travel, away).ambient(normal);
+    const VF far =
+        GridLight(travel.found.ambientNodes, travel.toAmbient, away).ambient(*travel.found.ambient, normal);
+    return travel.look.looksNear ? hn::Mul(far, throughLayers(normal)) : far;
   }
 
 private:
-  static constexpr int looks = 2; // along the light
+  static constexpr int looks = 6; // along the light
+
+  // What comes of ambient light past the layers above places; all where there is no normal.
+  HWY_NOINLINE VF throughLayers(const V3& normal) const {
+    const LayerLengths& lengths = m_terms.travel.layers;
+    constexpr std::size_t layers = std::tuple_size_v<LayerLengths::value_type>;
+    constexpr float height = static_cast<float>(LightLook::layersReach) / layers;
+    VF extinctions[layers];
+    VF most = hn::Zero(floats);
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      extinctions[layer] =
+          m_march.extinctionAlong(m_index, normal, (static_cast<float>(layer) + 0.5f) * height);
+      most = hn::Max(most, extinctions[layer]);
+    }
+    const Mask isDimmed = hn::And(hn::Gt(most, hn::Zero(floats)), hn::Gt(dot(normal, normal), all(0.25f)));
+    if (hn::AllFalse(floats, isDimmed))
+      return all(1.0f);
+    VF sum = hn::Zero(floats);
+    for (const LayerLengths::value_type& path : lengths) {
+      VF depth = hn::Zero(floats);
+      for (std::size_t layer = 0; layer < layers; ++layer)
+        depth = hn::MulAdd(extinctions[layer], all(path[layer]), depth);
+      sum = hn::Add(sum, expNeg(depth));
+    }
+    const VF mean = hn::Mul(sum, all(1.0f / static_cast<float>(lengths.size())));
+    return hn::IfThenElse(isDimmed, mean, all(1.0f));
+  }
 
   const PictureTerms& m_terms;
   const LightMarch<kind>& m_march;

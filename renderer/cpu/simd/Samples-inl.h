@@ -171,7 +171,7 @@ struct Samples {
     const bool hasOcclusion = terms.effects.has(Effect::occlusion);
     VF direct = all(1.0f), ambient = all(1.0f);
     const LightMarch<kind> march(terms, field, function, light, looks);
-    if (HWY_UNLIKELY(terms.travel.found.nodes.count.x == 0)) {
+    if (HWY_UNLIKELY(!terms.travel.found.areKnown())) {
       const SampledLight<kind> sampled(terms.travel, march);
       if (hasShadow)
         direct = sampled.direct(index);

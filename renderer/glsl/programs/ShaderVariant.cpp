@@ -148,13 +148,13 @@ ShaderSource sliceVertexSource() {
   return source;
 }
 
-ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions, ShadowLooks looks) {
+ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions, LightFrom lightFrom) {
   ShaderSource source;
   effects = withPlace(effects, decisions);
   source.append("prelude", prelude(effects));
   if (decisions.table == TableFormat::correctedFloats)
     source.append("prelude", "#define DECISION_CORRECTED_TABLE\n");
-  if (looks == ShadowLooks::nodesAlone)
+  if (lightFrom == LightFrom::nodesAlone)
     source.append("prelude", "#define NODES_ALONE\n");
   appendBlock(source, "ray.glsl");
   if (effects == EffectSet{Effect::sampleCounts}) {

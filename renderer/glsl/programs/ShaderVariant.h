@@ -28,14 +28,14 @@ const char* driverFilterBlock(const Decisions& decisions = {});
 /// The vertex shader of every program.
 ShaderSource vertexSource();
 
-/// How a program finds a shadow: it can look at what stands near a sample, or nodes alone tell (LightLook).
-enum class ShadowLooks { nearby, nodesAlone };
+/// What tells a program of light on its way: nodes and what stands near a sample, or nodes alone (LightLook).
+enum class LightFrom { nodesAndNear, nodesAlone };
 
 /// The fragment shader of a canonical set of effects: a prelude of `#define`s and the building blocks that
 /// the set calls for, in the order of the stage contract (shaders/README.md). Decisions other than the
 /// program's own put blocks of shaders/decisions in the place of others.
 ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions = {},
-                            ShadowLooks looks = ShadowLooks::nearby);
+                            LightFrom lightFrom = LightFrom::nodesAndNear);
 
 /// The shaders of the slice renderer: the same blocks around another `main`.
 ShaderSource sliceVertexSource();

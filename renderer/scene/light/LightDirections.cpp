@@ -26,6 +26,10 @@ glm::dvec2 spreadPoint(int n) {
   return glm::fract(glm::dvec2(0.5) + double(n) * glm::dvec2(1.0 / plastic, 1.0 / (plastic * plastic)));
 }
 
+glm::dvec2 latticePoint(int n, int count) {
+  return {(n + 0.5) / count, glm::fract(0.5 + n * (std::numbers::phi - 1.0))};
+}
+
 glm::dvec3 directionInCone(const glm::dvec2& point, double angleDeg) {
   const double half = std::sin(0.5 * glm::radians(angleDeg));
   return directionAt(1.0 - 2.0 * half * half * point.x, point.y); // 1 - cos, for small angles, too

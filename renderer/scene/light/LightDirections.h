@@ -16,6 +16,10 @@ double lightOffsetMm(const Grid& grid);
 /// sequences, 2018).
 glm::dvec2 spreadPoint(int n);
 
+/// Point n of a lattice of `count` in the unit square, which all together are spread more evenly than as many
+/// of the sequence: each has a row of its own, and columns follow the golden ratio.
+glm::dvec2 latticePoint(int n, int count);
+
 /// Axes of which the third is `axis`, a unit vector; columns.
 template <class T>
 glm::mat<3, 3, T> axesAround(const glm::vec<3, T>& axis) {

@@ -55,14 +55,40 @@ void completeAll(const LightNodes& nodes, Light& light, const glm::ivec4& allCom
       }
 }
 
+// From one node to the next, smallest spacings; of the axes the shortest way.
+double distanceBetween(const LightNodes& nodes, const Grid& grid) {
+  const glm::dvec3 mm = nodes.stride * grid.spacingMm;
+  return std::min({mm.x, mm.y, mm.z}) / smallestSpacingMm(grid);
+}
+
 } // namespace
 
-LightLook lightLook(const LightNodes& nodes, const Grid& grid, bool isFine) {
-  const glm::dvec3 mm = nodes.stride * grid.spacingMm;
-  const double stride = std::min({mm.x, mm.y, mm.z}) / smallestSpacingMm(grid);
-  if (isFine)
-    return {LightLook::farthest, std::max(1.5, stride), true};
-  return {std::max(1.75, 0.5 * stride), std::max(1.5, stride), false};
+double LightVolumes::directFrom() const {
+  return isFine ? LightLook::farthest : 0.0;
+}
+
+LightLook lightLook(const LightVolumes& light, const Grid& grid, bool isFine) {
+  const double ambientAway = std::max(1.5, distanceBetween(light.ambientNodes, grid));
+  if (isFine && light.isFine)
+    return {LightLook::farthest, LightLook::farthest - light.directFrom(), ambientAway, true};
+  const double half = 0.5 * distanceBetween(light.directNodes, grid);
+  const double away = std::max(light.isFine ? LightLook::awayMoving : 1.75, half);
+  return {away, away - light.directFrom(), ambientAway, false};
+}
+
+LayerLengths layerLengths(double from) {
+  LayerLengths lengths{};
+  const double height = LightLook::layersReach / static_cast<double>(lengths[0].size());
+  for (std::size_t angle = 0; angle < lengths.size(); ++angle) {
+    // Weighed by the cosine light of equal shares comes from equal parts of the cosine's square.
+    const double cosine = std::sqrt((static_cast<double>(angle) + 0.5) / static_cast<double>(lengths.size()));
+    for (std::size_t layer = 0; layer < lengths[angle].size(); ++layer) {
+      const double lower = std::max(static_cast<double>(layer) * height, from * cosine);
+      const double upper = std::min(static_cast<double>(layer + 1) * height, LightLook::layersReach * cosine);
+      lengths[angle][layer] = static_cast<float>(std::max(0.0, upper - lower) / cosine);
+    }
+  }
+  return lengths;
 }
 
 void complete(const LightNodes& nodes, DirectLight& light) {
