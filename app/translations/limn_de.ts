@@ -2023,6 +2023,22 @@
         <source>colour and numbers, of all that are selected with it</source>
         <translation>Farbe und Zahlen, auch aller mit ihm ausgewählten</translation>
     </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Inferior</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2290,6 +2306,14 @@
         <source>The colour as a hex code, from #000000 (black) to #ffffff (white)</source>
         <translation>Die Farbe als Hexcode, von #000000 (Schwarz) bis #ffffff (Weiß)</translation>
     </message>
+    <message>
+        <source>Arrows: saturation and brightness. Page Up, Page Down: hue. 1 to 8: the colours of tissues.</source>
+        <translation>Pfeiltasten: Sättigung und Helligkeit. Bild auf, Bild ab: Farbton. 1 bis 8: die Farben der Gewebe.</translation>
+    </message>
+    <message>
+        <source>%1 is no colour: give a hex code such as %2.</source>
+        <translation>%1 ist keine Farbe: Geben Sie einen Hex-Code wie %2 an.</translation>
+    </message>
 </context>
 <context>
     <name>limn::CompareView</name>
@@ -2308,6 +2332,10 @@
     <message>
         <source>Preset</source>
         <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Swap the sides</source>
+        <translation>Seiten tauschen</translation>
     </message>
 </context>
 <context>
@@ -2453,6 +2481,18 @@
     <message>
         <source>compare models</source>
         <translation>Modelle vergleichen</translation>
+    </message>
+    <message>
+        <source>S&amp;wap the sides</source>
+        <translation>Seite&amp;n tauschen</translation>
+    </message>
+    <message>
+        <source>From now on what is at the left stands at the right, and the other way round; of two looks the right one is edited. Space shows the other side while it is held.</source>
+        <translation>Was links steht, steht von jetzt an rechts und umgekehrt; von zwei Darstellungen wird die rechte bearbeitet. Die Leertaste zeigt die andere Seite, solange sie gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>swap the sides</source>
+        <translation>Seiten tauschen</translation>
     </message>
 </context>
 <context>
@@ -3268,6 +3308,13 @@
     <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EmphasisController</name>
+    <message>
+        <source>in green what the point at %1 governs</source>
+        <translation>in Grün, was der Punkt bei %1 bestimmt</translation>
     </message>
 </context>
 <context>
@@ -4641,10 +4688,6 @@
         <translation>In einer Schicht die Stelle anklicken</translation>
     </message>
     <message>
-        <source>In a slice, drag from corner to corner</source>
-        <translation>In einer Schicht von Ecke zu Ecke ziehen</translation>
-    </message>
-    <message>
         <source>Measuring</source>
         <translation>Messen</translation>
     </message>
@@ -4659,6 +4702,22 @@
     <message>
         <source>In a slice, click end, corner and end</source>
         <translation>In einer Schicht Ende, Scheitel und Ende anklicken</translation>
+    </message>
+    <message>
+        <source>In a slice, drag from corner to corner or click both</source>
+        <translation>In einer Schicht von Ecke zu Ecke ziehen oder beide anklicken</translation>
+    </message>
+    <message>
+        <source>Now the opposite corner, which ends it. Esc takes it back.</source>
+        <translation>Jetzt die Ecke gegenüber, damit ist es fertig. Esc nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Now the corner of the angle. Esc takes it back.</source>
+        <translation>Jetzt der Scheitel des Winkels. Esc nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Now the other end, which ends it. Esc takes it back.</source>
+        <translation>Jetzt das andere Ende, damit ist es fertig. Esc nimmt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -8489,6 +8548,18 @@
         <source>curves of labels may change faster than one step can follow; where looks of labels meet, samples stand for steps</source>
         <translation>Kurven von Labels ändern sich vielleicht schneller, als ein Schritt folgen kann; wo Darstellungen von Labels aneinandergrenzen, stehen Abtastpunkte für Schritte</translation>
     </message>
+    <message>
+        <source>Too few paths were followed to filter their noise.</source>
+        <translation>Es wurden zu wenige Pfade verfolgt, um ihr Rauschen zu filtern.</translation>
+    </message>
+    <message>
+        <source>Filtering its noise changed colours by %1 levels RMS, by %2 at most; judged by paths that the filter did not see, about %3 levels RMS are left between it and the exact one.</source>
+        <translation>Das Filtern des Rauschens hat Farben um %1 Stufen RMS geändert, höchstens um %2; an Pfaden gemessen, die der Filter nicht kannte, bleiben bis zum exakten Bild etwa %3 Stufen RMS.</translation>
+    </message>
+    <message>
+        <source>Cut %1 takes nothing away: its line goes around all that is left.</source>
+        <translation>Schnitt %1 nimmt nichts weg: Seine Linie umschließt alles, was noch übrig ist.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9213,6 +9284,14 @@
         <source>Only physical light has this, and no picture is drawn in it.</source>
         <translation>Das hat nur physikalisches Licht, und kein Bild wird darin gezeichnet.</translation>
     </message>
+    <message>
+        <source>Filter the noise that is left</source>
+        <translation>Übriges Rauschen filtern</translation>
+    </message>
+    <message>
+        <source>Means over pixels that show the same take the grain away, and a little of the finest detail with it. What that changed, and what error is left, is said with the picture. The window shows pictures without it.</source>
+        <translation>Mittelwerte über Bildpunkte, die dasselbe zeigen, nehmen das Korn weg und ein wenig der feinsten Einzelheiten mit. Was das geändert hat und welcher Fehler bleibt, wird zum Bild gesagt. Das Fenster zeigt Bilder ohne Filter.</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureArea</name>
@@ -9446,6 +9525,10 @@
     <message>
         <source>&amp;Names: plane, place, window</source>
         <translation>&amp;Namen: Ebene, Lage, Fensterung</translation>
+    </message>
+    <message>
+        <source>%1 has the ground of the screen: JPEG knows no transparent one. Save the picture as PNG to have none.</source>
+        <translation>%1 hat den Hintergrund des Bildschirms: JPEG kennt keinen durchsichtigen. Speichern Sie das Bild als PNG, um keinen zu haben.</translation>
     </message>
 </context>
 <context>
@@ -10060,10 +10143,6 @@
         <translation>Absorption jedes Strahls; wie ein Röntgenbild</translation>
     </message>
     <message>
-        <source>MR brain</source>
-        <translation>MR Gehirn</translation>
-    </message>
-    <message>
         <source>MR glass</source>
         <translation>MR Glas</translation>
     </message>
@@ -10138,6 +10217,10 @@
     <message>
         <source>A brain without its skull; on a whole head this shows the scalp, fitted to each series</source>
         <translation>Gehirn ohne Schädel; an einem ganzen Kopf zeigt dies die Haut, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>MR skull-stripped brain</source>
+        <translation>MR Gehirn ohne Schädel</translation>
     </message>
 </context>
 <context>
@@ -10750,8 +10833,12 @@
         <translation>Sitzungen, die mit ungespeicherten Änderungen verlassen wurden.</translation>
     </message>
     <message>
-        <source>What you had changed is kept: File ▸ Open unsaved session brings it back.</source>
-        <translation>Was Sie geändert hatten, ist aufgehoben: Datei ▸ Ungespeicherte Sitzung öffnen bringt es zurück.</translation>
+        <source>Your work on %1 is kept.</source>
+        <translation>Ihre Arbeit an %1 ist aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
     </message>
 </context>
 <context>
