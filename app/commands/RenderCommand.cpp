@@ -94,7 +94,7 @@ void printJson(const MadePicture& picture, const std::string& out, double ms,
     drawn.notes.push_back(remark.english());
   if (picture.paths)
     drawn.paths = {picture.paths->paths, picture.paths->rmsLevels, picture.paths->p99_9Levels,
-                   picture.pathSeconds};
+                   picture.pathSeconds, picture.paths->filtered.has_value()};
   std::cout << pictureJson(drawn);
 }
 

@@ -182,6 +182,11 @@ void Session::edit(const Scene& next, const Gesture& gesture) {
   m_undo.push(new SceneEdit(*this, next, m_preset, gesture));
 }
 
+void Session::edit(const Scene& next, const Preset& preset, const Gesture& gesture) {
+  if (next != m_scene || preset != m_preset)
+    m_undo.push(new SceneEdit(*this, next, preset, gesture));
+}
+
 void Session::usePreset(const Preset& preset, const Gesture& gesture) {
   const Scene next = withPreset(m_scene, preset, true);
   if (next == m_scene)

@@ -60,6 +60,8 @@ public:
   /// otherwise) named by the gesture; edits with the gesture
   /// id of the step on top extend it. An equal scene changes nothing.
   void edit(const Scene& next, const Gesture& gesture);
+  /// The same with the preset in use, be the scene as it was.
+  void edit(const Scene& next, const Preset& preset, const Gesture& gesture);
 
   /// Shows the scene as a preset asks, but with its own model, as one undo step.
   void usePreset(const Preset& preset, const Gesture& gesture);

@@ -32,7 +32,8 @@ uchar byteOfShare(float value) {
 void state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
   panel.isAim = false;
   if (picture.paths) {
-    panel.paths = PanelPaths{picture.paths->paths, picture.paths->rmsLevels};
+    panel.paths =
+        PanelPaths{picture.paths->paths, picture.paths->rmsLevels, picture.paths->filtered.has_value()};
     panel.isStated = false;
     panel.errorLevels.reset();
     return;

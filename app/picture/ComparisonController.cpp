@@ -303,8 +303,7 @@ void ComparisonController::swapSides() {
   QUndoStack& steps = m_context.session.undoStack();
   const Gesture gesture{nextGestureId(), text};
   steps.beginMacro(text);
-  m_context.session.usePreset(own, gesture);
-  m_context.session.edit(next, gesture);
+  m_context.session.edit(next, own, gesture);
   m_look = left;
   if (m_ownModel)
     m_ownModel->choose(own.shading->model);

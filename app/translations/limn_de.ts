@@ -2039,6 +2039,10 @@
         <source>Inferior</source>
         <translation>Inferior</translation>
     </message>
+    <message>
+        <source>Random paths: %1 a pixel, their noise filtered, about %2 of 255 levels RMS left</source>
+        <translation>Zufallspfade: %1 je Bildpunkt, Rauschen gefiltert, etwa %2 von 255 Stufen RMS verbleiben</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -8549,16 +8553,20 @@
         <translation>Kurven von Labels ändern sich vielleicht schneller, als ein Schritt folgen kann; wo Darstellungen von Labels aneinandergrenzen, stehen Abtastpunkte für Schritte</translation>
     </message>
     <message>
-        <source>Too few paths were followed to filter their noise.</source>
-        <translation>Es wurden zu wenige Pfade verfolgt, um ihr Rauschen zu filtern.</translation>
-    </message>
-    <message>
-        <source>Filtering its noise changed colours by %1 levels RMS, by %2 at most; judged by paths that the filter did not see, about %3 levels RMS are left between it and the exact one.</source>
-        <translation>Das Filtern des Rauschens hat Farben um %1 Stufen RMS geändert, höchstens um %2; an Pfaden gemessen, die der Filter nicht kannte, bleiben bis zum exakten Bild etwa %3 Stufen RMS.</translation>
-    </message>
-    <message>
         <source>Cut %1 takes nothing away: its line goes around all that is left.</source>
         <translation>Schnitt %1 nimmt nichts weg: Seine Linie umschließt alles, was noch übrig ist.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 paths a pixel, too few to filter their noise.</source>
+        <translation>Das Bild hat %1 Pfade je Bildpunkt, zu wenige, um ihr Rauschen zu filtern.</translation>
+    </message>
+    <message>
+        <source>The noise of %1 paths a pixel was filtered, which changed colours by %2 levels RMS, by %3 at most; they are too few to tell what error is left.</source>
+        <translation>Das Rauschen von %1 Pfaden je Bildpunkt wurde gefiltert, was Farben um %2 Stufen RMS geändert hat, höchstens um %3; für eine Aussage über den verbleibenden Fehler sind es zu wenige.</translation>
+    </message>
+    <message>
+        <source>The picture lies within about %1 levels RMS of the exact one, after %2 paths a pixel whose noise was filtered: that changed colours by %3 levels RMS, by %4 at most, and was judged by paths that the filter did not see.</source>
+        <translation>Das Bild liegt bis auf etwa %1 Stufen RMS beim exakten, nach %2 Pfaden je Bildpunkt, deren Rauschen gefiltert wurde: Das hat Farben um %3 Stufen RMS geändert, höchstens um %4, und wurde an Pfaden gemessen, die der Filter nicht kannte.</translation>
     </message>
 </context>
 <context>

@@ -120,7 +120,7 @@ std::optional<cpu::FilteredPaths> CpuRenderer::withoutNoise(const Scene& scene, 
   const cpu::PathPicture* picture = m_paths.find(scene, size);
   if (!picture)
     return std::nullopt;
-  const Effort own{m_threads, effort.isCancelled, {}};
+  const Effort own{m_threads, effort.isCancelled, effort.report};
   const Scene medium = cpu::mediumOf(scene);
   const EffectPlan needed = plan(medium, effort.isCancelled);
   const cpu::PictureTerms terms =

@@ -249,7 +249,10 @@ LightStore::Keys LightStore::keysOf(const Scene& scene, const PictureTerms& term
                    return nodesOf(directBytes, isSmallLamp(terms) ? mostFineOfSmallLamp : most,
                                   std::min(bytes, ofDirect));
                  });
-  const std::size_t ofAmbient = areBoth ? mostBytes - std::max(ofDirect, direct.size()) : mostBytes;
+  // Of fine nodes the rest of what direct light may have at most: where the light stands moves none of these.
+  const std::size_t ofAmbient = !areBoth   ? mostBytes
+                                : isCoarse ? mostBytes - ofDirect
+                                           : mostBytes - mostBytes * 5 / 8;
   Keys keys;
   keys.direct = {scene.volume,
                  withoutColors(scene.transferFunction),

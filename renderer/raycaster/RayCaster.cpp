@@ -44,7 +44,7 @@ struct RayCaster::Parts {
   KnowLight knowLight;
   std::optional<LightVolumes> heldLight;
   ProgramCache programs;
-  ProgramCache nodePrograms; ///< of shadows that nodes alone tell
+  ProgramCache nodePrograms; ///< of light that nodes alone tell
   FilterBits filter;
   GlBuffer corners;
   GlVertexArray vertexArray;

@@ -32,23 +32,25 @@ Scene withBall(Scene scene, const std::vector<double>& weights, const glm::dvec3
 }
 
 TEST(CpuRegion, weightsThatAreNotReadChangeNoBit) {
-  const Scene plain = headScene(phantomVolume({.spacingMm = 6.0}), ShadingModel::enhanced);
-  for (const std::vector<double>& weights :
-       {std::vector<double>{1.0, 0.0}, {1.0, 0.4}, {0.0, 1.0}, {0.6, 0.3, 1.0}, {1.0, 0.25, 0.7}}) {
-    Scene scene = withBall(plain, weights, {0.4, 0.3, 0.5}, 9.0);
-    for (const auto& [choice, step, tolerance] :
-         {std::tuple{Preintegration::never, 0.5, std::optional<double>()},
-          {Preintegration::always, 3.0, {}},
-          {Preintegration::never, 1.0, 1.0}}) {
-      scene.quality.preintegrated = choice;
-      scene.quality.stepVoxels = step;
-      scene.quality.toleranceLevels = tolerance;
-      scene.quality.fineness = 4.75;
-      CpuRenderer steps(1), reads(1, CpuRenderer::EmptySpace::sampled);
-      EXPECT_EQ(steps.render(scene, {61, 53}).pixels, reads.render(scene, {61, 53}).pixels)
-          << weights.size() << " labels, step " << step << (tolerance ? ", cell by cell" : "");
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced})
+    for (const std::vector<double>& weights :
+         {std::vector<double>{1.0, 0.0}, {1.0, 0.4}, {0.0, 1.0}, {0.6, 0.3, 1.0}, {1.0, 0.25, 0.7}}) {
+      Scene scene =
+          withBall(headScene(phantomVolume({.spacingMm = 6.0}), model), weights, {0.4, 0.3, 0.5}, 9.0);
+      for (const auto& [choice, step, tolerance] :
+           {std::tuple{Preintegration::never, 0.5, std::optional<double>()},
+            {Preintegration::always, 3.0, {}},
+            {Preintegration::never, 1.0, 1.0}}) {
+        scene.quality.preintegrated = choice;
+        scene.quality.stepVoxels = step;
+        scene.quality.toleranceLevels = tolerance;
+        scene.quality.fineness = 4.75;
+        CpuRenderer steps(1), reads(1, CpuRenderer::EmptySpace::sampled);
+        EXPECT_EQ(steps.render(scene, {61, 53}).pixels, reads.render(scene, {61, 53}).pixels)
+            << nameOf(model) << ", " << weights.size() << " labels, step " << step
+            << (tolerance ? ", cell by cell" : "");
+      }
     }
-  }
 }
 
 TEST(CpuRegion, blocksAreWholeOnlyWhereEverythingIsKept) {

@@ -32,10 +32,11 @@ QColor swatch(int index) {
   return QColor(QLatin1String(swatches[static_cast<std::size_t>(index)]));
 }
 
-// A hex code with or without its sign, or a name; what is a code is never a name.
+// A hex code with or without its sign, or a name; what is a code is never a name. None that one sees through.
 QColor typedColor(const QString& text) {
   const QColor code(text.startsWith('#') ? text : '#' + text);
-  return code.isValid() ? code : QColor(text);
+  const QColor color = code.isValid() ? code : QColor(text);
+  return color.alpha() == 255 ? color : QColor();
 }
 
 // Closes on a click elsewhere and on Enter, which keep what was picked, and on Esc.

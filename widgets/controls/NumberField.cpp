@@ -142,7 +142,7 @@ std::optional<double> NumberField::read(const QString& text) const {
     plain = plain.chopped(1).trimmed();
   bool isNumber = false;
   const double number = locale().toDouble(plain, &isNumber);
-  if (!isNumber)
+  if (!isNumber || !std::isfinite(number)) // "nan" is a number, too
     return std::nullopt;
   return isPercent ? number / 100.0 : number;
 }

@@ -21,6 +21,7 @@ namespace limn {
 struct PanelPaths {
   int paths = 0;
   std::optional<double> rmsLevels;
+  bool isFiltered = false;
   bool operator==(const PanelPaths&) const = default;
 };
 

@@ -71,6 +71,10 @@ QStringList pathsOn(const FigurePanel& panel) {
     return {};
   if (!panel.paths->rmsLevels)
     return {QObject::tr("Random paths: %1 a pixel").arg(panel.paths->paths)};
+  if (panel.paths->isFiltered)
+    return {QObject::tr("Random paths: %1 a pixel, their noise filtered, about %2 of 255 levels RMS left")
+                .arg(panel.paths->paths)
+                .arg(promisedLevels(*panel.paths->rmsLevels))};
   return {QObject::tr("Random paths: %1 a pixel, standard error %2 of 255 levels RMS")
               .arg(panel.paths->paths)
               .arg(promisedLevels(*panel.paths->rmsLevels))};

@@ -86,6 +86,7 @@ void PlaneView::setContent(const PlaneContent& content) {
   // A line would go around other things in another slice.
   if (content.volume != m_content.volume || crosshairIn(content) != crosshairIn(m_content))
     forgetLine();
+  m_beingRead = {};
   m_content = content;
   describe();
   look();

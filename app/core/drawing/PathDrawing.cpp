@@ -15,6 +15,9 @@ namespace {
 
 constexpr int pathsAtFirst = 4;
 
+// Of the way to a picture whose noise is filtered.
+constexpr double shareOfPaths = 0.8;
+
 // Where nothing has an error to tell, so many paths show that there is nothing to wait for.
 constexpr int pathsOfNothing = 64;
 
@@ -57,8 +60,9 @@ int nextPaths(const Until& until, const PathFigures& figures, double seconds) {
   return ratio <= 1.0 || paths >= mostPaths ? paths : pathsGrownTo(1.02 * ratio * ratio * paths, paths);
 }
 
-void requireMemoryForPaths(const glm::ivec2& size) {
-  const double needed = double(size.x) * size.y * sizeof(cpu::PixelPaths);
+void requireMemoryForPaths(const glm::ivec2& size, bool filtersNoise) {
+  const double needed =
+      double(size.x) * size.y * double(sizeof(cpu::PixelPaths) + (filtersNoise ? cpu::filterBytes : 0));
   const std::optional<std::uint64_t> free = freeMemory();
   if (!free || needed <= static_cast<double>(*free))
     return;
@@ -76,7 +80,8 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
   const Until until =
       scene.quality.paths ? Until(UntilPaths{*scene.quality.paths}) : scene.shading.physical.until;
   const auto begin = std::chrono::steady_clock::now();
-  requireMemoryForPaths(size);
+  const bool filters = scene.shading.physical.filtersNoise;
+  requireMemoryForPaths(size, filters);
   Scene pass = scene;
   pass.quality.paths.reset();
   DrawnByPaths drawn;
@@ -89,35 +94,44 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
     drawn.seconds = time.count();
     if (effort.report)
-      effort.report(wayTo(until, drawn.figures, drawn.seconds));
+      effort.report((filters ? shareOfPaths : 1.0) * wayTo(until, drawn.figures, drawn.seconds));
     next = nextPaths(until, drawn.figures, drawn.seconds);
   }
   drawn.radiance = *renderer.radiance(pass, size);
-  if (scene.shading.physical.filtersNoise) {
-    cpu::FilteredPaths filtered = *renderer.withoutNoise(pass, size, effort);
+  if (filters) {
+    cpu::FilteredPaths filtered = *renderer.withoutNoise(pass, size, partOf(effort, shareOfPaths, 1.0));
     drawn.image = std::move(filtered.image);
-    drawn.noise = filtered.figures;
+    drawn.figures = {.paths = drawn.figures.paths,
+                     .rmsLevels = filtered.rmsLevels,
+                     .p99_9Levels = {},
+                     .filtered = filtered.figures};
   }
   return drawn;
 }
 
 Message sentenceOf(const PathFigures& figures) {
+  if (figures.filtered && figures.filtered->largestChange == 0.0)
+    return Message::tr("The picture has %1 paths a pixel, too few to filter their noise.").arg(figures.paths);
+  if (figures.filtered && !figures.rmsLevels)
+    return Message::tr(
+               "The noise of %1 paths a pixel was filtered, which changed colours by %2 levels RMS, by %3 "
+               "at most; they are too few to tell what error is left.")
+        .arg(figures.paths)
+        .arg(levelsOfError(figures.filtered->rmsChange), levelsOfError(figures.filtered->largestChange));
+  if (figures.filtered)
+    return Message::tr(
+               "The picture lies within about %1 levels RMS of the exact one, after %2 paths a pixel whose "
+               "noise was filtered: that changed colours by %3 levels RMS, by %4 at most, and was judged "
+               "by paths that the filter did not see.")
+        .arg(levelsOfError(*figures.rmsLevels))
+        .arg(figures.paths)
+        .arg(levelsOfError(figures.filtered->rmsChange), levelsOfError(figures.filtered->largestChange));
   if (!figures.rmsLevels || !figures.p99_9Levels)
     return Message::tr("The picture has %1 paths a pixel, too few to tell its error.").arg(figures.paths);
   return Message::tr("The picture lies within %1 levels RMS of the exact one, 99.9 % of its colours "
                      "within %2 (standard error), after %3 paths a pixel.")
       .arg(levelsOfError(*figures.rmsLevels), levelsOfError(*figures.p99_9Levels))
       .arg(figures.paths);
-}
-
-Message sentenceOf(const NoiseFigures& noise) {
-  if (!noise.rmsLevels)
-    return Message::tr("Too few paths were followed to filter their noise.");
-  return Message::tr(
-             "Filtering its noise changed colours by %1 levels RMS, by %2 at most; judged by paths that "
-             "the filter did not see, about %3 levels RMS are left between it and the exact one.")
-      .arg(levelsOfError(noise.rmsChange), levelsOfError(noise.largestChange),
-           levelsOfError(*noise.rmsLevels));
 }
 
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene) {

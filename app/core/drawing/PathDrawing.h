@@ -12,12 +12,11 @@
 
 namespace limn {
 
-/// A picture of physical light, its linear radiance times alpha, and what it came to.
+/// A picture of physical light, its linear radiance times alpha as paths found it, and what it came to.
 struct DrawnByPaths {
   Image image;
   Image radiance;
   PathFigures figures;
-  std::optional<NoiseFigures> noise; ///< where it was filtered; the radiance is as paths found it
   double seconds = 0.0;
 };
 
@@ -26,7 +25,8 @@ struct DrawnByPaths {
 /// passes that grow, each of which goes on from the last. A picture that takes longer for its first pass than
 /// it has seconds has that pass. Where the scene
 /// asks for it, noise that remains is filtered (cpu/paths/NoiseFilter). Throws Error, also where
-/// the memory that is free does not hold what paths find (72 bytes a pixel); Cancelled.
+/// the memory that is free does not hold what paths find (72 bytes a pixel, where noise is filtered 224);
+/// Cancelled.
 DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size,
                           const Effort& effort);
 
@@ -34,15 +34,12 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
 /// same number where it is complete.
 int nextPaths(const Until& until, const PathFigures& figures, double seconds);
 
-/// Throws Error where the memory that is free does not hold what the paths of so many pixels find, beside the
-/// picture itself.
-void requireMemoryForPaths(const glm::ivec2& size);
+/// Throws Error where the memory that is free does not hold what the paths of so many pixels find, and what a
+/// filter of their noise takes, beside the picture itself.
+void requireMemoryForPaths(const glm::ivec2& size, bool filtersNoise = false);
 
 /// How many paths a picture has and its standard error, one sentence.
 Message sentenceOf(const PathFigures& figures);
-
-/// What the filter changed, and what a picture errs by with it, one sentence.
-Message sentenceOf(const NoiseFigures& noise);
 
 /// What whoever asked is told of it, a sentence each: paths and error, and what of the scene was left out.
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene);

@@ -129,8 +129,6 @@ void putInto(DrawnByPaths made, MadePicture& picture) {
   picture.scene.quality.paths.reset();
   for (const Message& note : notesOf(made.figures, picture.scene))
     picture.notes.push_back(note);
-  if (made.noise)
-    picture.notes.push_back(sentenceOf(*made.noise));
 }
 
 // Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part.

@@ -85,16 +85,10 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
   return part.cuts.empty() ? found : cutIn(volume, found, part.cuts, progress);
 }
 
-FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
-                  const Progress& progress) {
-  FoundRegion cut = cutIn(volume, found.region, cuts, progress);
-  if (!found.remark.empty())
-    cut.remark = found.remark;
-  return cut;
-}
+namespace {
 
-FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
-                  const Progress& progress) {
+FoundRegion cutAnew(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
+                    bool isLastJustMade, const Progress& progress) {
   const Effort effort = effortOf(progress, Message::tr("Cutting"));
   const bool needsAll = volume.part() && std::any_of(cuts.begin(), cuts.end(), [](const Cut& cut) {
                           return std::holds_alternative<ConnectedPiece>(cut.how);
@@ -104,14 +98,28 @@ FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<
   FoundRegion found{std::move(made.region), {}};
   // Of what stood there before it was said then.
   const auto known = static_cast<std::size_t>(std::ranges::mismatch(cuts, region.cuts).in1 - cuts.begin());
-  const bool isOneMore = known + 1 == cuts.size();
   for (std::size_t n = known; n < cuts.size() && found.remark.empty(); ++n)
     if (cuts[n].isOn && made.taken[n] == 0)
-      found.remark = remarkOnNothing(cuts[n], n + 1, isOneMore);
+      found.remark = remarkOnNothing(cuts[n], n + 1, isLastJustMade && n + 1 == cuts.size());
   found.takesNothing = !found.remark.empty() && made.taken.back() == 0;
   if (made.left == 0)
     found.remark = Message::tr("The cuts take everything away.");
   return found;
+}
+
+} // namespace
+
+FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
+                  const Progress& progress) {
+  return cutAnew(volume, region, cuts, true, progress);
+}
+
+FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
+                  const Progress& progress) {
+  FoundRegion cut = cutAnew(volume, found.region, cuts, false, progress);
+  if (!found.remark.empty())
+    cut.remark = found.remark;
+  return cut;
 }
 
 } // namespace limn

@@ -33,7 +33,8 @@ FoundRegion withBodyOf(const Region& labels, const Volume& volume, const Region&
 FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<Cut>& cuts,
                   const Progress& progress = {});
 
-/// The same of a region that was found first; the remark on how it was found goes before one on the cuts.
+/// The same of a region that was found first and cuts that were made before; the remark on how it was found
+/// goes before one on the cuts.
 FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
                   const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 
 #include "app/core/making/Turntable.h"
 #include "app/document/DocumentText.h"
+#include "app/files/saving/ComparedPicture.h"
 #include "app/files/saving/SavingController.h"
 #include "io/scenefile/SceneFile.h"
 #include "widgets/controls/NumberField.h"

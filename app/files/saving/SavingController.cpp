@@ -6,6 +6,7 @@
 #include "app/core/drawing/PictureMaker.h"
 #include "app/document/DocumentText.h"
 #include "app/document/PrivateNames.h"
+#include "app/files/saving/ComparedPicture.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
@@ -79,38 +80,6 @@ BytePicture bytesWithAlpha(const Image& image) {
     picture.bytes.push_back(byte(alpha));
   }
   return picture;
-}
-
-Image parted(const Image& left, const Image& right, double wipe) {
-  Image result = left;
-  const int column = std::clamp(static_cast<int>(std::lround(wipe * left.size.x)), 0, left.size.x);
-  for (int y = 0; y < left.size.y; ++y)
-    for (int x = column; x < left.size.x; ++x)
-      result.at(x, y) = right.at(x, y);
-  return result;
-}
-
-// The part of a colour that differs most (scene/view/CompareLayout.h).
-float mostApart(const glm::vec3& left, const glm::vec3& right) {
-  float most = 0.0f;
-  for (int channel = 0; channel < 3; ++channel)
-    if (std::abs(right[channel] - left[channel]) > std::abs(most))
-      most = right[channel] - left[channel];
-  return most;
-}
-
-Image differenceOf(const Image& left, const Image& right, const glm::vec3& background) {
-  const auto over = [&](const glm::vec4& pixel) {
-    return glm::clamp(glm::vec3(pixel) + (1.0f - pixel.a) * background, 0.0f, 1.0f);
-  };
-  Image result(left.size);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-    const float apart = mostApart(over(left.pixels[i]), over(right.pixels[i]));
-    const double strength = std::min(1.0, differenceGain * std::abs(static_cast<double>(apart)));
-    result.pixels[i] =
-        glm::vec4(glm::vec3(strength * (apart < 0.0f ? leftBrighterColor : rightBrighterColor)), 1.0f);
-  }
-  return result;
 }
 
 } // namespace
@@ -209,25 +178,6 @@ void PictureSaving::say(const QString& text) {
   m_text->setText(text);
   m_text->setVisible(!text.isEmpty());
   m_stop->setVisible(!text.isEmpty());
-}
-
-Image withMarks(Image image, const QImage& marks) {
-  for (int y = 0; y < image.size.y; ++y) {
-    const auto* row = reinterpret_cast<const QRgb*>(marks.constScanLine(y));
-    for (int x = 0; x < image.size.x; ++x) {
-      const glm::vec4 mark = glm::vec4(qRed(row[x]), qGreen(row[x]), qBlue(row[x]), qAlpha(row[x])) / 255.0f;
-      image.at(x, y) = mark + (1.0f - mark.a) * image.at(x, y);
-    }
-  }
-  return image;
-}
-
-Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
-                      const glm::dvec3& background) {
-  if (layout == CompareLayout::wipe)
-    return parted(left, right, wipe);
-  return layout == CompareLayout::difference ? differenceOf(left, right, glm::vec3(background))
-                                             : sideBySide(left, right);
 }
 
 SavingController::SavingController(WindowContext& context, std::function<SessionDocument()> session)
@@ -358,7 +308,9 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   const double scale = scaleOf(options, savedSize(view.order().geometry).x);
   PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
                    scene.image.background, 0.0,     {},     {view.order(), view.pictureState()}};
-  const bool isOnScreen = scale == 1.0;
+  // What the view shows is not filtered.
+  const bool filters = isPhysical(scene) && scene.shading.physical.filtersNoise;
+  const bool isOnScreen = scale == 1.0 && !filters;
   if (options.size == PictureOptions::Size::print)
     file.dotsPerInch = printDotsPerInch;
   else if (!isOnScreen) // on paper it is as large as on screen
@@ -393,14 +345,18 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
       effort.report((static_cast<double>(done) + fraction) / static_cast<double>(scenes.size()));
     };
     std::vector<Image> sides(scenes.size());
+    QString exactness; // of paths
     makeEach(scenes, size, told, [&](std::size_t index, MadePicture picture) {
+      exactness += picture.paths ? QLatin1Char(' ') + translated(sentenceOf(*picture.paths)) : QString();
       sides[index] = std::move(picture.image);
       ++done;
     });
     file.write(sides); // seconds of a large one
-    return [this, path = QString::fromStdString(file.path), options = file.options] {
+    return [this, exactness, path = QString::fromStdString(file.path), options = file.options] {
       emit drawing({});
       m_context.notes.attempt([] {}, path); // it is there
+      if (!exactness.isEmpty())
+        m_context.messages.show(MessageBar::Kind::note, exactness.trimmed());
       sayGround(path, options);
     };
   });

@@ -94,14 +94,6 @@ private:
   bool m_isDrawing = false;
 };
 
-/// Marks over a picture of their size, both premultiplied.
-Image withMarks(Image image, const QImage& marks);
-
-/// Two pictures of one size as a layout of two shows them: side by side, parted at `wipe` (0..1 of the
-/// width), or as their amplified difference over `background`, which is opaque.
-Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
-                      const glm::dvec3& background);
-
 /// Writes what is open as session, scene and picture.
 class SavingController : public QObject {
   Q_OBJECT

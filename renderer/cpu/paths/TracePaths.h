@@ -16,7 +16,7 @@ void tracePaths(const PathTerms& paths, const PictureTerms& terms, std::uint32_t
                 PathPicture& picture);
 
 /// What lies where paths of the pixels of `covered` first meet something, a few of each: to guide a filter
-/// (NoiseFilter). The same for each seed, whatever threads there are. Throws Cancelled.
+/// (NoiseFilter). A seed gives the same ones, whatever threads there are. Throws Cancelled.
 PathGuides tracedGuides(const PathTerms& paths, const PictureTerms& terms, std::uint32_t seed,
                         const PixelRect& covered, const Effort& effort, const PathPicture& picture);
 

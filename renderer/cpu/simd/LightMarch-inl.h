@@ -57,7 +57,8 @@ public:
     const V3 perLength{hn::Mul(direction.x, all(perLengthAlong(0))),
                        hn::Mul(direction.y, all(perLengthAlong(1))),
                        hn::Mul(direction.z, all(perLengthAlong(2)))};
-    const VF span = hn::Sub(exitOf(index, perLength, reach), all(from));
+    const VF begin = entryOf(index, perLength, from);
+    const VF span = hn::Sub(exitOf(index, perLength, reach), begin);
     Mask isOpen = hn::And(wanted, hn::Gt(span, hn::Zero(floats)));
     VF depth = hn::Zero(floats);
     if (hn::AllFalse(floats, isOpen))
@@ -70,14 +71,14 @@ public:
     const VF perUnit = hn::Mul(length, all(m_terms.perUnitDistance));
     Mask isBlocked = hn::Lt(all(0.0f), hn::Zero(floats));
     if (m_hasSurface) { // a path may begin behind it
-      isBlocked = hitAt(alongFrom(index, perLength, all(from)), isOpen);
+      isBlocked = hitAt(alongFrom(index, perLength, begin), isOpen);
       isOpen = hn::AndNot(isBlocked, isOpen);
     }
     for (float i = 0.0f;;) {
       isOpen = hn::And(isOpen, hn::Lt(all(i), count));
       if (hn::AllFalse(floats, isOpen))
         break;
-      const VF at = hn::MulAdd(all(i + 0.5f), length, all(from));
+      const VF at = hn::MulAdd(all(i + 0.5f), length, begin);
       const V3 place = alongFrom(index, perLength, at);
       if (const float leap = leapFrom(place, fastest, isOpen); leap > 0.0f) {
         i += leap;
@@ -139,6 +140,24 @@ private:
   // Which places lie on or behind a surface.
   HWY_INLINE Mask hitAt(const V3& place, Mask wanted) const {
     return keptOf(place, hn::And(wanted, hn::Ge(m_field.scalarAt(place), all(m_terms.isovalue))));
+  }
+
+  // Where paths from nodes beside the box come into it, at least `from`; beyond everything where they never
+  // do.
+  HWY_INLINE VF entryOf(const V3& index, const V3& perLength, float from) const {
+    VF begin = all(from);
+    const VF along[3] = {perLength.x, perLength.y, perLength.z}, at[3] = {index.x, index.y, index.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const VF lower = all(static_cast<float>(m_terms.box.lower[axis] + m_terms.centre[axis]));
+      const VF upper = all(static_cast<float>(m_terms.box.upper[axis] + m_terms.centre[axis]));
+      const Mask isStill = hn::Lt(hn::Abs(along[axis]), all(1e-12f));
+      const Mask isOutside = hn::Or(hn::Lt(at[axis], lower), hn::Gt(at[axis], upper));
+      const VF face = hn::IfThenElse(hn::Gt(along[axis], hn::Zero(floats)), lower, upper);
+      const VF entry = hn::Div(hn::Sub(face, at[axis]), hn::IfThenElse(isStill, all(1.0f), along[axis]));
+      const VF never = hn::IfThenElseZero(isOutside, all(1e30f));
+      begin = hn::Max(begin, hn::IfThenElse(isStill, never, entry));
+    }
+    return begin;
   }
 
   // Where paths leave the box, or `reach`.

@@ -101,8 +101,12 @@ struct Samples {
     absorbed.extinction = mean.extinction;
     absorbed.opacity = oneMinusExpNeg(mean.extinction);
     if (!areWhole && terms.effects.has(Effect::region)) {
-      absorbed.seen = weighed(step, absorbed.seen, false, absorbed.opacity);
-      absorbed.extinction = minusLog1mOpacity(absorbed.opacity);
+      const VF weight = weightAt(step);
+      absorbed.seen = hn::And(absorbed.seen, hn::Gt(weight, hn::Zero(floats)));
+      absorbed.opacity = hn::Mul(absorbed.opacity, weight);
+      // All of it is the mean itself: whether weights are read changes no bit.
+      absorbed.extinction =
+          hn::IfThenElse(hn::Ge(weight, all(1.0f)), mean.extinction, minusLog1mOpacity(absorbed.opacity));
     }
     return absorbed;
   }

@@ -24,7 +24,7 @@ struct Segmentation {
 Segmentation readSegmentation(const std::filesystem::path& path, const Grid& grid,
                               const Progress& progress = {}, const PatientLabel& patient = {});
 
-/// The same without the remark.
+/// The same without the remark, for volumes of nobody.
 Region readLabels(const std::filesystem::path& path, const Grid& grid, const Progress& progress = {});
 
 /// How a region names where its labels are: absolute, without a slash at its end.

@@ -200,7 +200,7 @@ std::string pictureJson(const PictureReport& picture) {
                        {"visible_share", figures->visibleShare}};
   if (const std::optional<PictureReport::Paths>& paths = picture.paths) {
     const auto orNull = [](const std::optional<double>& levels) { return levels ? Json(*levels) : Json(); };
-    json["error"] = {{"kind", "standard error"},
+    json["error"] = {{"kind", paths->isFiltered ? "estimate" : "standard error"},
                      {"paths", paths->count},
                      {"rms_levels", orNull(paths->rmsLevels)},
                      {"p99_9_levels", orNull(paths->p99_9Levels)},

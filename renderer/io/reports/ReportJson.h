@@ -47,6 +47,7 @@ struct PictureReport {
     int count = 0;
     std::optional<double> rmsLevels, p99_9Levels;
     double seconds = 0.0;
+    bool isFiltered = false; ///< their noise: what is left is an estimate
   };
   std::optional<Paths> paths{};
 };

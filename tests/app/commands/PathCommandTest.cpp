@@ -70,6 +70,30 @@ TEST_F(PathCommand, jsonTellsPathsAndTheirError) {
   EXPECT_NE(outcome.err.find("32 paths a pixel"), std::string::npos) << outcome.err;
 }
 
+TEST_F(PathCommand, noiseIsFilteredOnDemandAndWhatIsLeftOfItIsSaid) {
+  const std::string scene = sceneUntil(R"({"paths": 16})");
+  ASSERT_EQ(run("render " + scene + " -o " + path("a.exr")).status, 0);
+  const Outcome outcome = run("render " + scene + " --filter-noise --json -o " + path("b.exr"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json error = json::parse(outcome.out)["error"];
+  EXPECT_EQ(error["kind"], "estimate");
+  EXPECT_GT(error["rms_levels"].get<double>(), 0.0);
+  EXPECT_NE(outcome.err.find("16 paths a pixel whose noise was filtered"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("standard error"), std::string::npos)
+      << "of the picture before: " << outcome.err;
+  EXPECT_NE(readExr(path("a.exr")).pixels, readExr(path("b.exr")).pixels);
+  EXPECT_EQ(readExr(path("a.exr"), ExrLayer::radiance).pixels,
+            readExr(path("b.exr"), ExrLayer::radiance).pixels)
+      << "radiance stays as paths found it";
+  // The picture is a scene that draws itself again.
+  ASSERT_EQ(run("render " + path("b.exr") + " -o " + path("again.exr")).status, 0);
+  EXPECT_EQ(readExr(path("again.exr")).pixels, readExr(path("b.exr")).pixels);
+  const Outcome other = run("render " + scene + " --model classic --filter-noise -o " + path("c.png"));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("--filter-noise filters pictures of random paths"), std::string::npos)
+      << other.err;
+}
+
 TEST_F(PathCommand, pathsGoOnUntilTheErrorOrTheTimeIsReached) {
   const Outcome levels = run("render " + sceneUntil(R"({"levels": 2})") + " --json -o " + path("a.png"));
   ASSERT_EQ(levels.status, 0) << levels.err;

@@ -12,7 +12,8 @@
 #include <iostream>
 
 // The bone of a CT angiography, taken away in the program's window. The shared angiography holds vessels
-// alone: here they lie within a real skull, wherever that leaves them room.
+// alone: here they lie within a real skull, wherever that leaves them room, four voxels from bone. Vessels
+// that touch the base of the skull are another matter: a cut between comes first.
 
 namespace limn {
 namespace {
@@ -77,27 +78,23 @@ protected:
     view().setFocus();
     QTest::keyClick(&view(), key);
     QCoreApplication::processEvents();
-    ++gestures;
   }
   void clickPicture(const QPointF& share) {
     const QRectF picture = view().logicalRect(0);
     const QPointF at = picture.topLeft() + QPointF(share.x() * picture.width(), share.y() * picture.height());
     QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), at.toPoint()));
     QCoreApplication::processEvents();
-    ++gestures;
   }
   void clickButton(const QString& text) {
     for (QPushButton* button : view().findChild<CutBar*>()->findChildren<QPushButton*>())
       if (button->text() == text) {
         QTest::mouseClick(button, Qt::LeftButton);
-        ++gestures;
         return;
       }
     ADD_FAILURE() << "no button " << text.toStdString();
   }
   std::shared_ptr<const Volume> head;
   std::vector<glm::ivec3> boneVoxels, vesselVoxels;
-  int gestures = 0;
 };
 
 TEST_F(Angiography, boneGoesByThreeGesturesAndNoVesselWithIt) {
@@ -109,6 +106,7 @@ TEST_F(Angiography, boneGoesByThreeGesturesAndNoVesselWithIt) {
   ASSERT_TRUE(open(QString::fromStdString(file.string())));
   setLayout(CompareLayout::single);
   ASSERT_TRUE(rest());
+  // Three gestures: a key, a click, a button.
   press(Qt::Key_K);
   clickPicture({0.5, 0.35});
   ASSERT_TRUE(ready());
@@ -116,7 +114,6 @@ TEST_F(Angiography, boneGoesByThreeGesturesAndNoVesselWithIt) {
   clickButton(QStringLiteral("Hide"));
   ASSERT_TRUE(ready());
   ASSERT_TRUE(rest());
-  EXPECT_EQ(gestures, 3);
   const double bone = shareKept(boneVoxels), vessels = shareKept(vesselVoxels);
   std::cout << "kept of " << boneVoxels.size() << " voxels of bone: " << bone << ", of "
             << vesselVoxels.size() << " of vessels: " << vessels << '\n';

@@ -162,7 +162,6 @@ TEST_F(Room, buttonsOfAMessageStandBelowItWhereThePictureIsNarrow) {
   EXPECT_FALSE(showIn({1440, 900})) << "beside it where there is room";
 }
 
-// In the program's own style; in Qt's the button is narrower than what our sheet puts around its icon.
 // What can be had elsewhere does not ask to be dismissed in its turn: late, it goes by itself.
 TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {
   const auto goes = [](const MessageBar& one) { return one.findChild<QTimer*>()->isActive(); };
@@ -197,6 +196,7 @@ TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {
   bar("recoveryBar").hide();
 }
 
+// In the program's own style; in Qt's the button is narrower than what our sheet puts around its icon.
 TEST(ToolBarStyle, leavesTheButtonForMoreToolsRoomToBeSeen) {
   const LookStyle style;
   EXPECT_GE(style.pixelMetric(QStyle::PM_ToolBarExtensionExtent, nullptr, nullptr), 24);
