@@ -10,6 +10,7 @@
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
+#include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 
