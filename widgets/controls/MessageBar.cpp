@@ -20,6 +20,9 @@ constexpr int narrowestBeside = 240; // of a sentence beside buttons
 constexpr int marginOver = 12;
 constexpr int marginBelow = 48; // clear of what is written at the lower edge of a picture
 
+// So much longer a note stands that offers something: who reads it late still wants it.
+constexpr int msToAct = 30000;
+
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
@@ -120,7 +123,7 @@ void MessageBar::goInTime() {
   const bool isPassing = m_kind == Kind::note || (m_isLate && m_isBriefWhenLate);
   const bool goes = isPassing && isVisible() && !underMouse() && !isAncestorOf(QApplication::focusWidget());
   if (goes)
-    m_end->start(readingMs(sentence()));
+    m_end->start((m_run ? msToAct : 0) + readingMs(sentence()));
   else
     m_end->stop();
 }

@@ -55,7 +55,7 @@ public:
   bool isError() const { return m_isWanted && m_kind == Kind::error; }
   bool isNote() const { return m_isWanted && m_kind == Kind::note; }
 
-  /// How long a note stands, ms: as long as reading it takes twice.
+  /// How long a note stands that offers nothing, ms: as long as reading it takes twice.
   static int readingMs(const QString& sentence);
 
   void setVisible(bool visible) override;

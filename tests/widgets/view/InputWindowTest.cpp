@@ -177,7 +177,7 @@ TEST_F(ViewInput, aClickOnALabelChoosesTheModelOfThatSide) {
   QTest::mouseClick(host.view.windowHandle(), Qt::LeftButton, {}, {225, 20}); // the right side's corner
   auto* menu = host.view.findChild<QMenu*>();
   ASSERT_NE(menu, nullptr);
-  ASSERT_EQ(menu->actions().size(), 7);         // five models, a line, the presets
+  ASSERT_EQ(menu->actions().size(), 8);         // five models, a line, the presets, the swap of sides
   EXPECT_TRUE(menu->actions()[2]->isChecked()); // enhanced
   menu->actions()[3]->trigger();
   menu->close();
