@@ -18,9 +18,9 @@ constexpr int patchRadius = 1;
 // How many standard errors apart two patches may be: a smaller number keeps more, noise among it.
 constexpr float errorsApart = 1.0f;
 
-// So much apart, things are different ones: these and the number above are those of least error of CT and MR
-// heads at 200², after 8 and 32 paths, among some tried. Depths may differ by so many lengths for each pixel
-// between.
+// So much apart, things are different ones: of some numbers tried these and the one above erred least or
+// nearly so on CT and MR heads at 200², after 8 and 32 paths. Depths may differ by so many lengths for each
+// pixel between.
 constexpr float albedosApart = 0.16f, normalsApart = 0.5f, lengthsApart = 3.0f;
 
 constexpr int rowsAtOnce = 16;
