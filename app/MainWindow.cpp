@@ -147,6 +147,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   view().setFocus(); // or the keys would go to whatever is next to the page's hidden button
   m_context.document.open(shown, request, histogram);
   m_panels.showVolume(loaded.scene.volume, histogram);
+  m_panels.presets().recognise();
   m_picture.showVolume(loaded.scene.volume.get());
   if (const auto& beside = loaded.session ? loaded.session : loaded.beside) {
     m_picture.restore(*beside);

@@ -153,6 +153,23 @@ void PresetController::goOnWithPreview() {
   m_previewedFrom = {};
 }
 
+void PresetController::recognise() {
+  const Scene& scene = m_context.session.scene();
+  if (!scene.volume || !m_context.session.preset().name.empty())
+    return;
+  std::vector<Preset> presets;
+  for (const Preset& preset : fittedPresets())
+    presets.push_back(asUsed(preset));
+  auto found = std::ranges::find_if(
+      presets, [&](const Preset& preset) { return withPreset(scene, preset, true) == scene; });
+  if (found == presets.end())
+    found = std::ranges::find(presets, scene.transferFunction, &Preset::transferFunction);
+  if (found == presets.end())
+    return;
+  m_context.session.adoptPreset(*found);
+  markShown();
+}
+
 void PresetController::markShown() {
   goOnWithPreview();
   if (m_context.session.scene().volume != m_volume)

@@ -32,6 +32,9 @@ public:
 
   /// Reads the user's own anew, and lists them.
   void refresh() { m_own.read(); }
+  /// What was opened does not say which preset it was made from: that is the one whose look it has, or else
+  /// whose curve.
+  void recognise();
   /// Marks the preset that the scene was made from, and whether it was changed since. A preview goes on where
   /// only the camera moved.
   void markShown();
