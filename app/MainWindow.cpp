@@ -75,6 +75,8 @@ void MainWindow::connectPictureAndPanels() {
   connect(comparison, &ComparisonController::shown, &m_panels.ray(), &RayController::show);
   connect(&m_panels.presets(), &PresetController::compareRequested, comparison,
           &ComparisonController::compareWith);
+  connect(&m_panels.presets(), &PresetController::ownCompareRequested, comparison,
+          &ComparisonController::compareOwn);
   const auto fillPresets = [this](QMenu* menu, int side) { m_panels.presets().fillMenu(*menu, side); };
   connect(comparison, &ComparisonController::presetMenuAsked, this, fillPresets);
   connect(&m_context.view, &CompareView::presetMenuAsked, this, fillPresets);

@@ -73,8 +73,8 @@ signals:
   /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
   /// is the session's own scene again. It enters no history.
   void previewed(const limn::Scene& scene, const std::string& preset);
-  /// With what is shown; the picture on `keptSide` stays as it is.
-  void compareRequested(const limn::Preset& look, int keptSide);
+  void compareRequested(const limn::Preset& look); ///< with what is shown
+  void ownCompareRequested(); ///< what is shown, with what becomes of it; the picture at the left stays
 
 private:
   void connectBrowser();
