@@ -139,14 +139,15 @@ TEST(Landmarks, tissueOfAScaleThatWasCutOffBeginsBelowItsHump) {
 TEST(Landmarks, whatIsBrighterThanTheScaleDoesNotMoveWhereTissueBegins) {
   Histogram histogram = windowedHead(122.0);
   histogram.counts.back() = 86000;
-  const double bright = objectThreshold(histogram);
+  const double bright = landmarksOf(histogram).object;
   histogram.counts.back() = 0;
-  EXPECT_EQ(bright, objectThreshold(histogram));
+  EXPECT_EQ(bright, landmarksOf(histogram).object);
   EXPECT_LT(bright, 122.0 - 2.0 * 3.0);
   histogram.counts.assign(256, 0); // a mask is no scale that ends
   histogram.counts.front() = 700;
   histogram.counts.back() = 300;
-  EXPECT_EQ(objectThreshold(histogram), 127.0) << "the middle of bins 0 to 254, which part it equally well";
+  EXPECT_EQ(landmarksOf(histogram).object, 127.0)
+      << "the middle of bins 0 to 254, which part it equally well";
 }
 
 // With every second value missing, as after scaling to more values than there were.
@@ -154,7 +155,7 @@ TEST(Landmarks, combsOfScaledValuesHideNoHump) {
   Histogram histogram = windowedHead(26.0);
   for (std::size_t bin = 1; bin < 255; bin += 2)
     histogram.counts[bin] = 0;
-  EXPECT_LT(objectThreshold(histogram), 20.0);
+  EXPECT_LT(landmarksOf(histogram).object, 20.0);
 }
 
 // Padding of zeros, noise around 12 and a head around 120: its hump stands above the noise.
@@ -167,8 +168,8 @@ TEST(Landmarks, noiseBesidePaddingIsNoTissue) {
                                                        3000.0 * std::exp(-head * head / 2.0));
   }
   histogram.counts.front() = 600000;
-  EXPECT_GT(objectThreshold(histogram), 12.0 + 3.0 * 5.0);
-  EXPECT_LT(objectThreshold(histogram), 120.0 - 30.0);
+  EXPECT_GT(landmarksOf(histogram).object, 12.0 + 3.0 * 5.0);
+  EXPECT_LT(landmarksOf(histogram).object, 120.0 - 30.0);
 }
 
 // One class of air, one of the given value, in the share given.

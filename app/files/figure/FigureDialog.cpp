@@ -12,8 +12,6 @@
 #include "scene/effects/EffectPlan.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
-#include "widgets/figure/FigureText.h"
-#include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/CompareView.h"
 
 #include <QApplication>
@@ -21,7 +19,6 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QObject>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>

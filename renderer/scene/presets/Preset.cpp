@@ -93,13 +93,24 @@ bool partsTail(const Histogram& histogram, std::size_t split) {
          greatestDensity(histogram, 1, split) > 4.0 * there;
 }
 
+// Where tissue begins: the threshold that best separates it from the background, but of a scale that was cut
+// off, which is what a window of 8 bits does, not in the tail of tissue.
+double beginOfObject(const Histogram& histogram) {
+  if (!isCutOffBelow(histogram))
+    return objectThreshold(histogram);
+  BinRange split = bestSplit(histogram, histogram.counts.size() - (isSaturated(histogram) ? 1 : 0));
+  while (partsTail(histogram, split.middle()))
+    split = bestSplit(histogram, split.middle() + 1);
+  return between(histogram, split);
+}
+
 } // namespace
 
 Landmarks landmarksOf(const Histogram& histogram) {
   const double least = binWidth(histogram) > 0.0 ? binWidth(histogram) : 1.0;
   const double low = quantile(histogram, 0.005);
   const double high = std::max(quantile(histogram, 0.998), low + 2.0 * least);
-  return {low, std::clamp(objectThreshold(histogram), low + least, high - least), high};
+  return {low, std::clamp(beginOfObject(histogram), low + least, high - least), high};
 }
 
 double moved(double value, const Landmarks& from, const Landmarks& to) {
@@ -118,12 +129,7 @@ TransferFunction moved(const TransferFunction& function, const Landmarks& from, 
 }
 
 double objectThreshold(const Histogram& histogram) {
-  if (!isCutOffBelow(histogram))
-    return between(histogram, bestSplit(histogram, histogram.counts.size()));
-  BinRange split = bestSplit(histogram, histogram.counts.size() - (isSaturated(histogram) ? 1 : 0));
-  while (partsTail(histogram, split.middle()))
-    split = bestSplit(histogram, split.middle() + 1);
-  return between(histogram, split);
+  return between(histogram, bestSplit(histogram, histogram.counts.size()));
 }
 
 Preset presetOf(const Scene& scene, const std::string& name) {

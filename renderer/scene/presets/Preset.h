@@ -31,7 +31,7 @@ double moved(double value, const Landmarks& from, const Landmarks& to);
 TransferFunction moved(const TransferFunction& function, const Landmarks& from, const Landmarks& to);
 
 /// The threshold that best separates background from object (N. Otsu, IEEE Trans. SMC 9 (1979) 62), scalar
-/// units; where the scale was cut off below, not in the tail of what stands out below it.
+/// units.
 double objectThreshold(const Histogram& histogram);
 
 /// A named way to show a kind of data: a transfer function and, optionally, how it is lit and projected.
