@@ -86,7 +86,9 @@ QString measureValueText(const Measured& measured, const Volume& volume) {
 
 QString measureNoteText(const Measured& measured, const Volume& volume) {
   const QString name = cutName(givenName(measured));
-  const QString value = measureValueText(measured, volume);
+  const bool isNoAngle =
+      measured.measurement.kind == Measurement::Kind::angle && !angleDegrees(measured.measurement);
+  const QString value = isNoAngle ? QString() : measureValueText(measured, volume);
   return name.isEmpty() ? value : value.isEmpty() ? name : QStringLiteral("%1 · %2").arg(value, name);
 }
 

@@ -263,14 +263,16 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   return !m_drag || !m_drag->isLoose;
 }
 
-// Takes back what was clicked once, but for an angle with a leg. Tells whether anything was taken back.
+// Takes back what was clicked once, but for an angle with both legs. Tells whether anything was taken back.
 bool PlaneView::endLooseDrag() {
   if (!m_drag || !m_drag->isLoose)
     return false;
   const PlaneDrag drag = *std::exchange(m_drag, std::nullopt);
-  if (drag.measurements.back().kind == Measurement::Kind::angle && drag.handle.place == 2) {
+  const std::vector<Measured>& now = m_content.measured;
+  if (drag.handle.place == 2 && drag.handle.number < now.size() &&
+      angleDegrees(now[drag.handle.number].measurement)) {
     emit measurementsEdited(
-        {measurementsOf(m_content.measured), m_content.inHand, drag.gesture}); // it is over
+        {measurementsOf(now), m_content.inHand, drag.gesture}); // it is over
     return false;
   }
   emit measurementsEdited(measuredBefore(drag));

@@ -277,7 +277,12 @@ TEST_F(MeasureWindow, theOneInHandIsHighlightedAndDeleted) {
 TEST_F(MeasureWindow, anAngleIsADragAndAClick) {
   press(axial(), Qt::Key_G);
   drag(inSlice({0, -80}), inSlice({0, 0}));
+  const auto note = [this] {
+    return measureNoteText(axial().content().measured.front(), *axial().content().volume);
+  };
+  EXPECT_EQ(note(), QString()) << "it has one leg";
   moveTo(inSlice({40, 10}));
+  EXPECT_TRUE(note().endsWith(QChar(0x00b0))) << note().toStdString();
   moveTo(inSlice({80, 80}));
   click(inSlice({80, 80}));
   moveTo(inSlice({-80, -20}));
