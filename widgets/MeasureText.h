@@ -31,8 +31,8 @@ QString measureKindText(Measurement::Kind kind);
 /// between voxels is known, lengths are voxels. An ellipse of no voxel and an angle without legs say so.
 QString measureValueText(const Measured& measured, const Volume& volume);
 
-/// What stands beside it in pictures: what was measured, which is never cut, and its name. Of an angle without
-/// legs its name alone: it may be one that is being drawn.
+/// What stands beside it in pictures: what was measured, which is never cut, and its name. Of an angle
+/// without legs its name alone: it may be one that is being drawn.
 QString measureNoteText(const Measured& measured, const Volume& volume);
 
 /// What undo and lists call it: "Distance 23.2 mm", "Mark 1". A long name is cut.

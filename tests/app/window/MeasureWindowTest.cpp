@@ -74,6 +74,10 @@ protected:
   }
   double mmPerPixelOfSlice() const { return mmPerLogicalPixel(axial().frame()); }
   QString undoText() { return undo().undoText().replace(QChar(0xa0), QLatin1Char(' ')); }
+  HintBar& measureBar() {
+    const QList<HintBar*> bars = view().findChildren<HintBar*>();
+    return **std::ranges::find(bars, QStringLiteral("Measuring"), &QWidget::accessibleName);
+  }
   QString said() const { return window->statusBar()->currentMessage(); }
 };
 
@@ -91,11 +95,7 @@ TEST_F(MeasureWindow, aDistanceIsOneDragOnceItsToolIsChosen) {
 
 // As the tools that cut do: what to click, and how to end it.
 TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
-  HintBar* bar = nullptr;
-  for (HintBar* one : view().findChildren<HintBar*>())
-    if (one->accessibleName() == QStringLiteral("Measuring"))
-      bar = one;
-  ASSERT_NE(bar, nullptr);
+  HintBar* bar = &measureBar();
   EXPECT_FALSE(bar->isVisible());
   // Beside a large slice the picture has no room for it.
   press(axial(), Qt::Key_E);
@@ -123,7 +123,6 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   EXPECT_EQ(view().tool(), ViewTool::rotate);
   EXPECT_FALSE(bar->isVisible());
   EXPECT_TRUE(view().hasFocus());
-  // Where both measure alike it speaks of both.
   choose("picture_and_three");
   window->findChild<MeasureController*>()->useTool(Kind::angle);
   EXPECT_EQ(bar->hint(), QStringLiteral("Click end, corner and end"));
@@ -466,7 +465,39 @@ TEST_F(MeasureWindow, buttonsBesideTheListChooseTheTools) {
   EXPECT_TRUE(inSlices->isChecked());
   choose("picture");
   section->findChild<QToolButton*>(QStringLiteral("measure-ellipse"))->click();
-  EXPECT_TRUE(said().contains(QStringLiteral("View ▸ Slices"))) << said().toStdString();
+  EXPECT_TRUE(measureBar().hint().contains(QStringLiteral("View ▸ Slices")));
+  EXPECT_TRUE(measureBar().isVisible());
+}
+
+// A tool that was taken for a slice measures in the picture, too, and the other way round; where it cannot a
+// click says so.
+TEST_F(MeasureWindow, aToolIsInHandInSlicesAndInThePictureAlike) {
+  press(axial(), Qt::Key_G);
+  for (const QPoint& at : {QPoint(-30, 0), QPoint(0, 0), QPoint(0, -30)})
+    click(inPicture(at));
+  ASSERT_EQ(measurements().size(), 1u);
+  EXPECT_FALSE(measurements().front().plane);
+  press(view(), Qt::Key_D);
+  drag(inSlice({-40, 0}), inSlice({60, 0}));
+  ASSERT_EQ(measurements().size(), 2u);
+  EXPECT_EQ(measurements().back().plane, PatientPlane::axial);
+  // What was begun in the one place ends where the other is clicked.
+  click(inPicture({20, 20}));
+  EXPECT_EQ(view().order().comparison.measures.size(), 3u);
+  drag(inSlice({-40, 50}), inSlice({60, 50}));
+  EXPECT_EQ(measurements().size(), 3u);
+  EXPECT_EQ(view().order().comparison.measures.size(), 3u);
+  press(view(), Qt::Key_G);
+  drag(inSlice({-60, -90}), inSlice({-60, -60})); // one leg
+  EXPECT_EQ(measurements().size(), 4u);
+  click(inPicture({10, -20}));
+  EXPECT_EQ(measurements().size(), 3u);
+  press(view(), Qt::Key_E);
+  const Camera camera = scene().camera;
+  click(inPicture({0, 20}));
+  EXPECT_EQ(said(), QStringLiteral("In a slice, drag from corner to corner or click both"));
+  EXPECT_EQ(scene().camera, camera);
+  EXPECT_EQ(measurements().size(), 3u);
 }
 
 TEST_F(MeasureWindow, sessionsScenesAndPicturesKeepWhatWasMeasured) {
