@@ -271,8 +271,7 @@ bool PlaneView::endLooseDrag() {
   const std::vector<Measured>& now = m_content.measured;
   if (drag.handle.place == 2 && drag.handle.number < now.size() &&
       angleDegrees(now[drag.handle.number].measurement)) {
-    emit measurementsEdited(
-        {measurementsOf(now), m_content.inHand, drag.gesture}); // it is over
+    emit measurementsEdited({measurementsOf(now), m_content.inHand, drag.gesture}); // it is over
     return false;
   }
   emit measurementsEdited(measuredBefore(drag));
@@ -339,6 +338,10 @@ bool PlaneView::obey(int key, bool isFast) {
     return true;
   if (moveByKey(key, isFast ? fastSlices : 1))
     return true;
+  if (const std::optional<PlaneTool> tool = toolOfKey(key)) {
+    emit toolRequested(*tool);
+    return true;
+  }
   switch (key) {
   case Qt::Key_Plus:
   case Qt::Key_Equal:
@@ -350,30 +353,6 @@ bool PlaneView::obey(int key, bool isFast) {
   case Qt::Key_F:
     m_zoom.reset();
     look();
-    return true;
-  case Qt::Key_C:
-    emit toolRequested(PlaneTool::crosshair);
-    return true;
-  case Qt::Key_W:
-    emit toolRequested(PlaneTool::windowLevel);
-    return true;
-  case Qt::Key_X:
-    emit toolRequested(PlaneTool::scissors);
-    return true;
-  case Qt::Key_K:
-    emit toolRequested(PlaneTool::piece);
-    return true;
-  case Qt::Key_D:
-    emit toolRequested(PlaneTool::distance);
-    return true;
-  case Qt::Key_G:
-    emit toolRequested(PlaneTool::angle);
-    return true;
-  case Qt::Key_E:
-    emit toolRequested(PlaneTool::ellipse);
-    return true;
-  case Qt::Key_N:
-    emit toolRequested(PlaneTool::mark);
     return true;
   case Qt::Key_Escape:
     if (!m_drag && m_tool == PlaneTool::crosshair)
