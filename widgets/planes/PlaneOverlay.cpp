@@ -2,6 +2,7 @@
 #include "widgets/planes/PlaneOverlay.h"
 
 #include "planes/PlaneGrid.h"
+#include "widgets/MeasureText.h"
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/planes/PlaneMeasures.h"
 #include "widgets/view/overlay/OverlayParts.h"
@@ -150,6 +151,18 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   overlay.measures =
       placedMeasures(measureShapes(content, plane, frame), font, overlay.view, platesOf(overlay));
   return overlay;
+QString planeToolTip(const PlaneOverlay& overlay, const PlaneContent& content, const QPointF& point) {
+  QString tip;
+  for (const Note& note : overlay.notes)
+    if (note.plate.contains(point) && note.text != note.whole)
+      tip = note.whole;
+  for (const MeasureMark& mark : overlay.measures)
+    if (mark.note && mark.note->plate.contains(point))
+      tip = measureDetails(content.measured[mark.shape.number], *content.volume);
+  return tip.isEmpty() ? tip
+                       : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(tip.toHtmlEscaped());
+}
+
 }
 
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {

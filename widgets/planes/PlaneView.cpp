@@ -11,9 +11,11 @@
 #include "widgets/view/panels/FocusRing.h"
 
 #include <QContextMenuEvent>
+#include <QHelpEvent>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <chrono>
@@ -129,6 +131,15 @@ void PlaneView::describe() {
     return;
   setAccessibleDescription(description);
   tellPlaneMoved(*this);
+}
+
+bool PlaneView::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || !m_content.volume)
+    return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const PlaneOverlay overlay = planeOverlay(m_content, m_plane, frame(), size(), font());
+  QToolTip::showText(help->globalPos(), planeToolTip(overlay, m_content, help->pos()), this);
+  return true;
 }
 
 void PlaneView::paintEvent(QPaintEvent*) {

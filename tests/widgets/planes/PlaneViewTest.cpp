@@ -351,6 +351,29 @@ TEST_F(PlaneViewTest, aTextDoesNotLieOnWhatWasMeasured) {
     EXPECT_FALSE(note.plate.intersects(mark.note->plate)) << note.text.toStdString();
 }
 
+TEST_F(PlaneViewTest, whatIsShortenedIsToldInFullByAToolTip) {
+  view.setTool(PlaneTool::distance);
+  drag(view, {130, 110}, {170, 150});
+  host.content.measured.front().measurement.name =
+      "a vessel <that> is called by more letters than have room beside it";
+  const auto tipAt = [&](const QSize& size, const auto& placeOf) {
+    const PlaneFrame frame = planeFrame(seenGrid(host.content), PatientPlane::axial,
+                                        crosshairOf(host.content), size, 1.0, std::nullopt);
+    const PlaneOverlay overlay = planeOverlay(host.content, PatientPlane::axial, frame, size, view.font());
+    return planeToolTip(overlay, host.content, placeOf(overlay));
+  };
+  const auto title = [](const PlaneOverlay& overlay) { return overlay.notes.front().plate.center(); };
+  EXPECT_EQ(tipAt({400, 300}, title), QString()) << "it is seen";
+  EXPECT_TRUE(tipAt({90, 60}, title).contains(QStringLiteral("Axial")))
+      << tipAt({90, 60}, title).toStdString();
+  const auto measure = [](const PlaneOverlay& overlay) {
+    return overlay.measures.at(0).note->plate.center();
+  };
+  EXPECT_TRUE(tipAt(view.size(), measure)
+                  .contains(QStringLiteral(
+                      "vessel &lt;that&gt; is called by more letters than have room beside it")));
+}
+
 TEST_F(PlaneViewTest, keysWalkVoxelByVoxelAndSliceBySlice) {
   QTest::keyClick(&view, Qt::Key_Right);
   QTest::keyClick(&view, Qt::Key_Down);

@@ -65,6 +65,15 @@ void paintOutlined(QPainter& painter, const QRectF& place, const QString& text) 
   painter.drawText(place, Qt::AlignCenter, text);
 }
 
+QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate) {
+  const double room = plate.width() - 4 * unit - (label.leadsToMenu ? arrowWidth : 0.0);
+  const QFontMetricsF metrics(titleFont(font));
+  // A plate that was made for it has rounding alone to spare.
+  return metrics.horizontalAdvance(label.title) <= room + 0.5
+             ? label.title
+             : metrics.elidedText(label.title, Qt::ElideMiddle, std::max(0.0, room));
+}
+
 QString fittingDetails(const QFont& font, const QStringList& details, double room) {
   const QFontMetricsF metrics(font);
   QString line;
@@ -106,7 +115,7 @@ Note noteAt(const QFont& font, const QString& text, const QPointF& corner, Qt::A
     left -= size.width();
   else if (alignment & Qt::AlignHCenter)
     left -= size.width() / 2;
-  return {fitting, QRectF(QPointF(left, corner.y() - size.height()), size)};
+  return {fitting, QRectF(QPointF(left, corner.y() - size.height()), size), text};
 }
 
 QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text, const QRectF& side) {
@@ -124,8 +133,9 @@ void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) 
   QRectF text = plate.adjusted(2 * unit, 0, -2 * unit, 0);
   painter.setFont(titleFont(font));
   painter.setPen(textColor);
-  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.title);
-  text.setLeft(text.left() + QFontMetricsF(titleFont(font)).horizontalAdvance(label.title));
+  const QString title = fittingTitle(font, label, plate);
+  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, title);
+  text.setLeft(text.left() + QFontMetricsF(titleFont(font)).horizontalAdvance(title));
   if (label.leadsToMenu) {
     // On whole pixels, or every label's arrow would look another.
     const QPointF tip(std::round(text.left() + 2 * unit) + 0.5, std::round(plate.center().y() + 2.0) + 0.5);

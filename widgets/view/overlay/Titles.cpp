@@ -211,6 +211,9 @@ QString regionText(const Region& region) {
     return {};
   if (isCutAway(region) && region.kind == Region::Kind::body)
     return QObject::tr("Body only, cut by hand");
+  for (const PlacedLabel& one : labelsOf(source))
+    if (one.plate.contains(point) && fittingTitle(source.font, one.label, one.plate) != one.label.title)
+      return QStringLiteral("<p>%1</p>").arg(one.label.title.toHtmlEscaped());
   QStringList notes;
   const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(listedLabels(region));
   const auto weighed =

@@ -4,7 +4,11 @@
 #include "scene/volume/Phantom.h"
 #include "widgets/view/gestures/ViewDrag.h"
 
+#include <QFontMetricsF>
+
 #include <gtest/gtest.h>
+
+#include <array>
 
 // What stands above the pictures, as a value.
 
@@ -124,6 +128,24 @@ TEST_F(OverlayAbove, aLabelTellsNothingOfTheLastPictureAtRestWhileAnotherIsSeen)
   EXPECT_EQ(labelsOf(source())[0].label.details.size(), 2);
   state.resting = false;
   EXPECT_EQ(labelsOf(source())[0].label.details, QStringList{QStringLiteral("SP 32")});
+}
+
+// Presets may be called anything, and one of four views has little room.
+TEST_F(OverlayAbove, aTitleThatIsTooLongIsShortenedAndItsToolTipSaysAll) {
+  comparison.layout = CompareLayout::sideBySide;
+  comparison.look.emplace();
+  const std::string name = "Angiography of the head & neck with <thin> bone, second try";
+  comparison.look->names = {name, "Bone"};
+  OverlaySource small = source();
+  small.geometry.size = {420, 260};
+  const std::vector<PlacedLabel> labels = labelsOf(small);
+  const QString seen = fittingTitle(small.font, labels[0].label, labels[0].plate);
+  EXPECT_TRUE(seen.contains(QChar(0x2026))) << seen.toStdString();
+  EXPECT_LE(QFontMetricsF(titleFont(small.font)).horizontalAdvance(seen), labels[0].plate.width());
+  EXPECT_TRUE(
+      toolTipAt(small, labels[0].plate.center()).contains(QStringLiteral("&lt;thin&gt; bone, second try")));
+  EXPECT_EQ(fittingTitle(small.font, labels[1].label, labels[1].plate), labels[1].label.title);
+  EXPECT_EQ(toolTipAt(small, labels[1].plate.center()), QString());
 }
 
 TEST_F(OverlayAbove, noCaptionMovesALetter) {
