@@ -79,11 +79,9 @@ void addLetters(PlaneOverlay& overlay, const PlaneContent& content, const PlaneA
     overlay.notes.push_back(note);
     return;
   }
-  LetterMarks marks = letterMarks(
+  overlay.letters = letterMarks(
       {lettersOf(-axes.right), lettersOf(axes.right), lettersOf(-axes.down), lettersOf(axes.down)},
       {view, column.front(), besideLine(view.center().y(), overlay.crosshair.y())}, overlay.font, plates);
-  marks.onPlates = true; // bone is as bright as they are
-  overlay.letters = marks;
 }
 
 // What texts beside measurements keep clear of.
@@ -151,6 +149,8 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   overlay.measures =
       placedMeasures(measureShapes(content, plane, frame), font, overlay.view, platesOf(overlay));
   return overlay;
+}
+
 QString planeToolTip(const PlaneOverlay& overlay, const PlaneContent& content, const QPointF& point) {
   QString tip;
   for (const Note& note : overlay.notes)
@@ -161,8 +161,6 @@ QString planeToolTip(const PlaneOverlay& overlay, const PlaneContent& content, c
       tip = measureDetails(content.measured[mark.shape.number], *content.volume);
   return tip.isEmpty() ? tip
                        : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(tip.toHtmlEscaped());
-}
-
 }
 
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {

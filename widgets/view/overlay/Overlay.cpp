@@ -166,12 +166,12 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<Q
   plates.insert(plates.end(), handles.begin(), handles.end());
   for (std::size_t position = 0; position < columns.size(); ++position) {
     const QRectF picture = source.written(static_cast<int>(position));
-    LetterMarks marks = letterMarks(orientationLetters(source.comparison.scene.camera),
-                                    {picture, columns[position], picture.center().y(),
-                                     overlay.labels[position].plate.bottom() - picture.top()},
-                                    source.font, plates);
-    marks.onPlates = source.hasCropBox;
-    overlay.letters.push_back(marks);
+    const double titles = leavesMiddleFree(source, static_cast<int>(position))
+                              ? 0.0
+                              : overlay.labels[position].plate.bottom() - picture.top();
+    overlay.letters.push_back(letterMarks(orientationLetters(source.comparison.scene.camera),
+                                          {picture, columns[position], picture.center().y(), titles},
+                                          source.font, plates));
   }
 }
 

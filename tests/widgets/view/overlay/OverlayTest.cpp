@@ -198,6 +198,45 @@ TEST_F(OverlayAbove, everyLetterHasAPlaceInSmallPictures) {
     }
 }
 
+// However much of a picture what is shown fills: on plates, of which none is cut.
+TEST_F(OverlayAbove, lettersStandAtTheVeryEdge) {
+  comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), 0.5, 0.4);
+  state.sides.resize(2);
+  for (SideState& one : state.sides) {
+    one.estimate = ErrorEstimate{0.42, 0.1, 1.0};
+    one.isRough = false;
+    one.completeMs = 123.4;
+  }
+  for (const CompareLayout layout : {CompareLayout::single, CompareLayout::sideBySide})
+    for (const QSize size : {QSize(408, 370), QSize(830, 585), QSize(1700, 900)}) {
+      comparison.layout = layout;
+      OverlaySource shown = source();
+      shown.geometry.size = size;
+      const Overlay overlay = overlayOf(shown);
+      for (std::size_t position = 0; position < overlay.letters.size(); ++position) {
+        const LetterMarks& marks = overlay.letters[position];
+        const QRectF side = pictureRect(shown.geometry, static_cast<int>(position));
+        const std::array<std::string, 4> texts{marks.letters.left, marks.letters.right, marks.letters.top,
+                                               marks.letters.bottom};
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+          ASSERT_TRUE(marks.places[i]) << size.width() << " " << i;
+          const double half =
+              QFontMetricsF(titleFont(shown.font)).horizontalAdvance(QString::fromStdString(texts[i])) / 2 +
+              4.0;
+          EXPECT_GE(marks.places[i]->center().x() - half, side.left()) << size.width() << " " << texts[i];
+          EXPECT_LE(marks.places[i]->center().x() + half, side.right()) << size.width() << " " << texts[i];
+        }
+        EXPECT_NEAR(marks.places[3]->bottom(), side.bottom() - 4.0, 1e-9);
+        const QRectF& title = overlay.labels[position].plate;
+        if (side.width() > 800.0)
+          EXPECT_NEAR(marks.places[2]->top(), 4.0, 1e-9) << "beside what the title tells";
+        else
+          EXPECT_LE(marks.places[2]->top(), title.bottom() + 5.0) << "just below it";
+        EXPECT_FALSE(marks.places[2]->intersects(title));
+      }
+    }
+}
+
 TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
   for (const double turn : {0.0, 0.3, 0.8}) {
     comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), turn, turn / 2.0);
@@ -206,7 +245,6 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
     const Overlay overlay = overlayOf(with);
     ASSERT_EQ(overlay.letters.size(), 1u);
     const LetterMarks& marks = overlay.letters[0];
-    EXPECT_TRUE(marks.onPlates) << "they stand out from the box's lines, too";
     for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
       QRectF disc(0, 0, 2 * cropHandleRadius, 2 * cropHandleRadius);
       disc.moveCenter(handle.centre);
