@@ -104,7 +104,7 @@ CutController::CutController(WindowContext& context)
     m_context.view.setTool(ViewTool::rotate);
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
-  context.keepClearOfMessages(*m_bar);
+  context.keepClear(*m_bar);
   m_bar->setDrawing([view = &context.view] { return view->input().cutLine().has_value(); });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
     putDown();

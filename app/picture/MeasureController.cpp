@@ -19,7 +19,8 @@ namespace limn {
 namespace {
 
 constexpr int measureTellsForMs = 6000;
-constexpr int leastHeightForBar = 240; // of the pictures, so that it is clear of their middle
+constexpr int leastHeightForBar =
+    400; // of the pictures, so that it is clear of the face where it lies upon them
 
 // What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
 bool isLedInSlices(const Measurement& measurement) {
@@ -70,7 +71,7 @@ MeasureController::MeasureController(WindowContext& context)
     layAside();
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
-  context.keepClearOfMessages(*m_bar);
+  context.keepClear(*m_bar);
   m_bar->setDrawing([this] { return m_open.has_value(); });
   m_bar->setLeastHeight(leastHeightForBar);
   connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
@@ -230,7 +231,7 @@ void MeasureController::showBar() {
   m_bar->showHint(hint,
                   tr("What was measured is led by its ends and goes with Delete; a drag over the picture "
                      "rotates it. Esc takes back what is begun, then lays the tool aside."));
-  if (m_context.view.height() < leastHeightForBar)
+  if (!m_bar->hasRoom())
     say(hint);
 }
 

@@ -253,6 +253,15 @@ TEST_F(SliceCutWindow, theBarHasRoomForItsButtonsBesideALargeSlice) {
   const CutBar& bar = *view().findChild<CutBar*>();
   ASSERT_TRUE(bar.isVisible());
   EXPECT_TRUE(view().rect().contains(bar.geometry()));
+  // In one of four views of a usual window they stand in one row, at the lower edge and not over the face.
+  window->resize(1440, 860);
+  window->findChild<QAction*>(QStringLiteral("planes-picture_and_three"))->trigger();
+  EXPECT_TRUE(test::waitUntil([&] { return view().width() > 400 && bar.height() < 50; }))
+      << bar.width() << " of " << view().width();
+  EXPECT_GT(bar.geometry().top(), view().height() / 2);
+  window->resize(1280, 800);
+  window->findChild<QAction*>(QStringLiteral("planes-one_large"))->trigger();
+  QCoreApplication::processEvents();
   int seen = 0;
   for (const QPushButton* button : bar.findChildren<QPushButton*>())
     if (button->isVisible()) {

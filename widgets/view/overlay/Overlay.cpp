@@ -311,6 +311,25 @@ Overlay overlayOf(const OverlaySource& source) {
   return overlay;
 }
 
+std::vector<QRectF> writtenPlaces(const Overlay& overlay) {
+  std::vector<QRectF> places;
+  for (const PlacedLabel& label : overlay.labels)
+    places.push_back(label.steadyPlate);
+  for (const Note& note : overlay.notes)
+    places.push_back(note.plate);
+  if (overlay.differenceBar)
+    places.push_back(overlay.differenceBar->plate);
+  if (overlay.scale)
+    places.push_back(overlay.scale->plate);
+  if (overlay.cube)
+    places.push_back(overlay.cube->plate);
+  for (const LetterMarks& marks : overlay.letters)
+    for (const std::optional<QRectF>& place : marks.places)
+      if (place)
+        places.push_back(*place);
+  return places;
+}
+
 void paintOverlay(QPainter& painter, const Overlay& overlay) {
   painter.setFont(overlay.font);
   painter.setRenderHint(QPainter::TextAntialiasing);
