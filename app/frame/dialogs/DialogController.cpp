@@ -4,8 +4,6 @@
 #include "app/guide/GuideWindow.h"
 #include "app/window/WindowContext.h"
 #include "widgets/theme/Icons.h"
-#include "widgets/view/CompareView.h"
-#include "widgets/view/gestures/ViewInput.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -375,9 +373,9 @@ void DialogController::addHelp() {
                    .place = {Menu::help, 1, 1},
                    .shortcut = QKeySequence::HelpContents,
                    .toolTip = tr("Opens the guide at what it says of the panel with the keyboard.")});
-  QAction* shortcuts = actions.add(
-      QStringLiteral("shortcuts"),
-      {.text = QStringLiteral("%1\t%2").arg(tr("Mouse and &keys"), tr("?")), .place = {Menu::help, 1, 3}});
+  QAction* shortcuts = actions.add(QStringLiteral("shortcuts"), {.text = tr("Mouse and &keys"),
+                                                                 .place = {Menu::help, 1, 3},
+                                                                 .shortcut = QKeySequence(Qt::Key_Question)});
   const QAction* stability = actions.add(
       QStringLiteral("stability"),
       {.text = tr("&Stability checks…"),
@@ -388,7 +386,6 @@ void DialogController::addHelp() {
   connect(guide, &QAction::triggered, this, &DialogController::showGuide);
   connect(shortcuts, &QAction::triggered, this,
           [this] { showShortcuts(m_context.actions, &m_context.window); });
-  connect(&m_context.view.input(), &ViewInput::shortcutListRequested, shortcuts, &QAction::trigger);
   connect(stability, &QAction::triggered, this, &DialogController::showStability);
   connect(about, &QAction::triggered, this, [this] { showAbout(&m_context.window); });
 }

@@ -433,8 +433,6 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
     cancelDrag(shown);
   else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)
     setTool(ViewTool::rotate);
-  else if (std::holds_alternative<ListShortcuts>(command))
-    emit shortcutListRequested();
   else
     return false;
   return true;

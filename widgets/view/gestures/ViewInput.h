@@ -120,7 +120,6 @@ signals:
   void everythingRequested();         ///< the note was clicked that tells what a region hides
   void maximiseRequested();
   void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
-  void shortcutListRequested();
   void swapRequested();
   void toolChanged(limn::ViewTool tool);
 
