@@ -75,11 +75,15 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
 // "226 – 3071 HU · 812 ml · mean 640 HU"
 QString pieceText(const ConnectedPiece& piece, const SetFigures& figures, const Volume& volume) {
   const ValueRange range = foundRange(piece, volume);
-  return CutController::tr("%1 – %2 · %3 ml · mean %4")
-      .arg(valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
-           readingText(range.highest, volume),
-           plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
-           readingText(figures.mean, volume));
+  const QString text =
+      CutController::tr("%1 – %2 · %3 ml · mean %4")
+          .arg(valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
+               readingText(range.highest, volume),
+               plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
+               readingText(figures.mean, volume));
+  return isNarrowest(piece, volume)
+             ? CutController::tr("%1 · as narrow as the place clicked allows").arg(text)
+             : CutController::tr("%1 · wheel: range, Shift: its upper end").arg(text);
 }
 
 } // namespace
@@ -98,6 +102,8 @@ CutController::CutController(WindowContext& context)
   connect(planes, &PlaneDeck::lineClosed, this, &CutController::cutInSlice);
   connect(m_bar, &CutBar::insideChosen, this, &CutController::takeInside);
   connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
+  connect(m_bar, &CutBar::similarRequested, this, &CutController::takeSimilar);
+  connect(m_bar, &CutBar::reachChosen, this, &CutController::takeReach);
   connect(m_bar, &CutBar::hideRequested, this, [this] { finish(ConnectedPiece::Fate::hidden); });
   connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(ConnectedPiece::Fate::alone); });
   connect(m_bar, &CutBar::lookRequested, this, [this] { finish(ConnectedPiece::Fate::ownLook); });
@@ -205,6 +211,8 @@ void CutController::pickAt(const glm::dvec3& worldMm) {
     return say(tr("Nothing that the curve shows lies there, so there is no piece to pick."));
   m_context.view.setTool(ViewTool::piece);
   m_piece = piece;
+  m_piece->reachMm = m_bar->reachMm();
+  m_pointedMm = worldMm;
   findPiece();
 }
 
@@ -222,10 +230,26 @@ void CutController::findPiece() {
   showBar();
 }
 
-void CutController::narrow(double notches) {
+void CutController::narrow(double notches, bool onlyAbove) {
   if (!m_piece || !m_volume)
     return;
-  m_piece = narrowed(*m_piece, *m_volume, notches);
+  const ConnectedPiece before = *m_piece;
+  m_piece = onlyAbove ? narrowedAbove(before, *m_volume, notches) : narrowed(before, *m_volume, notches);
+  if (m_piece != before)
+    findPiece();
+}
+
+void CutController::takeSimilar() {
+  if (!m_piece || !m_volume)
+    return;
+  m_piece = withValuesAround(*m_piece, *m_volume, m_pointedMm);
+  findPiece();
+}
+
+void CutController::takeReach() {
+  if (!m_piece)
+    return;
+  m_piece->reachMm = m_bar->reachMm();
   findPiece();
 }
 
@@ -301,6 +325,7 @@ void CutController::layDown() {
   if (tool == ViewTool::scissors || tool == ViewTool::piece)
     m_context.view.setTool(ViewTool::rotate);
   m_onlySeen = false;
+  m_bar->forgetReach();
   takeInside(true);
 }
 

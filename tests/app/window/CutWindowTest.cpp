@@ -13,6 +13,7 @@
 #include "widgets/view/overlay/Titles.h"
 #include "widgets/view/panels/CutBar.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -62,10 +63,10 @@ protected:
     QTest::keyClick(&view(), key);
     QCoreApplication::processEvents();
   }
-  void turnWheel(int notches) {
+  void turnWheel(int notches, Qt::KeyboardModifiers keys = {}) {
     const QPointF at = view().logicalRect(0).center();
-    QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, keys,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view(), &event);
   }
 
@@ -271,6 +272,38 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_EQ(undo().undoText(), QStringLiteral("hide a piece"));
   turnWheel(1);
   EXPECT_NE(scene().camera, before) << "the wheel zooms again";
+}
+
+// Not all that hangs together: the values around the place, no farther than is chosen.
+TEST_F(CutWindow, aPieceIsHeldToSimilarValuesAndToAReach) {
+  press(Qt::Key_K);
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(cutting().hasPiece());
+  EXPECT_TRUE(bar().hint().contains(QStringLiteral("wheel"))) << bar().hint().toStdString();
+  auto& reach = *bar().findChild<QComboBox*>();
+  ASSERT_TRUE(reach.isVisible());
+  EXPECT_FALSE(bar().reachMm());
+  reach.setFocus();
+  QTest::keyClick(&reach, Qt::Key_Down);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(bar().reachMm(), 5.0);
+  turnWheel(1, Qt::ShiftModifier);
+  ASSERT_TRUE(ready());
+  QTest::mouseClick(&button(QStringLiteral("Similar values")), Qt::LeftButton);
+  ASSERT_TRUE(ready());
+  // On and on: then it says why it goes no further.
+  for (int turn = 0; turn < 12; ++turn) {
+    turnWheel(10);
+    ASSERT_TRUE(ready());
+  }
+  EXPECT_TRUE(bar().hint().contains(QStringLiteral("as narrow as"))) << bar().hint().toStdString();
+  QTest::mouseClick(&button(QStringLiteral("Hide")), Qt::LeftButton);
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  const auto& piece = std::get<ConnectedPiece>(cuts().front().how);
+  EXPECT_EQ(piece.reachMm, 5.0);
+  EXPECT_LT(piece.range.y, scene().volume->range().highest) << "it has an upper end of its own";
 }
 
 // A curve may go on beyond the values there are; a piece does not.

@@ -326,8 +326,9 @@ void ViewInput::turnWheel(QWheelEvent& event) {
   event.setAccepted(shown.volume && turn != 0);
   if (!event.isAccepted())
     return;
-  if (m_wheelIsForPiece && event.modifiers() == Qt::NoModifier) {
-    emit pieceNarrowed(static_cast<double>(turn) / wheelNotch);
+  const bool isShifted = event.modifiers() == Qt::ShiftModifier;
+  if (m_wheelIsForPiece && (isShifted || event.modifiers() == Qt::NoModifier)) {
+    emit pieceNarrowed(static_cast<double>(turn) / wheelNotch, isShifted);
     return;
   }
   const QRectF side = pictureRect(source.geometry, positionAt(source.geometry, event.position()));

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/CutBar.h"
 
+#include "widgets/ValueText.h"
+
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
 
 namespace limn {
 namespace {
+
+// An eyeball has a radius of 12 mm, an ear reaches 30 mm from its middle.
+constexpr int reachesMm[] = {5, 10, 15, 20, 30, 50, 80};
 
 // Two buttons of which one is down.
 void pair(QPushButton* first, QPushButton* second, QObject* parent) {
@@ -24,7 +30,8 @@ CutBar::CutBar(QWidget* parent)
       m_outside(panelButton(tr("Outside"), QStringLiteral("choice"), this)),
       m_through(panelButton(tr("Through all"), QStringLiteral("choice"), this)),
       m_seen(panelButton(tr("What is seen"), QStringLiteral("choice"), this)),
-      m_hide(panelButton(tr("Hide"), QStringLiteral("choice"), this)),
+      m_similar(panelButton(tr("Similar values"), QStringLiteral("choice"), this)),
+      m_reach(new QComboBox(this)), m_hide(panelButton(tr("Hide"), QStringLiteral("choice"), this)),
       m_alone(panelButton(tr("Only this"), QStringLiteral("choice"), this)),
       m_look(panelButton(tr("Its own curve"), QStringLiteral("choice"), this)) {
   pair(m_inside, m_outside, this);
@@ -35,18 +42,28 @@ CutBar::CutBar(QWidget* parent)
   m_seen->setToolTip(
       tr("Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at "
          "least one slice."));
+  m_similar->setToolTip(
+      tr("Leaves of the piece what has values like those around the place that you clicked."));
+  m_reach->addItem(tr("Anywhere"));
+  for (const int mm : reachesMm)
+    m_reach->addItem(tr("Within %1").arg(valueText(mm, tr("mm"), 0)), mm);
+  m_reach->setAccessibleName(tr("How far the piece reaches"));
+  m_reach->setToolTip(tr("How far the piece may reach from the place that you clicked."));
   m_hide->setToolTip(tr("Hides this piece."));
   m_alone->setToolTip(tr("Hides all but this piece."));
   m_look->setToolTip(tr("Gives this piece a curve of its own, which the curve panel then shows."));
   group(0)->addWidget(m_inside);
   group(0)->addWidget(m_outside);
   group(0)->addSpacing(6);
-  for (QPushButton* button : {m_through, m_seen, m_hide, m_alone})
-    group(1)->addWidget(button);
+  for (QWidget* control :
+       std::initializer_list<QWidget*>{m_through, m_seen, m_similar, m_reach, m_hide, m_alone})
+    group(1)->addWidget(control);
   group(2)->insertWidget(0, m_look);
   group(2)->insertSpacing(1, 6);
   connect(m_inside, &QPushButton::toggled, this, &CutBar::insideChosen);
   connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
+  connect(m_similar, &QPushButton::clicked, this, &CutBar::similarRequested);
+  connect(m_reach, &QComboBox::activated, this, &CutBar::reachChosen);
   connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
   connect(m_alone, &QPushButton::clicked, this, &CutBar::aloneRequested);
   connect(m_look, &QPushButton::clicked, this, &CutBar::lookRequested);
@@ -65,16 +82,25 @@ void CutBar::showScissors(bool removesInside, bool onlySeen) {
 void CutBar::showPiece(const QString& text, bool isPicked) {
   showButtons(false, isPicked);
   showHint(text,
-           tr("The wheel widens or narrows the range of values; another click picks another piece, "
-              "Esc none."),
+           tr("The wheel widens or narrows the range of values, with Shift its upper end alone; the value at "
+              "the place that you clicked stays within it. Another click picks another piece, Esc none."),
            isPicked);
+}
+
+std::optional<double> CutBar::reachMm() const {
+  const QVariant mm = m_reach->currentData();
+  return mm.isValid() ? std::optional(mm.toDouble()) : std::nullopt;
+}
+
+void CutBar::forgetReach() {
+  m_reach->setCurrentIndex(0);
 }
 
 void CutBar::showButtons(bool ofScissors, bool ofPieces) {
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
     button->setVisible(ofScissors);
-  for (QPushButton* button : {m_hide, m_alone, m_look})
-    button->setVisible(ofPieces);
+  for (QWidget* control : std::initializer_list<QWidget*>{m_similar, m_reach, m_hide, m_alone, m_look})
+    control->setVisible(ofPieces);
 }
 
 } // namespace limn

@@ -3,6 +3,9 @@
 
 #include "widgets/view/panels/HintBar.h"
 
+#include <optional>
+
+class QComboBox;
 class QPushButton;
 
 namespace limn {
@@ -18,8 +21,15 @@ public:
   void showScissors(bool removesInside, bool onlySeen);
   /// For pieces: `text` says which piece lies ready, or what to do; only one that does can be hidden.
   void showPiece(const QString& text, bool isPicked);
+  /// How far from the place that was clicked a piece may reach, mm; nothing: anywhere.
+  std::optional<double> reachMm() const;
+  /// The next piece may reach anywhere.
+  void forgetReach();
 
 signals:
+  /// Only values like those around the place that was clicked are meant.
+  void similarRequested();
+  void reachChosen();
   void insideChosen(bool removesInside);
   void depthChosen(bool onlySeen);
   void hideRequested();
@@ -33,6 +43,8 @@ private:
   QPushButton* m_outside;
   QPushButton* m_through;
   QPushButton* m_seen;
+  QPushButton* m_similar;
+  QComboBox* m_reach;
   QPushButton* m_hide;
   QPushButton* m_alone;
   QPushButton* m_look;
