@@ -311,10 +311,10 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
 
 void ViewInput::uncut(const Comparison& shown, CropFace face) {
   const TurnedBox box = boxOver(shown);
-  const CropBox crop = withFaceAt(box.crop, box.grid, face, face.isUpper ? 1.0 : 0.0);
-  const QString text = shown.turnedBox
-                           ? tr("reset a face of the turned box")
-                           : tr("reset crop face: %1").arg(cropFaceName(*shown.scene.volume, face));
+  const CropBox crop = withFaceAt(box.crop, box.grid, face, placeOf(box.fit, face));
+  const QString text =
+      shown.turnedBox ? tr("turned box: reset %1 face").arg(turnedFaceName(box, *shown.scene.volume, face))
+                      : tr("reset crop face: %1").arg(cropFaceName(*shown.scene.volume, face));
   if (crop != box.crop)
     askForCrop(crop, {nextGestureId(), text});
 }
