@@ -74,7 +74,12 @@ QFont titleFont(const QFont& font);
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
 void paintScaleBar(QPainter& painter, const ScaleMark& mark);
 void paintProgress(QPainter& painter, double fraction, const QRectF& view);
-void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
+/// How the border of a wipe is drawn: its knob belongs to who can drag it.
+struct WipeBorderLook {
+  bool isHovered = false;
+  bool hasKnob = true;
+};
+void paintWipeBorder(QPainter& painter, double x, const QRectF& view, const WipeBorderLook& look);
 /// Marks a place that slices show, too.
 void paintMark(QPainter& painter, const QPointF& point);
 /// The same where what is seen lies before the place: a ring of dashes.
