@@ -320,6 +320,28 @@ TEST_F(PresetBrowserTest, whatTheNameSaysComesBeforeWhatTheNoteSays) {
   EXPECT_EQ(presetNames(m_browser), inOrder) << "without a search they stand as they did";
 }
 
+// "skin" on an MR head: one for CT could not show it, whatever it is called.
+TEST_F(PresetBrowserTest, aSearchHasFirstWhatSuitsTheVolume) {
+  Preset ct = samplePresets()[1], mr = ct, any = ct;
+  ct.name = "CT skin";
+  ct.modality = "CT";
+  mr.name = "MR head";
+  mr.modality = "MR";
+  mr.note = "The skin of a head";
+  any.name = "Surface";
+  any.modality = "";
+  any.note = "Skin or what is outermost";
+  m_browser.setPresets({ct, mr, any}, {});
+  search()->setText(QStringLiteral("skin"));
+  EXPECT_EQ(presetNames(m_browser).front(), QStringLiteral("CT skin")) << "without a volume by the name";
+  PresetStanding standing;
+  standing.fit = {"MR", "", false};
+  m_browser.setStanding(standing);
+  EXPECT_EQ(presetNames(m_browser), (QStringList{"MR head", "Surface", "CT skin"}));
+  QTest::keyClick(search(), Qt::Key_Return);
+  EXPECT_EQ(m_chosen, QStringList{"MR head"});
+}
+
 TEST_F(PresetBrowserTest, searchTakesSignsLiterally) {
   QTest::keyClicks(search(), QStringLiteral("(.*"));
   EXPECT_TRUE(presetNames(m_browser).isEmpty());
