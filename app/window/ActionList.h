@@ -86,6 +86,7 @@ public:
     QString label = {};             ///< of a choice
     QActionGroup* choice = nullptr; ///< either this
     QAction* action = nullptr;      ///< or this: a switch where it is checkable, otherwise a button
+    QString consequence = {};       ///< said below a choice once another was made; empty: nothing
   };
   void addSetting(const Setting& setting);
   const std::vector<Setting>& settings() const { return m_settings; }

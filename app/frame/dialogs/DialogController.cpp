@@ -315,6 +315,8 @@ SettingsDialog::SettingsDialog(const ActionList& actions, QWidget* parent) : QDi
       label->setBuddy(box);
       rows->addWidget(label, rows->rowCount(), 0);
       rows->addWidget(box, rows->rowCount() - 1, 1);
+      if (!setting.consequence.isEmpty())
+        rows->addWidget(consequenceOf(setting), rows->rowCount(), 1);
     } else if (setting.action->isCheckable()) {
       addWhole(switchOf(*setting.action));
     } else {
@@ -337,6 +339,14 @@ QComboBox* SettingsDialog::choiceOf(QActionGroup& group, const QString& name) {
     connect(action, &QAction::changed, box, [box, &group] { showChoice(*box, group); });
   connect(box, &QComboBox::activated, this, [&group](int index) { group.actions()[index]->trigger(); });
   return box;
+}
+
+QLabel* SettingsDialog::consequenceOf(const ActionList::Setting& setting) {
+  auto* label = new QLabel(setting.consequence);
+  label->setWordWrap(true);
+  label->hide();
+  connect(setting.choice, &QActionGroup::triggered, label, &QWidget::show);
+  return label;
 }
 
 QPushButton* SettingsDialog::buttonOf(QAction& action) {
