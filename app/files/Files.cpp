@@ -77,11 +77,19 @@ void RemarksController::say() {
   const QString folder = folderOfSingleImage(*m_volume, m_context.document.volumePath());
   const MessageBar::Action openFolder{tr("Open its folder"), [this, folder] { m_opening.open(folder); }};
   const VolumeInfo& info = m_volume->info();
-  m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1),
-                          !folder.isEmpty()        ? openFolder
-                          : !info.spacingKnown     ? setSpacing
-                          : !info.orientationKnown ? setOrientation
-                                                   : MessageBar::Action{});
+  const MessageBar::Action action = !folder.isEmpty()        ? openFolder
+                                    : !info.spacingKnown     ? setSpacing
+                                    : !info.orientationKnown ? setOrientation
+                                                             : MessageBar::Action{};
+  // Where something can be set right it is said each time: what is measured depends on it.
+  const std::string path = m_context.document.volumePath();
+  const QString all = remarks.join(QLatin1Char(' '));
+  if (action.text.isEmpty() && m_context.settings.isDismissed(path, all)) {
+    m_said.clear();
+    return;
+  }
+  m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1), action,
+                          {{}, [this, path, all] { m_context.settings.setDismissed(path, all); }});
 }
 
 // The same voxels, placed otherwise: a person said how they lie.

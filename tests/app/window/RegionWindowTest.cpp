@@ -148,6 +148,30 @@ TEST_F(RegionWindow, whereTheBodyIsInDoubtHidingTheTableIsAskedFor) {
   EXPECT_FALSE(messages().isVisible() && messages().sentence() == question) << "of the volume before";
 }
 
+// A question that waited behind something else comes as long as it matters, and no longer.
+TEST_F(RegionWindow, aQuestionAboutTheTableThatIsLateIsNotAsked) {
+  write("doubtful.nrrd", [](const glm::ivec3& v) {
+    const double radius = glm::length(glm::dvec3(v) - glm::dvec3(18.0, 15.0, 18.0));
+    return radius < 6.0 ? 1200 : radius < 13.0 ? 40 : v.y >= 33 && v.y < 38 ? 200 : -1000;
+  });
+  const auto isAsked = [this] {
+    return messages().isVisible() && messages().sentence().startsWith(QStringLiteral("Hide the table"));
+  };
+  const auto afterAnother = [&](int asksForMs) {
+    controller().setAsksFor(asksForMs);
+    EXPECT_TRUE(open(pathTo("doubtful.nrrd")));
+    messages().show(MessageBar::Kind::warning, QStringLiteral("Something else"));
+    EXPECT_TRUE(test::waitUntil([&] { return !controller().isOffering(); }));
+    messages().hide();
+    for (int turn = 0; turn < 5; ++turn)
+      QCoreApplication::processEvents();
+    return isAsked();
+  };
+  EXPECT_TRUE(afterAnother(60000));
+  messages().hide();
+  EXPECT_FALSE(afterAnother(0));
+}
+
 TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndEachNoteTakesBackWhatItTells) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   setLayout(CompareLayout::single);
