@@ -75,15 +75,15 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
 // "226 – 3071 HU · 812 ml · mean 640 HU"
 QString pieceText(const ConnectedPiece& piece, const SetFigures& figures, const Volume& volume) {
   const ValueRange range = foundRange(piece, volume);
-  const QString text =
-      CutController::tr("%1 – %2 · %3 ml · mean %4")
-          .arg(valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
-               readingText(range.highest, volume),
-               plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
-               readingText(figures.mean, volume));
-  return isNarrowest(piece, volume)
-             ? CutController::tr("%1 · as narrow as the place clicked allows").arg(text)
-             : CutController::tr("%1 · wheel: range, Shift: its upper end").arg(text);
+  const QString lowest =
+      valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest));
+  const QString ml = plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0);
+  // The wheel would leave out the place that was clicked.
+  if (isNarrowest(piece, volume))
+    return CutController::tr("%1 – %2 · %3 ml · no narrower by the wheel")
+        .arg(lowest, readingText(range.highest, volume), ml);
+  return CutController::tr("%1 – %2 · %3 ml · mean %4")
+      .arg(lowest, readingText(range.highest, volume), ml, readingText(figures.mean, volume));
 }
 
 } // namespace
@@ -152,7 +152,9 @@ void CutController::showBar() {
   else if (m_shown)
     m_bar->showPiece(pieceText(*m_piece, m_shown->figures, *m_volume), true);
   else
-    m_bar->showPiece(m_piece ? tr("Looking for what hangs together…") : tr("Click what is meant"), false);
+    m_bar->showPiece(m_piece ? tr("Looking for what hangs together…")
+                             : tr("Click what is meant; the wheel then takes less or more"),
+                     false);
 }
 
 void CutController::cutAlong(const std::vector<glm::dvec2>& polygon, double aspect) {

@@ -3,9 +3,10 @@
 
 #include "widgets/ValueText.h"
 
+#include <QActionGroup>
 #include <QButtonGroup>
-#include <QComboBox>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QPushButton>
 
 namespace limn {
@@ -30,8 +31,8 @@ CutBar::CutBar(QWidget* parent)
       m_outside(panelButton(tr("Outside"), QStringLiteral("choice"), this)),
       m_through(panelButton(tr("Through all"), QStringLiteral("choice"), this)),
       m_seen(panelButton(tr("What is seen"), QStringLiteral("choice"), this)),
-      m_similar(panelButton(tr("Similar values"), QStringLiteral("choice"), this)),
-      m_reach(new QComboBox(this)), m_hide(panelButton(tr("Hide"), QStringLiteral("choice"), this)),
+      m_less(panelButton(tr("Less"), QStringLiteral("choice"), this)), m_reach(new QActionGroup(this)),
+      m_hide(panelButton(tr("Hide"), QStringLiteral("choice"), this)),
       m_alone(panelButton(tr("Only this"), QStringLiteral("choice"), this)),
       m_look(panelButton(tr("Its own curve"), QStringLiteral("choice"), this)) {
   pair(m_inside, m_outside, this);
@@ -42,28 +43,19 @@ CutBar::CutBar(QWidget* parent)
   m_seen->setToolTip(
       tr("Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at "
          "least one slice."));
-  m_similar->setToolTip(
-      tr("Leaves of the piece what has values like those around the place that you clicked."));
-  m_reach->addItem(tr("Anywhere"));
-  for (const int mm : reachesMm)
-    m_reach->addItem(tr("Within %1").arg(valueText(mm, tr("mm"), 0)), mm);
-  m_reach->setAccessibleName(tr("How far the piece reaches"));
-  m_reach->setToolTip(tr("How far the piece may reach from the place that you clicked."));
   m_hide->setToolTip(tr("Hides this piece."));
   m_alone->setToolTip(tr("Hides all but this piece."));
   m_look->setToolTip(tr("Gives this piece a curve of its own, which the curve panel then shows."));
   group(0)->addWidget(m_inside);
   group(0)->addWidget(m_outside);
   group(0)->addSpacing(6);
-  for (QWidget* control :
-       std::initializer_list<QWidget*>{m_through, m_seen, m_similar, m_reach, m_hide, m_alone})
-    group(1)->addWidget(control);
+  makeMenuOfLess();
+  for (QPushButton* button : {m_through, m_seen, m_less, m_hide, m_alone})
+    group(1)->addWidget(button);
   group(2)->insertWidget(0, m_look);
   group(2)->insertSpacing(1, 6);
   connect(m_inside, &QPushButton::toggled, this, &CutBar::insideChosen);
   connect(m_seen, &QPushButton::toggled, this, &CutBar::depthChosen);
-  connect(m_similar, &QPushButton::clicked, this, &CutBar::similarRequested);
-  connect(m_reach, &QComboBox::activated, this, &CutBar::reachChosen);
   connect(m_hide, &QPushButton::clicked, this, &CutBar::hideRequested);
   connect(m_alone, &QPushButton::clicked, this, &CutBar::aloneRequested);
   connect(m_look, &QPushButton::clicked, this, &CutBar::lookRequested);
@@ -87,20 +79,40 @@ void CutBar::showPiece(const QString& text, bool isPicked) {
            isPicked);
 }
 
+// An eyeball lies in muscle and fat, an ear hangs together with all of the skin: values alone tell neither.
+void CutBar::makeMenuOfLess() {
+  m_less->setToolTip(tr("Takes less of what hangs together: similar values, or what lies near."));
+  auto* menu = new QMenu(m_less);
+  QAction* similar = menu->addAction(tr("Values like those around the place"));
+  connect(similar, &QAction::triggered, this, &CutBar::similarRequested);
+  menu->addSeparator();
+  const auto addReach = [&](const QString& text, const QVariant& mm) {
+    QAction* reach = m_reach->addAction(menu->addAction(text));
+    reach->setCheckable(true);
+    reach->setData(mm);
+  };
+  addReach(tr("However far it reaches"), {});
+  for (const int mm : reachesMm)
+    addReach(tr("Within %1 of the place").arg(valueText(mm, tr("mm"), 0)), mm);
+  forgetReach();
+  connect(m_reach, &QActionGroup::triggered, this, &CutBar::reachChosen);
+  m_less->setMenu(menu);
+}
+
 std::optional<double> CutBar::reachMm() const {
-  const QVariant mm = m_reach->currentData();
+  const QVariant mm = m_reach->checkedAction()->data();
   return mm.isValid() ? std::optional(mm.toDouble()) : std::nullopt;
 }
 
 void CutBar::forgetReach() {
-  m_reach->setCurrentIndex(0);
+  m_reach->actions().front()->setChecked(true);
 }
 
 void CutBar::showButtons(bool ofScissors, bool ofPieces) {
   for (QPushButton* button : {m_inside, m_outside, m_through, m_seen})
     button->setVisible(ofScissors);
-  for (QWidget* control : std::initializer_list<QWidget*>{m_similar, m_reach, m_hide, m_alone, m_look})
-    control->setVisible(ofPieces);
+  for (QPushButton* button : {m_less, m_hide, m_alone, m_look})
+    button->setVisible(ofPieces);
 }
 
 } // namespace limn

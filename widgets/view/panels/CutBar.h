@@ -5,7 +5,7 @@
 
 #include <optional>
 
-class QComboBox;
+class QActionGroup;
 class QPushButton;
 
 namespace limn {
@@ -37,14 +37,15 @@ signals:
   void lookRequested();
 
 private:
+  void makeMenuOfLess();
   void showButtons(bool ofScissors, bool ofPieces);
 
   QPushButton* m_inside;
   QPushButton* m_outside;
   QPushButton* m_through;
   QPushButton* m_seen;
-  QPushButton* m_similar;
-  QComboBox* m_reach;
+  QPushButton* m_less;
+  QActionGroup* m_reach;
   QPushButton* m_hide;
   QPushButton* m_alone;
   QPushButton* m_look;
