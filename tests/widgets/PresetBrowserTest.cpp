@@ -390,6 +390,23 @@ TEST_F(PresetBrowserTest, aNoteTakesMoreLinesWhereTheListIsHigh) {
   EXPECT_EQ(heightOf(300), low);
 }
 
+// Its note has several lines: a name need not be cut after one.
+TEST_F(PresetBrowserTest, aLongNameTakesASecondLine) {
+  std::vector<Preset> presets = samplePresets();
+  presets[1] = presets[0];
+  presets[0].name = "MR brain";
+  presets[1].name = "MR brain without its skull, of a child";
+  presets[0].modality = presets[1].modality = "MR";
+  m_browser.setPresets({presets[0], presets[1]}, {});
+  m_browser.resize(230, 600);
+  for (int round = 0; round < 3; ++round)
+    QCoreApplication::processEvents();
+  const auto heightOf = [&](int row) {
+    return rowOf(m_browser, QString::fromStdString(presets[static_cast<std::size_t>(row)].name)).height();
+  };
+  EXPECT_GE(heightOf(1), heightOf(0) + m_browser.fontMetrics().height() / 2);
+}
+
 TEST_F(PresetBrowserTest, noLineOfTextIsCutByTheEdgeOfTheList) {
   const int ink = qGray(m_browser.palette().text().color().rgb());
   int letters = 0;                                 // pixels of them in the last row of the list
