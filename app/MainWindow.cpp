@@ -76,6 +76,8 @@ void MainWindow::connectPictureAndPanels() {
   connect(comparison, &ComparisonController::shown, &m_panels.ray(), &RayController::show);
   connect(&m_panels.presets(), &PresetController::compareRequested, comparison,
           &ComparisonController::compareWith);
+  connect(&m_panels.presets(), &PresetController::ownCompareRequested, comparison,
+          &ComparisonController::compareOwn);
   const auto fillPresets = [this](QMenu* menu, int side) { m_panels.presets().fillMenu(*menu, side); };
   connect(comparison, &ComparisonController::presetMenuAsked, this, fillPresets);
   connect(&m_context.view, &CompareView::presetMenuAsked, this, fillPresets);
@@ -152,6 +154,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   view().setFocus(); // or the keys would go to whatever is next to the page's hidden button
   m_context.document.open(shown, request, histogram);
   m_panels.showVolume(loaded.scene.volume, histogram);
+  m_panels.presets().recognise();
   m_picture.showVolume(loaded.scene.volume.get());
   if (const auto& beside = loaded.session ? loaded.session : loaded.beside) {
     m_picture.restore(*beside);

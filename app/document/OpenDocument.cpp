@@ -8,8 +8,10 @@
 namespace limn {
 namespace {
 
-// What was loaded shows the preset that it names, whatever that is called by now.
+// What was loaded shows the preset that it names, whatever that is called by now, unless it was changed.
 Preset presetShownBy(const LoadedScene& loaded) {
+  if (loaded.session && loaded.session->changedPreset)
+    return *loaded.session->changedPreset;
   return presetOf(loaded.scene, loaded.session ? loaded.session->preset : loaded.preset);
 }
 
@@ -67,7 +69,10 @@ SessionDocument OpenDocument::described() const {
   session.series = m_request.options.read.series;
   session.spacingMm = m_request.options.read.spacingMm;
   const PresetInUse preset = presetInUse();
-  session.preset = preset.isModified ? std::string() : preset.name;
+  if (preset.isModified)
+    session.changedPreset = m_session.preset();
+  else
+    session.preset = preset.name;
   return session;
 }
 

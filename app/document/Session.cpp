@@ -20,7 +20,7 @@ Scene withProjection(Scene scene, Projection projection, const Histogram& histog
   const ValueRange& range = scene.volume->range();
   const bool isForeign = scene.isovalue == Scene{}.isovalue && !looksLikeHounsfield(*scene.volume);
   if (isForeign || scene.isovalue <= range.lowest || scene.isovalue >= range.highest)
-    scene.isovalue = objectThreshold(histogram);
+    scene.isovalue = landmarksOf(histogram).object;
   return scene;
 }
 

@@ -55,8 +55,9 @@ RemarksController::RemarksController(WindowContext& context, OpeningController& 
           });
 }
 
-void RemarksController::show(const std::vector<Message>& notes) {
-  m_notes = notes;
+void RemarksController::show(const LoadedScene& loaded, const Request& request) {
+  m_notes = loaded.notes;
+  m_figure = loaded.hasMorePanels ? request.source : QString();
   m_volume = m_context.session.scene().volume;
   say();
 }
@@ -76,8 +77,11 @@ void RemarksController::say() {
                                           [this] { m_context.actions.find("setOrientation").trigger(); }};
   const QString folder = folderOfSingleImage(*m_volume, m_context.document.volumePath());
   const MessageBar::Action openFolder{tr("Open its folder"), [this, folder] { m_opening.open(folder); }};
+  const MessageBar::Action showFigure{tr("Show the figure"),
+                                      [this, figure = m_figure] { emit figureAsked(figure); }};
   const VolumeInfo& info = m_volume->info();
-  const MessageBar::Action action = !folder.isEmpty()        ? openFolder
+  const MessageBar::Action action = !m_figure.isEmpty()      ? showFigure
+                                    : !folder.isEmpty()      ? openFolder
                                     : !info.spacingKnown     ? setSpacing
                                     : !info.orientationKnown ? setOrientation
                                                              : MessageBar::Action{};
@@ -234,8 +238,10 @@ Files::Files(WindowContext& context, FileSources sources)
                                                                              .place = {Menu::file, 3, 1},
                                                                              .shortcut = QKeySequence::Close,
                                                                              .needsVolume = true});
-  offerExport<FigureDialog>(context, QStringLiteral("saveFigure"), FigureDialog::look(), m_sources.looks,
-                            &m_saving);
+  const std::function<FigureDialog&()> figures = offerExport<FigureDialog>(
+      context, QStringLiteral("saveFigure"), FigureDialog::look(), m_sources.looks, &m_saving);
+  connect(&m_remarks, &RemarksController::figureAsked, this,
+          [this, figures](const QString& file) { figures().reopen(file, m_opening.optionsNow()); });
   offerExport<TurntableDialog>(context, QStringLiteral("saveTurntable"), TurntableDialog::look(), &m_saving);
   offerExport<SurfaceDialog>(context, QStringLiteral("exportSurface"), SurfaceDialog::look(),
                              m_sources.curve);
@@ -255,7 +261,7 @@ Files::Files(WindowContext& context, FileSources sources)
 
 void Files::noteOpened(const LoadedScene& loaded, const Request& request) {
   const OpenDocument& document = m_context.document;
-  m_remarks.show(loaded.notes);
+  m_remarks.show(loaded, request);
   if (request.isUnsavedSession) {
     m_safety.takeOver(request.source);
   } else {

@@ -70,11 +70,15 @@ public:
   /// `opening` asks for a spacing.
   RemarksController(WindowContext& context, OpeningController& opening);
 
-  /// What to say of the volume that is open now; `notes` come from opening it.
-  void show(const std::vector<Message>& notes);
+  /// What to say of what was loaded and is open now.
+  void show(const LoadedScene& loaded, const Request& request);
 
   /// Whether it has looks to offer once something else has been answered.
   bool isWaiting() const { return m_isWaiting; }
+
+signals:
+  /// The figure that was opened, of which the window shows a part, is to be seen whole.
+  void figureAsked(const QString& file);
 
 private:
   void say();
@@ -86,6 +90,7 @@ private:
   OpeningController& m_opening;
   BackgroundWork m_searching;
   std::vector<Message> m_notes;
+  QString m_figure;                       ///< the file of one of which the window shows a part
   std::shared_ptr<const Volume> m_volume; ///< of which something is said
   QString m_said;                         ///< what the bar shows of it
   bool m_isWaiting = false;

@@ -17,6 +17,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/overlay/Titles.h"
+#include "widgets/view/panels/PictureStatus.h"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -331,11 +332,14 @@ void AccuracyController::showScene() {
 }
 
 void AccuracyController::showOnScreen(const PictureState& state) {
-  const auto side = static_cast<std::size_t>(measuredSide());
-  m_panel.setOnScreen(
-      state.resting && side < state.sides.size()
-          ? std::optional(qualityShown(m_context.view.sceneOfSide(measuredSide()).quality, state.sides[side]))
-          : std::nullopt);
+  const auto index = static_cast<std::size_t>(measuredSide());
+  if (!state.resting || index >= state.sides.size())
+    return m_panel.setOnScreen(std::nullopt);
+  const Scene scene = m_context.view.sceneOfSide(measuredSide());
+  PictureState alone = state; // of two pictures the status bar tells the worse
+  alone.sides = {state.sides[index]};
+  m_panel.setOnScreen(qualityShown(scene.quality, state.sides[index]),
+                      levelsOf(state.sides[index]) ? pictureStatusText(alone, scene).estimate : QString());
 }
 
 // While something is measured the pictures at rest do not refine: each would slow the other down.

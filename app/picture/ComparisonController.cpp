@@ -26,6 +26,8 @@ const std::string snapshotName = "(before)";
 // Narrower pictures show less of two models than one picture of both.
 constexpr int leastOfTwo = 400; // pixels
 
+constexpr int toldForMs = 6000;
+
 /// A step between two states, the second of which is shown as it is pushed.
 class ComparisonEdit : public QUndoCommand {
 public:
@@ -195,7 +197,7 @@ void ComparisonController::setSideModel(int side, ShadingModel model) {
 }
 
 ComparisonController::Compared ComparisonController::compared() const {
-  return {m_left, m_right, m_look, m_ownModel, m_wanted, m_isAsked};
+  return {m_left, m_right, m_look, m_lookFrom, m_ownModel, m_wanted, m_isAsked};
 }
 
 void ComparisonController::note(const Compared& before, const QString& text) {
@@ -210,6 +212,7 @@ void ComparisonController::showCompared(const Compared& wanted, const Compared& 
   m_left = wanted.left;
   m_right = wanted.right;
   m_look = wanted.look;
+  m_lookFrom = wanted.lookFrom;
   m_ownModel = wanted.ownModel;
   if (wanted.wanted == other.wanted && wanted.isAsked == other.isAsked)
     return show();
@@ -248,14 +251,23 @@ std::optional<ShadingModel> ComparisonController::ownModel() const {
   return m_ownModel ? std::optional(m_ownModel->shown) : std::nullopt;
 }
 
-void ComparisonController::compareWith(const Preset& look, int keptSide) {
+void ComparisonController::compareOwn() {
+  const OpenDocument::PresetInUse own = m_context.document.presetInUse();
+  Preset look = presetOf(m_context.session.scene(), own.name.empty() ? tr("Before").toStdString() : own.name);
+  look.isWhole = true;
+  compare(look, own.isModified ? std::optional(m_context.session.preset()) : std::nullopt, 0);
+}
+
+void ComparisonController::compare(const Preset& look, const std::optional<Preset>& from, int keptSide) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
   const Compared before = compared();
   if (!m_look || isSingle)
     m_ownModel = isSingle        ? std::nullopt
                  : keptSide == 0 ? std::optional(RightModel{.shown = m_left})
                                  : std::optional(m_right);
+  const bool isOneModel = !m_look && !isSingle && m_left != m_right.shown && look.name != snapshotName;
   m_look = look;
+  m_lookFrom = from;
   if (!m_look->shading)
     m_look->shading = m_context.session.scene().shading;
   m_look->shading->model = ownModel().value_or(m_look->shading->model);
@@ -263,6 +275,12 @@ void ComparisonController::compareWith(const Preset& look, int keptSide) {
     setLayout(CompareLayout::sideBySide);
   else
     show();
+  if (isOneModel)
+    m_context.window.statusBar()->showMessage(
+        tr("Both sides have the model %1 now, so that they differ by their looks alone; each can be given "
+           "another.")
+            .arg(modelName(m_look->shading->model)),
+        toldForMs);
   if (look.name != snapshotName) // that comes and goes by one key, like a way of looking
     note(before, tr("Left: %1").arg(QString::fromStdString(comparedLook()->names[0])));
 }
@@ -271,6 +289,7 @@ void ComparisonController::compareModels() {
   const Compared before = compared();
   const bool wasSnapshot = m_look && m_look->name == snapshotName;
   m_look.reset();
+  m_lookFrom.reset();
   m_ownModel.reset();
   show();
   if (!wasSnapshot)
@@ -292,7 +311,7 @@ void ComparisonController::swapSides() {
   const ComparedLook both = *comparedLook();
   const Scene scene = m_context.session.scene();
   const OpenDocument::PresetInUse named = m_context.document.presetInUse();
-  Preset left = presetOf(scene, named.name.empty() || named.isModified ? both.names[1] : named.name);
+  Preset left = presetOf(scene, named.name.empty() ? both.names[1] : named.name);
   left.isWhole = true;
   left.shading->model = ownModel().value_or(scene.shading.model);
   Preset own = both.shown;
@@ -302,9 +321,12 @@ void ComparisonController::swapSides() {
     next.shading.model = scene.shading.model;
   QUndoStack& steps = m_context.session.undoStack();
   const Gesture gesture{nextGestureId(), text};
+  const std::optional<Preset> leftFrom =
+      named.isModified ? std::optional(m_context.session.preset()) : std::nullopt;
   steps.beginMacro(text);
-  m_context.session.edit(next, own, gesture);
+  m_context.session.edit(next, m_lookFrom.value_or(own), gesture);
   m_look = left;
+  m_lookFrom = leftFrom;
   if (m_ownModel)
     m_ownModel->choose(own.shading->model);
   show();
@@ -325,7 +347,7 @@ void ComparisonController::takeSnapshot() {
       name.isEmpty()
           ? tr("This look is remembered; Ctrl+Shift+B compares it with what becomes of it.")
           : tr("\"%1\" is remembered; Ctrl+Shift+B compares it with what becomes of it.").arg(name),
-      6000);
+      toldForMs);
   show();
 }
 
@@ -345,6 +367,8 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
       isBefore ? QString::fromStdString(m_look->note) : presetWords(QString::fromStdString(m_look->name));
   if (isBefore)
     left = left.isEmpty() ? tr("Before") : left == right ? tr("%1, before", "a preset").arg(left) : left;
+  else if (m_lookFrom)
+    left = tr("%1, modified", "a preset").arg(left);
   ComparedLook compared{*m_look, {left.toStdString(), (right.isEmpty() ? tr("Now") : right).toStdString()}};
   compared.shown.isWhole = m_look->isWhole || isBefore;
   compared.ownModel = ownModel();
@@ -370,6 +394,7 @@ void ComparisonController::show() {
   if (!haveSameVoxels(m_volume, scene.volume)) {
     m_snapshot.reset();
     m_look.reset();
+    m_lookFrom.reset();
     m_ownModel.reset();
   }
   m_volume = scene.volume;
@@ -395,12 +420,14 @@ void ComparisonController::describe(SessionDocument& session) const {
   session.wipe = m_context.view.wipePosition();
   session.snapshot = m_snapshot;
   session.comparedLook = m_look;
+  session.comparedFrom = m_lookFrom;
 }
 
 void ComparisonController::restore(const SessionDocument& session) {
   m_left = session.leftModel;
   m_snapshot = session.snapshot;
   m_look = session.comparedLook;
+  m_lookFrom = session.comparedFrom;
   m_right = {.shown = session.rightModel};
   m_ownModel.reset();
   if (m_look && session.ownModel)

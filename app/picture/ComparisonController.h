@@ -42,9 +42,13 @@ public:
   void followLight(LightPreset light);
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
-  /// Where two models were compared, both are shown by that of the picture on `keptSide`, which nobody has
-  /// touched. An undo step, unless it is the snapshot.
-  void compareWith(const Preset& look, int keptSide = 1);
+  /// Where two models were compared, both are shown by that of the right picture, which nobody has touched;
+  /// it says so. An undo step, unless it is the snapshot.
+  void compareWith(const Preset& look) { compare(look, {}, 1); }
+
+  /// The same with the scene's own look as it is, which stays at the left with its model while another is
+  /// chosen for the right.
+  void compareOwn();
 
   /// What is at the left stands at the right from now on, and the other way round: models, or looks with
   /// their names, of which that at the right becomes the scene's own. One undo step. Nothing of one picture.
@@ -94,12 +98,15 @@ private:
     ShadingModel left = ShadingModel::classic;
     RightModel right;
     std::optional<Preset> look;
+    std::optional<Preset> lookFrom;
     std::optional<RightModel> ownModel;
     CompareLayout wanted = CompareLayout::sideBySide;
     bool isAsked = false;
     bool operator==(const Compared&) const = default;
   };
 
+  /// `from` is the preset that the look was made from, where it was changed since.
+  void compare(const Preset& look, const std::optional<Preset>& from, int keptSide);
   Compared compared() const;
   /// What has changed since `before` is an undo step from now on.
   void note(const Compared& before, const QString& text);
@@ -130,6 +137,7 @@ private:
   RightModel m_right;
   std::optional<Preset> m_snapshot;
   std::optional<Preset> m_look;           ///< at the left
+  std::optional<Preset> m_lookFrom;       ///< the preset that it was made from, where it was changed since
   std::optional<RightModel> m_ownModel;   ///< of the right then, where it is not the scene's
   bool m_hasPhysical = false;             ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to

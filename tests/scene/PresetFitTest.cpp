@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace limn {
 namespace {
 
@@ -108,6 +110,66 @@ TEST(Landmarks, ascendEvenWhereAllVoxelsAreEqual) {
   const Landmarks landmarks = landmarksOf(histogramOf(Volume(grid, std::vector<float>(8, 3.0f), {}, {}, {})));
   EXPECT_LT(landmarks.background, landmarks.object);
   EXPECT_LT(landmarks.object, landmarks.brightest);
+}
+
+// A CT head put into 8 bits from -200 to 2000 HU, in thousandths of its voxels: air and all that is darker at
+// 0, soft tissue around 26, bone from 40 on in a tail without a hump, and what is denser than the scale at
+// 255.
+Histogram windowedHead(double tissueAt) {
+  Histogram histogram{{-0.5, 255.5}, std::vector<std::uint64_t>(256, 0)};
+  for (std::size_t bin = 0; bin < 256; ++bin) {
+    const double away = (static_cast<double>(bin) - tissueAt) / 3.0;
+    histogram.counts[bin] = static_cast<std::uint64_t>(500.0 + 50000.0 * std::exp(-away * away / 2.0));
+  }
+  histogram.counts.front() = 670000;
+  histogram.counts.back() = 2000;
+  return histogram;
+}
+
+TEST(Landmarks, tissueOfAScaleThatWasCutOffBeginsBelowItsHump) {
+  for (const double tissue : {20.0, 26.0, 40.0}) {
+    const Landmarks landmarks = landmarksOf(windowedHead(tissue));
+    EXPECT_EQ(landmarks.background, 0.0);
+    EXPECT_GT(landmarks.object, 0.0);
+    EXPECT_LT(landmarks.object, tissue - 2.0 * 3.0) << "less than 2.3 % of the tissue is left out";
+  }
+}
+
+// The window of a brain, 0 to 80 HU: bone lies beyond it, where no tissue of a head ends.
+TEST(Landmarks, whatIsBrighterThanTheScaleDoesNotMoveWhereTissueBegins) {
+  Histogram histogram = windowedHead(122.0);
+  histogram.counts.back() = 86000;
+  const double bright = landmarksOf(histogram).object;
+  histogram.counts.back() = 0;
+  EXPECT_EQ(bright, landmarksOf(histogram).object);
+  EXPECT_LT(bright, 122.0 - 2.0 * 3.0);
+  histogram.counts.assign(256, 0); // a mask is no scale that ends
+  histogram.counts.front() = 700;
+  histogram.counts.back() = 300;
+  EXPECT_EQ(landmarksOf(histogram).object, 127.0)
+      << "the middle of bins 0 to 254, which part it equally well";
+}
+
+// With every second value missing, as after scaling to more values than there were.
+TEST(Landmarks, combsOfScaledValuesHideNoHump) {
+  Histogram histogram = windowedHead(26.0);
+  for (std::size_t bin = 1; bin < 255; bin += 2)
+    histogram.counts[bin] = 0;
+  EXPECT_LT(landmarksOf(histogram).object, 20.0);
+}
+
+// Padding of zeros, noise around 12 and a head around 120: its hump stands above the noise.
+TEST(Landmarks, noiseBesidePaddingIsNoTissue) {
+  Histogram histogram{{-0.5, 255.5}, std::vector<std::uint64_t>(256, 0)};
+  for (std::size_t bin = 0; bin < 256; ++bin) {
+    const double noise = (static_cast<double>(bin) - 12.0) / 5.0,
+                 head = (static_cast<double>(bin) - 120.0) / 30.0;
+    histogram.counts[bin] = static_cast<std::uint64_t>(20000.0 * std::exp(-noise * noise / 2.0) +
+                                                       3000.0 * std::exp(-head * head / 2.0));
+  }
+  histogram.counts.front() = 600000;
+  EXPECT_GT(landmarksOf(histogram).object, 12.0 + 3.0 * 5.0);
+  EXPECT_LT(landmarksOf(histogram).object, 120.0 - 30.0);
 }
 
 // One class of air, one of the given value, in the share given.

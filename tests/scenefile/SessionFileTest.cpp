@@ -43,6 +43,8 @@ SessionDocument unusual() {
   session.comparedLook->isovalue.reset();
   session.comparedLook->shading.reset();
   session.comparedLook->note = "a note";
+  session.comparedFrom = presetOf(scene, "CT bone");
+  session.changedPreset = presetOf(scene, "CT skin");
   session.planes = {.layout = PlaneLayout::oneLarge,
                     .large = PatientPlane::sagittal,
                     .crosshairMm = glm::dvec3(1.0 / 3.0, -1e5, 0.1),

@@ -83,8 +83,11 @@ void AccuracyPanel::setMovingMs(double ms) {
   m_dial->setMovingMs(ms);
 }
 
-void AccuracyPanel::setOnScreen(const std::optional<Quality>& quality) {
-  if (std::exchange(m_onScreen, quality) != quality)
+void AccuracyPanel::setOnScreen(const std::optional<Quality>& quality, const QString& told) {
+  const bool isOther = quality != m_onScreen || told != m_told;
+  m_onScreen = quality;
+  m_told = told;
+  if (isOther)
     showScene();
 }
 
@@ -153,7 +156,7 @@ void AccuracyPanel::showScene() {
   const MeasuredAccuracy* holds = holding();
   Scene onScreen = m_scene;
   onScreen.quality = m_onScreen.value_or(m_scene.quality);
-  m_dial->show(m_scene, holds, pointOf(onScreen, steepestPerMm()));
+  m_dial->show(m_scene, holds, m_onScreen ? pointOf(onScreen, steepestPerMm()) : std::nullopt, m_told);
   const std::optional<OperatingPoint> point = pointOf(m_scene, steepestPerMm());
   m_chart->setCurrent(holds && point ? indexOf(*point, holds->report.points) : std::nullopt);
   if (m_measured)

@@ -30,8 +30,9 @@ public:
   void setScene(const Scene& scene);
   void setMovingMs(double ms);
 
-  /// The quality with which that picture stands on screen once it rests, refined or not; absent before.
-  void setOnScreen(const std::optional<Quality>& quality);
+  /// The quality with which that picture stands on screen once it rests, refined or not, and what is told of
+  /// its error there ("estimated within 0.7 of 255 levels"); absent before.
+  void setOnScreen(const std::optional<Quality>& quality, const QString& told = {});
 
   /// What was measured, as last told; absent before.
   void setMeasured(const MeasuredAccuracy& measured);
@@ -76,6 +77,7 @@ private:
 
   Scene m_scene;
   std::optional<Quality> m_onScreen;
+  QString m_told; ///< of that picture's error
   std::optional<MeasuredAccuracy> m_measured;
   std::optional<OperatingPoint> m_answered; ///< what a wish chose, while its answer stands
   Wish m_wanted;                            ///< to be answered once it is measured

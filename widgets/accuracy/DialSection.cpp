@@ -44,12 +44,23 @@ double placeOf(const Quality& quality, const std::vector<OperatingPoint>& stops)
   return std::clamp(place, 0.0, hasExact ? last - 0.5 : last);
 }
 
-// What the status bar tells of a picture that is closer to the exact one than it was asked to be.
-QString refinedText(const OperatingPoint& onScreen, const AccuracyReport& report) {
-  const std::optional<std::size_t> index = indexOf(onScreen, report.points);
-  return index ? DialSection::tr("Refined on screen to %1, within %2.")
-                     .arg(pointText(onScreen), pointErrorText(report.points[*index], report.reference))
-               : DialSection::tr("Refined on screen to %1.").arg(pointText(onScreen));
+// A picture that is closer to the exact one than it was asked to be; the status bar has the same number. What
+// was measured is of one direction.
+QString onScreenText(const OperatingPoint& onScreen, const OperatingPoint& asked,
+                     const MeasuredAccuracy* measured, bool isSameView, const QString& told) {
+  const std::optional<std::size_t> index =
+      measured && isSameView ? indexOf(onScreen, measured->report.points) : std::nullopt;
+  if (index && onScreen == asked)
+    return {};
+  if (index)
+    return DialSection::tr("Refined on screen to %1, within %2.")
+        .arg(pointText(onScreen),
+             pointErrorText(measured->report.points[*index], measured->report.reference));
+  const QString picture = onScreen == asked
+                              ? DialSection::tr("The picture on screen")
+                              : DialSection::tr("Refined on screen to %1").arg(pointText(onScreen));
+  return told.isEmpty() ? (onScreen == asked ? QString() : picture + QLatin1Char('.'))
+                        : DialSection::tr("%1: %2.", "a picture: how far it is off").arg(picture, told);
 }
 
 QLabel* endLabel(const QString& text) {
@@ -107,7 +118,7 @@ DialSection::DialSection(QWidget* parent)
 }
 
 void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
-                       const std::optional<OperatingPoint>& onScreen) {
+                       const std::optional<OperatingPoint>& onScreen, const QString& told) {
   const double steepest = measured ? measured->steepestPerMm : 0.0;
   m_points = dialPoints(scene, steepest);
   showStops(measured);
@@ -115,8 +126,14 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
   m_dial->setEnabled(scene.volume != nullptr);
   m_scale->setVisible(!m_points.empty());
   QString sentence = sentenceFor(scene, measured);
-  if (measured && onScreen && onScreen != pointOf(scene, steepest))
-    sentence += QLatin1Char(' ') + refinedText(*onScreen, measured->report);
+  const bool isSameView = measured && measured->scene.camera == scene.camera;
+  if (measured && !isSameView)
+    sentence += QLatin1Char(' ') + tr("It was measured from another direction.");
+  const std::optional<OperatingPoint> asked = pointOf(scene, steepest);
+  if (const QString text =
+          onScreen && asked ? onScreenText(*onScreen, *asked, measured, isSameView, told) : QString();
+      !text.isEmpty())
+    sentence += QLatin1Char(' ') + text;
   m_sentence->setText(sentence);
   m_dial->setAccessibleDescription(m_sentence->text());
   // The chart has the same steps taken otherwise, under the same numbers.

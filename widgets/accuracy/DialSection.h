@@ -21,10 +21,11 @@ class DialSection : public FoldingSection {
 public:
   explicit DialSection(QWidget* parent = nullptr);
 
-  /// Shows where a scene stands, and at which point its picture on screen does, which may be refined;
-  /// `measured` is null where nothing that holds for it was measured.
+  /// Shows where a scene stands, and at which point its picture on screen does, which may be refined, with
+  /// what the status bar tells of that picture's error; `measured` is null where nothing that holds for it
+  /// was measured.
   void show(const Scene& scene, const MeasuredAccuracy* measured,
-            const std::optional<OperatingPoint>& onScreen);
+            const std::optional<OperatingPoint>& onScreen, const QString& told = {});
 
   /// The time that a picture may take while something moves; the nearest choice is shown.
   void setMovingMs(double ms);

@@ -15,7 +15,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QTextDocumentFragment>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -45,47 +44,6 @@ QString factorText(double factor) {
 }
 
 } // namespace
-
-SpringSlider::SpringSlider(const QString& label, const QString& help, const SliderScale& scale,
-                           double neutral, std::function<QString(double)> readOut, QWidget* parent)
-    : QWidget(parent), m_scale(scale), m_readOut(std::move(readOut)), m_number(new QLabel),
-      m_slider(new TrackSlider(scale, 1)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(new QLabel(label));
-  layout->addWidget(m_slider);
-  layout->addWidget(m_number);
-  m_number->setForegroundRole(QPalette::PlaceholderText);
-  m_slider->setFixedWidth(88);
-  m_slider->setOrigin(neutral);
-  m_slider->setValues({neutral});
-  m_slider->setAccessibleName(label);
-  m_slider->setAccessibleDescription(QTextDocumentFragment::fromHtml(help).toPlainText());
-  m_slider->setReadOut(m_readOut);
-  setToolTip(help);
-
-  connect(m_slider, &TrackSlider::valuesEdited, this,
-          [this](const std::vector<double>& values, std::uint64_t id) {
-            m_number->setText(m_readOut(values[0]));
-            emit pulled(values[0], id);
-          });
-  connect(m_slider, &TrackSlider::dragEnded, this, [this, neutral] {
-    m_slider->setValues({neutral});
-    showNumber();
-    emit released();
-  });
-  showNumber();
-}
-
-void SpringSlider::showNumber() {
-  m_number->setText(m_readOut(m_slider->values().front()));
-  // Room for what is longest, so that nothing moves under the hand.
-  int width = 0;
-  for (const double end : {m_scale.lowest, m_scale.highest})
-    width = std::max(width, fontMetrics().horizontalAdvance(m_readOut(end)));
-  m_number->setMinimumWidth(width);
-}
 
 TissueButtons::TissueButtons(QWidget* parent) : QWidget(parent), m_label(new QLabel(this)) {
   auto* layout = new QHBoxLayout(this);
@@ -127,7 +85,9 @@ TransferFunctionEditor::TransferFunctionEditor(CurveSubject subject, QWidget* pa
           TransferFunctionEditor::tr("Overall opacity"),
           TransferFunctionEditor::tr(
               "<p>Makes everything visible more solid or more transparent; what is invisible stays "
-              "so.</p><p>×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.</p>"),
+              "so.</p><p>×0.1 – ×10 of what it is, which is told until the curve changes otherwise. The "
+              "slider springs "
+              "back when let go, so that it can be pulled on; Shift drags finer.</p>"),
           {0.1, 10.0, true}, 1.0, factorText)),
       m_shift(new SpringSlider(TransferFunctionEditor::tr("Shift"),
                                TransferFunctionEditor::tr(
@@ -233,14 +193,13 @@ void TransferFunctionEditor::connectCanvas() {
 
 void TransferFunctionEditor::connectSliders() {
   connect(m_opacity, &SpringSlider::pulled, this, [this](double factor, std::uint64_t id) {
-    m_canvas->edit(withOpacityScaled(pullBase(id), factor),
-                   {id, tr("change overall opacity %1").arg(factorText(factor))});
+    pull(*m_opacity, withOpacityScaled(pullBase(id), factor),
+         {id, tr("change overall opacity %1").arg(factorText(factor))});
   });
   connect(m_shift, &SpringSlider::pulled, this, [this](double position, std::uint64_t id) {
     const double offset = shiftOf(position);
-    m_canvas->edit(
-        shifted(pullBase(id), offset),
-        {id, tr("shift curve by %1").arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
+    pull(*m_shift, shifted(pullBase(id), offset),
+         {id, tr("shift curve by %1").arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
   });
   for (SpringSlider* slider : {m_opacity, m_shift})
     connect(slider, &SpringSlider::released, this, [this] { m_pullId = 0; });
@@ -252,6 +211,23 @@ const TransferFunction& TransferFunctionEditor::pullBase(std::uint64_t gestureId
     m_pullBase = m_canvas->transferFunction();
   }
   return m_pullBase;
+}
+
+void TransferFunctionEditor::pull(const SpringSlider& slider, const TransferFunction& function,
+                                  const Gesture& gesture) {
+  for (SpringSlider* other : {m_opacity, m_shift})
+    if (other != &slider)
+      other->forgetPull();
+  m_pulled = function;
+  m_canvas->edit(function, gesture);
+}
+
+// What a pull did is told until the curve is another one.
+void TransferFunctionEditor::forgetPulls() {
+  if (m_canvas->transferFunction() == m_pulled)
+    return;
+  m_opacity->forgetPull();
+  m_shift->forgetPull();
 }
 
 double TransferFunctionEditor::shiftOf(double position) const {
@@ -271,13 +247,13 @@ void TransferFunctionEditor::setTransferFunction(const TransferFunction& functio
 void TransferFunctionEditor::setHistogram(const Histogram& histogram) {
   m_range = histogram.range;
   m_canvas->setHistogram(histogram);
-  m_shift->showNumber();
+  m_shift->measureNumber();
   showSelection();
 }
 
 void TransferFunctionEditor::setUnit(const QString& unit) {
   m_canvas->setUnit(unit);
-  m_shift->showNumber();
+  m_shift->measureNumber();
   showSelection();
 }
 
@@ -290,6 +266,7 @@ void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {
 }
 
 void TransferFunctionEditor::showSelection() {
+  forgetPulls();
   m_fields->setPoints(m_canvas->transferFunction(), m_canvas->selected(), m_canvas->unit(), typedDecimals());
   m_tissue->setTransferFunction(m_canvas->transferFunction());
   if (const auto pinned = m_canvas->pinnedValue())

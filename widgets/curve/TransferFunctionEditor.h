@@ -5,7 +5,7 @@
 #include "scene/volume/Histogram.h"
 #include "scene/volume/Volume.h"
 #include "widgets/Gesture.h"
-#include "widgets/controls/LabelledRow.h"
+#include "widgets/curve/SpringSlider.h"
 #include "widgets/curve/picture/CanvasPicture.h"
 #include "widgets/curve/picture/CurveEdits.h"
 
@@ -25,34 +25,7 @@ class QToolButton;
 namespace limn {
 
 class PointFields;
-class TrackSlider;
 class TransferFunctionCanvas;
-
-/// A slider for relative changes: it springs back to its neutral place when let go. The number pulled to
-/// shows while it is held.
-class SpringSlider : public QWidget {
-  Q_OBJECT
-
-public:
-  /// `readOut` turns a pulled number into words.
-  SpringSlider(const QString& label, const QString& help, const SliderScale& scale, double neutral,
-               std::function<QString(double)> readOut, QWidget* parent = nullptr);
-
-  /// Once the words for a number have become other ones.
-  void showNumber();
-
-signals:
-  /// Pulled away from neutral by so much; `gestureId` is shared by one pull.
-  void pulled(double number, std::uint64_t gestureId);
-  /// Let go: the next pull starts from what is now.
-  void released();
-
-private:
-  SliderScale m_scale;
-  std::function<QString(double)> m_readOut;
-  QLabel* m_number;
-  TrackSlider* m_slider;
-};
 
 /// The tissue of a value that was pinned in the picture, and two buttons that show less or more of it.
 class TissueButtons : public QWidget {
@@ -137,6 +110,8 @@ private:
   void showPinOrPoints();
   void openDetails(std::size_t index);
   const TransferFunction& pullBase(std::uint64_t gestureId);
+  void pull(const SpringSlider& slider, const TransferFunction& function, const Gesture& gesture);
+  void forgetPulls();
   double shiftOf(double position) const;
   int typedDecimals() const;
   void openMore();
@@ -163,6 +138,7 @@ private:
   QToolButton* m_more;           ///< has the tools that find no room
   QFrame* m_morePanel = nullptr; ///< in which they stand while it is open
   TransferFunction m_pullBase;
+  TransferFunction m_pulled; ///< what the last pull made of it
   std::uint64_t m_pullId = 0;
 };
 

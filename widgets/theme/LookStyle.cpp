@@ -64,6 +64,8 @@ int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidg
   case SH_ComboBox_Popup: // a list below its box: over it, Fusion has too little room for the rows of our
                           // sheet
     return 0;
+  case SH_Menu_Scrollable: // one column that scrolls: several would be wider than the screen
+    return 1;
   default:
     return QProxyStyle::styleHint(hint, option, widget, answer);
   }

@@ -375,8 +375,12 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   if (auto figure = figureIn(source)) {
     LoadedScene first = loadDocument(figure->panels.front().scene, named, progress);
     first.beside = besideFirst(*figure);
-    if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty())
-      first.notes.push_back(remark);
+    if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty()) {
+      first.notes.insert(first.notes.begin(), remark);
+      first.hasMorePanels = std::ranges::all_of(figure->panels, [&](const FigurePanelDocument& panel) {
+        return panel.scene.volume == figure->panels.front().scene.volume;
+      });
+    }
     return first;
   }
   LoadedScene loaded;

@@ -82,6 +82,7 @@ struct LoadedScene {
   std::optional<SessionDocument> session; ///< where the source is one
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
+  bool hasMorePanels = false; ///< of its volume, which a window does not show; the first of `notes` says so
 };
 
 /// A figure ready to draw.

@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QPointer>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -93,21 +94,24 @@ private:
 };
 
 /// Registers a kind of export: its action, enabled while `Dialog::suits(scene)` holds, shows the dialog,
-/// which is made of the context and `with` when it is first asked for.
+/// which is made of the context and `with` when it is first asked for, by that or by what is returned.
 template <class Dialog, class... With>
-void offerExport(WindowContext& context, const QString& action, const ActionLook& look, With... with) {
+std::function<Dialog&()> offerExport(WindowContext& context, const QString& action, const ActionLook& look,
+                                     With... with) {
   QAction* offered = context.actions.add(action, look);
   const auto dialog = std::make_shared<QPointer<Dialog>>();
-  QObject::connect(offered, &QAction::triggered, &context.window, [&context, dialog, with...] {
+  const auto made = [&context, dialog, with...]() -> Dialog& {
     if (!*dialog)
       *dialog = new Dialog(context, with...);
-    (*dialog)->present();
-  });
+    return **dialog;
+  };
+  QObject::connect(offered, &QAction::triggered, &context.window, [made] { made().present(); });
   context.followers.add(SceneFollowers::Stage::after, [offered, dialog](const Scene& scene) {
     offered->setEnabled(Dialog::suits(scene));
     if (*dialog)
       (*dialog)->follow(scene, Dialog::suits(scene));
   });
+  return made;
 }
 
 } // namespace limn

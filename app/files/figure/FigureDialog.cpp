@@ -5,23 +5,20 @@
 #include "app/figures/FigureFiles.h"
 #include "app/figures/FigureOptions.h"
 #include "app/files/figure/FigurePreview.h"
+#include "app/files/figure/FigureSources.h"
 #include "app/files/saving/SavingController.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
 #include "scene/effects/EffectPlan.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
-#include "widgets/figure/FigureText.h"
-#include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/overlay/OrientationCube.h"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QObject>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -65,132 +62,6 @@ QString withNotes(QString text, const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     text += QLatin1Char(' ') + QString::fromStdString(note);
   return text;
-}
-
-/// From which pictures of a figure are made.
-struct FigureIngredients {
-  Scene scene;                      ///< with a volume
-  std::vector<Scene> sides;         ///< what is on screen, from left to right
-  std::optional<ComparedLook> look; ///< that is compared on screen with the scene's own
-  std::optional<Preset> remembered; ///< the look remembered as "before"
-  PlaneSettings planes;
-  std::vector<Measurement> measurements;
-  GreyWindow firstWindow; ///< of slices whose settings have none
-  std::vector<Preset> presets;
-  std::vector<NamedView> views;
-  Histogram histogram; ///< of the volume
-};
-
-PanelSource named(const QString& text, FigurePanel panel) {
-  panel.name = usualName(panel);
-  return {text, std::move(panel)};
-}
-
-PanelSource withLook(const QString& pattern, const Scene& scene, const QString& name) {
-  FigurePanel panel;
-  panel.scene = scene;
-  panel.name = name;
-  return {pattern.arg(name), std::move(panel)};
-}
-
-void addLooks(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  if (from.look)
-    for (std::size_t side = 0; side < 2; ++side)
-      sources.push_back(withLook(QObject::tr("Compared: %1"),
-                                 side == 0 ? withPreset(from.scene, from.look->shown) : from.scene,
-                                 QString::fromStdString(from.look->names[side])));
-}
-
-void addRemembered(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  if (!from.remembered)
-    return;
-  Preset before = *from.remembered;
-  before.isWhole = true;
-  sources.push_back(
-      withLook(QObject::tr("Remembered: %1"), withPreset(from.scene, before), QObject::tr("Before")));
-}
-
-void addScenes(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  FigurePanel panel;
-  panel.scene = from.scene;
-  if (!usesLight(from.scene.projection)) {
-    sources.push_back(named(QObject::tr("Picture: %1").arg(usualName(panel)), panel));
-    return;
-  }
-  for (const ShadingModel model : shadingModels) {
-    panel.scene.shading.model = model;
-    sources.push_back(named(QObject::tr("Picture: %1").arg(usualName(panel)), panel));
-  }
-}
-
-void addViews(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  for (const NamedView& view : from.views) {
-    Scene scene = from.scene;
-    scene.camera = view.camera;
-    sources.push_back(withLook(QObject::tr("View: %1"), scene, QString::fromStdString(view.name)));
-  }
-}
-
-// From as far away as the picture is seen from, so that they have one scale.
-void addSides(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  for (const CubeFace& face : cubeFaces(*from.scene.volume)) {
-    Scene scene = from.scene;
-    Camera& camera = scene.camera;
-    camera.position = camera.target + glm::distance(camera.position, camera.target) * face.outward;
-    camera.up = face.up;
-    sources.push_back(withLook(QObject::tr("View: %1"), scene, face.side));
-  }
-}
-
-void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  for (const PatientPlane plane : patientPlanes) {
-    FigurePanel panel;
-    panel.scene = from.scene;
-    panel.plane = plane;
-    panel.planes = from.planes;
-    panel.firstWindow = from.firstWindow;
-    sources.push_back(named(QObject::tr("Slice: %1").arg(usualName(panel)), panel));
-  }
-}
-
-void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  for (const Preset& preset : from.presets)
-    sources.push_back(withLook(QObject::tr("Preset: %1"), withPreset(from.scene, preset, true),
-                               QString::fromStdString(preset.name)));
-}
-
-// All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,
-// from the views that were kept and from every side, its slices, every preset from where the camera is.
-std::vector<PanelSource> panelSources(const FigureIngredients& from) {
-  std::vector<PanelSource> sources;
-  addLooks(sources, from);
-  addScenes(sources, from);
-  addRemembered(sources, from);
-  addViews(sources, from);
-  addSides(sources, from);
-  addSlices(sources, from);
-  addPresets(sources, from);
-  for (PanelSource& source : sources)
-    source.panel.measurements = from.measurements;
-  return sources;
-}
-
-// What a figure begins with, places in `panelSources`: what is on screen, slices beside one picture too.
-std::vector<std::size_t> firstPanels(const std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  std::vector<std::size_t> panels;
-  const auto add = [&](const auto& isMeant) {
-    const auto found = std::ranges::find_if(sources, isMeant);
-    if (found != sources.end() && panels.size() < mostPanels)
-      panels.push_back(static_cast<std::size_t>(found - sources.begin()));
-  };
-  for (const Scene& side : from.sides)
-    add([&](const PanelSource& source) { return !source.panel.plane && source.panel.scene == side; });
-  if (panels.empty())
-    panels.push_back(0);
-  if (panels.size() == 1 && from.planes.layout != PlaneLayout::pictureOnly)
-    for (const PatientPlane plane : patientPlanes)
-      add([&](const PanelSource& source) { return source.panel.plane == plane; });
-  return panels;
 }
 
 } // namespace
@@ -243,6 +114,7 @@ void FigureDialog::connectParts() {
   connect(m_options, &FigureOptions::edited, this,
           [this](const FigureSettings& settings) { m_context.settings.setFigure(settings); });
   connect(&m_soon, &QTimer::timeout, this, &FigureDialog::refreshSources);
+  connect(&m_reading, &BackgroundWork::failed, this, &FigureDialog::say);
   connect(&m_context.session, &Session::planesChanged, this, [this] { m_soon.start(); });
   connect(&m_context.session, &Session::viewsChanged, this, [this] { m_soon.start(); });
 }
@@ -280,10 +152,8 @@ void FigureDialog::addButtons(QVBoxLayout* column) {
 void FigureDialog::begin(bool isNew) {
   if (!isNew)
     return;
-  m_drawn = {};
-  m_made.clear();
+  forget();
   m_outcome.clear();
-  m_preview->setPictures({});
   show(); // the preview is as large as it is seen
   refreshSources();
 }
@@ -292,10 +162,46 @@ void FigureDialog::showScene(const Scene&) {
   m_soon.start();
 }
 
+// Closed, it keeps no volume.
 void FigureDialog::done(int result) {
   ExportDialog::done(result);
-  if (!isVisible())
-    m_work.cancel();
+  if (isVisible())
+    return;
+  m_work.cancel();
+  m_reading.cancel();
+  m_soon.stop();
+  forget();
+}
+
+void FigureDialog::forget() {
+  m_drawn = {};
+  m_made.clear();
+  m_estimated.clear();
+  m_saved.clear();
+  m_showsSaved = false;
+  m_savedOf.reset();
+  m_notes.clear();
+  m_preview->setPictures({});
+  m_preview->setFigure({});
+  m_panels->setSources({});
+}
+
+void FigureDialog::reopen(const QString& file, const SourceOptions& options) {
+  present();
+  m_reading.start([this, file, options, shown = m_context.document.scene().volume](
+                      const Effort& effort) -> BackgroundWork::Deliver {
+    const std::optional<LoadedFigure> figure =
+        loadFigure(file.toStdString(), options, {{}, effort.isCancelled});
+    return [this, figure, shown] {
+      if (!figure || m_context.document.scene().volume != shown)
+        return;
+      m_saved = sourcesOf(*figure);
+      m_showsSaved = false;
+      m_savedOf = shown;
+      m_options->setSettings(figure->settings);
+      refreshSources();
+    };
+  });
 }
 
 Figure FigureDialog::askedFigure() const {
@@ -337,10 +243,18 @@ void FigureDialog::refreshSources() {
                                looks.presets,
                                allTurningThere(m_context.session.views()),
                                histogram};
-  const std::vector<PanelSource> sources = panelSources(from);
+  std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();
+  std::vector<std::size_t> first;
+  if (m_savedOf.lock() == scene.volume)
+    for (const PanelSource& saved : m_saved) {
+      first.push_back(sources.size());
+      sources.push_back(saved);
+    }
   m_panels->setSources(sources);
-  if (isFirst) {
+  if (!first.empty() && !std::exchange(m_showsSaved, true)) {
+    m_panels->choose(first);
+  } else if (isFirst && first.empty()) {
     m_panels->choose(firstPanels(sources, from));
     FigureSettings settings = m_options->settings();
     settings.panelAspect = m_context.view.pictureAspect();
@@ -351,7 +265,7 @@ void FigureDialog::refreshSources() {
 
 // Marks at once, pictures as they come.
 void FigureDialog::refreshPreview() {
-  if (isWorking())
+  if (isWorking() || m_panels->panels().empty())
     return;
   m_preview->setFigure(withWhatIsKnown(askedFigure()));
   sayWhatItIs();

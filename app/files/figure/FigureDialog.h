@@ -35,6 +35,9 @@ public:
   static ActionLook look();
   static bool suits(const Scene& scene) { return scene.volume != nullptr; }
 
+  /// Shows the figure that was saved in a file, of the volume that is open, to be saved again.
+  void reopen(const QString& file, const SourceOptions& options);
+
   FigureOptions& options() { return *m_options; }
   FigurePreview& preview() { return *m_preview; }
 
@@ -51,6 +54,7 @@ private:
   void done(int result) override;
   QWidget* makeSide();
   void addButtons(QVBoxLayout* column);
+  void forget();
   void connectParts();
   void refreshSources();
   void refreshPreview();
@@ -69,13 +73,17 @@ private:
   PanelList* m_panels;
   FigureOptions* m_options;
   QCheckBox* m_exact;
-  Figure m_drawn;                       ///< whose pictures the preview shows
-  std::vector<FigurePanel> m_made;      ///< its panels with what was found out as they were drawn
-  std::vector<std::string> m_notes;     ///< on those pictures
-  QString m_outcome;                    ///< of the last work, told until something is edited
-  std::vector<FigurePanel> m_estimated; ///< panels whose errors are known
-  bool m_isStale = false;               ///< the scene changed while a figure was made
-  QTimer m_soon;                        ///< until the scene rests
+  Figure m_drawn;                        ///< whose pictures the preview shows
+  std::vector<FigurePanel> m_made;       ///< its panels with what was found out as they were drawn
+  std::vector<std::string> m_notes;      ///< on those pictures
+  QString m_outcome;                     ///< of the last work, told until something is edited
+  std::vector<FigurePanel> m_estimated;  ///< panels whose errors are known
+  std::vector<PanelSource> m_saved;      ///< of the figure that was reopened
+  std::weak_ptr<const Volume> m_savedOf; ///< the volume then
+  bool m_showsSaved = false;             ///< they were chosen
+  BackgroundWork m_reading;              ///< of that figure
+  bool m_isStale = false;                ///< the scene changed while a figure was made
+  QTimer m_soon;                         ///< until the scene rests
 };
 
 } // namespace limn

@@ -86,6 +86,8 @@ const PanelSource& PanelList::sourceOf(const Row& row) const {
 }
 
 void PanelList::showRow(Row& row) {
+  if (m_sources.empty())
+    return;
   const PanelSource& source = sourceOf(row);
   row.source->setCurrentIndex(row.source->findText(source.text));
   row.source->setToolTip(source.text); // of a long name the list shows a part

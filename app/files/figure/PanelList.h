@@ -27,7 +27,7 @@ class PanelList : public QWidget {
 public:
   explicit PanelList(QWidget* parent = nullptr);
 
-  /// What there is to choose from, at least one; choices stay where the list still has them.
+  /// What there is to choose from; choices stay where the list still has them.
   void setSources(const std::vector<PanelSource>& sources);
 
   /// Shows these of the sources, by their place in the list, each under its usual name.

@@ -264,15 +264,28 @@ void OpeningController::restore(const QString& session) {
 void OpeningController::start(const Request& request, const QString& what) {
   m_context.messages.hide();
   m_requested = request;
-  SourceOptions known = request.options;
-  known.knownVolumes = m_context.settings.knownVolumes();
-  known.references = m_context.settings.references();
+  SourceOptions known = withKnownVolumes(request.options);
   known.hidesTable = true;
   known.smoothsSlices = true;
   if (!known.read.memory)
     known.read.memory = m_context.memory;
   m_context.view.setLoading(-1.0, what);
   m_loader.start(request.source, known, m_before());
+}
+
+SourceOptions OpeningController::withKnownVolumes(SourceOptions options) const {
+  options.knownVolumes = m_context.settings.knownVolumes();
+  options.references = m_context.settings.references();
+  return options;
+}
+
+// One that was turned by hand is another volume than its file's.
+SourceOptions OpeningController::optionsNow() const {
+  SourceOptions options = withKnownVolumes(m_context.document.request().options);
+  const std::shared_ptr<const Volume>& volume = m_context.document.scene().volume;
+  if (volume && volume->info().orientationByHand.empty())
+    options.opened.emplace(m_context.document.volumePath(), volume);
+  return options;
 }
 
 void OpeningController::locateVolume(const QString& scene) {

@@ -84,6 +84,9 @@ public:
   void restore(const QString& session);
   void cancel() { m_loader.cancel(); }
 
+  /// With which what is open can be read once more, in another way.
+  SourceOptions optionsNow() const;
+
   void askForFile();
   void askForFolder();
   /// Asks how far the voxels of what is shown lie apart, `spacingMm` at present, and reads it again.
@@ -101,6 +104,7 @@ signals:
               const limn::Request& request);
 
 private:
+  SourceOptions withKnownVolumes(SourceOptions options) const;
   void addActions();
   void connectLoader();
   void connectEmptyPanel();

@@ -153,6 +153,23 @@ void PresetController::goOnWithPreview() {
   m_previewedFrom = {};
 }
 
+void PresetController::recognise() {
+  const Scene& scene = m_context.session.scene();
+  if (!scene.volume || !m_context.session.preset().name.empty())
+    return;
+  std::vector<Preset> presets;
+  for (const Preset& preset : fittedPresets())
+    presets.push_back(asUsed(preset));
+  auto found = std::ranges::find_if(
+      presets, [&](const Preset& preset) { return withPreset(scene, preset, true) == scene; });
+  if (found == presets.end())
+    found = std::ranges::find(presets, scene.transferFunction, &Preset::transferFunction);
+  if (found == presets.end())
+    return;
+  m_context.session.adoptPreset(*found);
+  markShown();
+}
+
 void PresetController::markShown() {
   goOnWithPreview();
   if (m_context.session.scene().volume != m_volume)
@@ -226,7 +243,7 @@ void PresetController::preview(const QString& name) {
 
 void PresetController::compare(const QString& name) {
   if (const std::optional<Preset> preset = fitted(name); preset && m_context.session.scene().volume)
-    emit compareRequested(*preset, 1);
+    emit compareRequested(*preset);
 }
 
 // Of two models both sides show the scene's own look: what stands at the other side of a preset is that.
@@ -235,13 +252,10 @@ void PresetController::useOnSide(const QString& name, int side) {
   const bool isSingle = order.comparison.layout == CompareLayout::single;
   if (isSingle || (order.comparison.look && side == 1))
     return use(name);
-  if (side == 1) {
-    const std::string own = m_context.document.presetInUse().name;
-    Preset shown = presetOf(m_context.session.scene(), own.empty() ? tr("Before").toStdString() : own);
-    shown.isWhole = true;
-    emit compareRequested(shown, 0);
-  }
-  side == 1 ? use(name) : compare(name);
+  if (side == 0)
+    return compare(name);
+  emit ownCompareRequested();
+  use(name);
 }
 
 void PresetController::fillMenu(QMenu& menu, int side) {

@@ -32,6 +32,9 @@ public:
 
   /// Reads the user's own anew, and lists them.
   void refresh() { m_own.read(); }
+  /// What was opened does not say which preset it was made from: that is the one whose look it has, or else
+  /// whose curve.
+  void recognise();
   /// Marks the preset that the scene was made from, and whether it was changed since. A preview goes on where
   /// only the camera moved.
   void markShown();
@@ -70,8 +73,8 @@ signals:
   /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
   /// is the session's own scene again. It enters no history.
   void previewed(const limn::Scene& scene, const std::string& preset);
-  /// With what is shown; the picture on `keptSide` stays as it is.
-  void compareRequested(const limn::Preset& look, int keptSide);
+  void compareRequested(const limn::Preset& look); ///< with what is shown
+  void ownCompareRequested(); ///< what is shown, with what becomes of it; the picture at the left stays
 
 private:
   void connectBrowser();

@@ -183,7 +183,7 @@ void ThumbnailController::begin() {
 void ThumbnailController::findObject(const Scene& scene) {
   Scene solid = scene;
   solid.projection = Projection::isosurface;
-  solid.isovalue = objectThreshold(m_context.document.histogram());
+  solid.isovalue = landmarksOf(m_context.document.histogram()).object;
   m_work.start([this, solid](const BackgroundWork::Line& line) -> BackgroundWork::Deliver {
     const bool isOnDisk = solid.volume->room() != nullptr; // and not read for this
     VisibleVoxels found =

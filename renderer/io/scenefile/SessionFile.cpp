@@ -31,12 +31,17 @@ void readComparison(JsonFields fields, SessionDocument& session) {
   };
   look("snapshot", session.snapshot);
   look("look", session.comparedLook);
+  look("look_from", session.comparedFrom);
   fields.finish();
 }
 
 void readWindow(JsonFields fields, SessionDocument& session) {
   fields.choice("panel", session.panel, panelWords);
   fields.text("preset", session.preset);
+  if (fields.has("changed_preset")) {
+    JsonFields its = fields.object("changed_preset");
+    session.changedPreset = readPreset(its);
+  }
   fields.boolean("crop_box", session.cropBoxIsShown);
   fields.boolean("gradient_curve", session.gradientCurveIsShown);
   fields.finish();
@@ -142,12 +147,16 @@ std::string sessionToJson(const SessionDocument& session) {
     json["compare"]["snapshot"] = presetJson(*session.snapshot);
   if (session.comparedLook)
     json["compare"]["look"] = presetJson(*session.comparedLook);
+  if (session.comparedFrom)
+    json["compare"]["look_from"] = presetJson(*session.comparedFrom);
   if (session.planes != PlaneSettings{})
     json["slices"] = planesJson(session.planes);
   json["window"] = {{"panel", panelWords.of(session.panel)},
                     {"preset", session.preset},
                     {"crop_box", session.cropBoxIsShown},
                     {"gradient_curve", session.gradientCurveIsShown}};
+  if (session.changedPreset)
+    json["window"]["changed_preset"] = presetJson(*session.changedPreset);
   if (session.opening)
     json["cut_open"] = openingJson(*session.opening);
   if (!session.label.empty())

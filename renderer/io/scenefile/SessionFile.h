@@ -36,13 +36,15 @@ struct SessionDocument {
       ownModel{};                 ///< of the scene's own look beside a compared one; absent: the scene's
   std::optional<Preset> snapshot; ///< a look that was put by, to compare with
   std::optional<Preset>
-      comparedLook;  ///< at the left, compared with the scene's own; absent: models are compared
-  double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1
+      comparedLook; ///< at the left, compared with the scene's own; absent: models are compared
+  std::optional<Preset> comparedFrom{}; ///< the preset that it was made from, where it was changed since
+  double wipe = 0.5;                    ///< where the border lies, as a fraction of the picture's width, 0..1
 
   PlaneSettings planes; ///< the slices beside the picture
 
-  Panel panel = Panel::properties; ///< on top of those at the right
-  std::string preset;              ///< the one whose curves are shown, empty where there is none
+  Panel panel = Panel::properties;       ///< on top of those at the right
+  std::string preset;                    ///< the one whose curves are shown, empty where there is none
+  std::optional<Preset> changedPreset{}; ///< the one that the scene was made from, where it was changed since
   bool cropBoxIsShown = false;
   std::optional<CutOpening> opening;
   bool gradientCurveIsShown = false; ///< instead of the curve over the value

@@ -7,6 +7,7 @@
 #include <QImage>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <string>
 
@@ -73,6 +74,30 @@ TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
       << "after " << reached.size() << ", at " << described(*QApplication::focusWidget());
   EXPECT_TRUE(reached.contains(curves().valueEditor()->canvas()));
   EXPECT_GE(reached.size(), 30u);
+}
+
+// What is typed into nowhere is nobody's: keys of one letter belong to the part that has the keyboard.
+TEST_P(FocusWindowTest, lettersTypedWhileNothingHasTheKeyboardDoNothing) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  QApplication::focusWidget()->clearFocus();
+  ASSERT_EQ(QApplication::focusWidget(), nullptr);
+  QTest::mouseMove(window->windowHandle(), QPoint(1, 1)); // over no picture
+  const Scene before = scene();
+  const ViewTool tool = view().tool();
+  const CompareLayout layout = view().compareLayout();
+  const QAction& cropBox = *window->findChild<QAction*>(QStringLiteral("cropBox"));
+  for (char key = '0'; key <= 'z'; ++key)
+    if (std::isalnum(static_cast<unsigned char>(key)))
+      QTest::keyClick(window->windowHandle(), key);
+  for (const char key : {' ', '[', '+', '-', '?'})
+    QTest::keyClick(window->windowHandle(), key);
+  EXPECT_EQ(scene(), before);
+  EXPECT_EQ(view().tool(), tool);
+  EXPECT_EQ(view().compareLayout(), layout);
+  EXPECT_FALSE(cropBox.isChecked());
+  EXPECT_EQ(undo().count(), 0);
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(Theme, FocusWindowTest,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/core/sources/BuiltInPresets.h"
+#include "app/panels/presets/PresetController.h"
 #include "app/picture/ComparisonController.h"
 #include "scene/presets/Preset.h"
 #include "widgets/FindWidget.h"
@@ -12,6 +13,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QMenu>
+#include <QStatusBar>
 #include <QTimer>
 
 #include <algorithm>
@@ -207,6 +209,48 @@ TEST_F(ModelWindow, twoLooksChangeSidesWithTheirNamesAndUndoTakesThemBack) {
   EXPECT_EQ(names(), (Names{both[1], both[0]}));
   EXPECT_FALSE(compareBefore.isChecked());
   EXPECT_TRUE(compareBefore.isEnabled());
+}
+
+// What stands at the left was changed since it was a preset; so it is told of it wherever it comes to stand.
+TEST_F(ModelWindow, aLookThatWasChangedSaysSoOnEitherSideAndAfterEveryUndo) {
+  const auto& presets = *window->findChild<PresetController*>();
+  window->findChild<PresetController*>()->use(QStringLiteral("CT bone"));
+  session().setTransferFunction(shifted(scene().transferFunction, 50.0), {nextGestureId(), "shift"});
+  QMenu menu;
+  window->findChild<PresetController*>()->fillMenu(menu, 1);
+  const auto entries = menu.actions();
+  const auto skin =
+      std::ranges::find_if(entries, [](const QAction* entry) { return entry->text() == "CT skin"; });
+  ASSERT_NE(skin, entries.end());
+  (*skin)->trigger();
+  const auto names = [&] { return view().order().comparison.look->names; };
+  using Names = std::array<std::string, 2>;
+  const Names both{"CT bone, modified", "CT skin"};
+  ASSERT_EQ(names(), both);
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::classic}));
+  EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("model Classic now")))
+      << window->statusBar()->currentMessage().toStdString();
+  QAction& swap = *window->findChild<QAction*>(QStringLiteral("swapSides"));
+  swap.trigger();
+  EXPECT_EQ(names(), (Names{both[1], both[0]}));
+  EXPECT_EQ(presets.nameShown(), QStringLiteral("My CT bone"));
+  const SessionDocument kept = parseSession(sessionToJson(window->sessionDocument()), "session");
+  swap.trigger();
+  EXPECT_EQ(names(), both);
+  EXPECT_EQ(presets.nameShown(), QStringLiteral("CT skin"));
+  const SessionDocument keptLook = parseSession(sessionToJson(window->sessionDocument()), "session");
+  undo().undo();
+  EXPECT_EQ(names(), (Names{both[1], both[0]}));
+  EXPECT_EQ(presets.nameShown(), QStringLiteral("My CT bone"));
+  undo().undo();
+  EXPECT_EQ(names(), both);
+  undo().undo(); // the preset at the right
+  EXPECT_EQ(names()[0], both[0]);
+  EXPECT_EQ(presets.nameShown(), QStringLiteral("My CT bone"));
+  ASSERT_TRUE(kept.changedPreset);
+  EXPECT_EQ(kept.changedPreset->name, "CT bone");
+  window->findChild<ComparisonController*>()->restore(keptLook);
+  EXPECT_EQ(names()[0], both[0]) << "in a session, too";
 }
 
 TEST_F(ModelWindow, aSinglePictureHasOneButton) {

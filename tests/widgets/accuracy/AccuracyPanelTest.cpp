@@ -136,6 +136,31 @@ TEST_F(AccuracyPanelTest, theDialTellsWhatAPictureThatWasRefinedIsOnScreen) {
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms.")) << "being drawn";
 }
 
+// One picture has one error: where none was measured of what is on screen the status bar's stands here, too.
+TEST_F(AccuracyPanelTest, theDialTellsWhatTheStatusBarTellsOfThePictureOnScreen) {
+  const QString told = QStringLiteral("estimated within 0.7 of 255 levels");
+  panel.setOnScreen(scene.quality, told);
+  EXPECT_EQ(sentence(),
+            QStringLiteral("Step 1/2 voxel: not measured for this picture. The picture on screen: "
+                           "estimated within 0.7 of 255 levels."));
+  measure();
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms."))
+      << "the status bar says what was measured";
+  Quality refined = scene.quality;
+  refined.stepVoxels = 0.3;
+  panel.setOnScreen(refined, told);
+  EXPECT_TRUE(sentence().endsWith(
+      QStringLiteral("Refined on screen to step 0.3 voxels: estimated within 0.7 of 255 levels.")))
+      << sentence().toStdString();
+  scene.camera.position.x += 1.0;
+  panel.setScene(scene);
+  panel.setOnScreen(scene.quality, told);
+  EXPECT_EQ(
+      sentence(),
+      QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms. It was measured from another direction. "
+                     "The picture on screen: estimated within 0.7 of 255 levels."));
+}
+
 TEST_F(AccuracyPanelTest, theChartIsAsHighAsThePanelHasRoomForAndGoesIntoAWindowWhereAsked) {
   auto* apart = widgetNamed<QPushButton>(panel, "Chart in a window of its own");
   measure();

@@ -139,6 +139,28 @@ TEST_F(TransferFunctionEditorTest, overallOpacityMultipliesFromWhereItStoodAndZe
   EXPECT_NEAR(m_edits.back().first.points[4].opacity, before * factor, 1e-9);
 }
 
+TEST_F(TransferFunctionEditorTest, overallOpacityTellsWhatItDidUntilTheCurveIsAnother) {
+  auto* slider = widgetNamed<TrackSlider>(m_editor, "Overall opacity");
+  const auto told = [](const TrackSlider* spring) {
+    return spring->parentWidget()->findChildren<QLabel*>().back()->text();
+  };
+  EXPECT_EQ(told(slider), QString()) << "nothing was done";
+  pull(slider, -20);
+  const TransferFunction pulled = m_edits.back().first;
+  const double factor = pulled.points[4].opacity / 0.9;
+  const QString text = QChar(0x00d7) + fixedNumber(factor, 2);
+  EXPECT_EQ(m_edits.back().second.text, QStringLiteral("change overall opacity ") + text);
+  EXPECT_EQ(told(slider), text) << "although the slider is back";
+  m_editor.setTransferFunction(pulled); // as the session answers
+  EXPECT_EQ(told(slider), text);
+  auto* shift = widgetNamed<TrackSlider>(m_editor, "Shift");
+  pull(shift, 20);
+  EXPECT_EQ(told(slider), QString()) << "something else was done";
+  EXPECT_NE(told(shift), QString());
+  m_editor.setTransferFunction(pulled); // undone
+  EXPECT_EQ(told(shift), QString());
+}
+
 TEST_F(TransferFunctionEditorTest, lessAndMoreOfAPinnedTissueAreOneEditEach) {
   auto* less = widgetNamed<QToolButton>(m_editor, "Less of the pinned tissue");
   auto* more = widgetNamed<QToolButton>(m_editor, "More of the pinned tissue");

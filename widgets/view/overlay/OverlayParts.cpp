@@ -116,6 +116,14 @@ QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text
   return {side.left() + overlayMargin, side.bottom() - overlayMargin - height, width, height};
 }
 
+QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate) {
+  const QFontMetricsF metrics(titleFont(font));
+  const double room = plate.width() - 4 * unit - (label.leadsToMenu ? arrowWidth : 0.0);
+  return metrics.horizontalAdvance(label.title) <= room
+             ? label.title
+             : metrics.elidedText(label.title, Qt::ElideMiddle, std::max(0.0, room));
+}
+
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -124,8 +132,9 @@ void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) 
   QRectF text = plate.adjusted(2 * unit, 0, -2 * unit, 0);
   painter.setFont(titleFont(font));
   painter.setPen(textColor);
-  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.title);
-  text.setLeft(text.left() + QFontMetricsF(titleFont(font)).horizontalAdvance(label.title));
+  const QString title = fittingTitle(font, label, plate);
+  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, title);
+  text.setLeft(text.left() + QFontMetricsF(titleFont(font)).horizontalAdvance(title));
   if (label.leadsToMenu) {
     // On whole pixels, or every label's arrow would look another.
     const QPointF tip(std::round(text.left() + 2 * unit) + 0.5, std::round(plate.center().y() + 2.0) + 0.5);

@@ -55,6 +55,13 @@ bool isResolved(const PictureState& state) {
   });
 }
 
+// Pixels were drawn to see how far the picture lies off; an estimate alone goes by how it changes with the
+// step.
+bool isChecked(const PictureState& state) {
+  return std::ranges::all_of(
+      state.sides, [](const SideState& side) { return side.paths || side.measuredLevels || side.chance; });
+}
+
 bool hasPaths(const PictureState& state) {
   return std::ranges::any_of(state.sides, [](const SideState& side) { return side.paths.has_value(); });
 }
@@ -137,14 +144,16 @@ QString badgeText(const PictureState& state) {
     return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
   if (!state.resting)
     return QObject::tr("○ preview");
-  if (isResolved(state) && isLightMeasured(state) && isKnown(state) &&
-      *levelsOf(worstOf(state)) <= exactLevels)
+  const bool isWithin = isResolved(state) && isLightMeasured(state) && isKnown(state) &&
+                        *levelsOf(worstOf(state)) <= exactLevels;
+  if (isWithin && isChecked(state))
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
   const bool isNear = !isKnown(state) || *levelsOf(worstOf(state)) <= nearlyExactLevels;
-  if (isResolved(state) && isNear && state.refinementEnd == RefinementEnd::withinHalfALevel)
-    return QObject::tr("○ nearly exact"); // no step would make it exact
+  // No step would make it exact, or nothing but an estimate says that it is.
+  if (isResolved(state) && isNear && (isWithin || state.refinementEnd == RefinementEnd::withinHalfALevel))
+    return QObject::tr("○ nearly exact");
   return isResolved(state) ? QObject::tr("○ not exact") : QObject::tr("○ not resolved");
 }
 

@@ -290,6 +290,64 @@ TEST_F(FigureWindow, panelsAreChosenNamedAndCountedByKeyboard) {
   EXPECT_EQ(undo().count(), 0) << "a figure is no edit";
 }
 
+TEST_F(FigureWindow, aFigureOfMoreThanTheWindowShowsIsSeenWholeByOneClick) {
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  auto& count = part<QComboBox>("panelCount");
+  count.setFocus();
+  QTest::keyClick(&count, Qt::Key_Down);
+  const auto chooseFor = [this](const char* list, const QString& text) {
+    auto& source = part<QComboBox>(list);
+    source.setFocus();
+    QTest::keyClick(&source, Qt::Key_Home);
+    for (int step = 0; step < source.count() && source.currentText() != text; ++step)
+      QTest::keyClick(&source, Qt::Key_Down);
+  };
+  chooseFor("panelSource-c", QStringLiteral("Preset: CT skin"));
+  auto& name = part<QLineEdit>("panelName-c");
+  name.selectAll();
+  QTest::keyClicks(&name, QStringLiteral("The face"));
+  const Figure asked = dialog().askedFigure();
+  ASSERT_EQ(asked.panels.size(), 3u);
+  ASSERT_TRUE(saveAs("three.png"));
+  click("figureClose");
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  ASSERT_TRUE(open(pathTo("three.png")));
+  EXPECT_EQ(messages().sentence(),
+            QStringLiteral("The figure has 3 panels, of which the window shows 2; the command limn figure "
+                           "draws all of them again."));
+  const auto buttons = messages().findChildren<QToolButton*>();
+  const auto show = std::ranges::find(buttons, QStringLiteral("Show the figure"), &QToolButton::text);
+  ASSERT_NE(show, buttons.end());
+  QTest::mouseClick(*show, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([&] { return dialog().askedFigure().panels.size() == 3; }));
+  const Figure again = dialog().askedFigure();
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(again.panels[i].name, asked.panels[i].name);
+    EXPECT_EQ(again.panels[i].scene.transferFunction, asked.panels[i].scene.transferFunction);
+    EXPECT_EQ(again.panels[i].scene.shading, asked.panels[i].scene.shading);
+    EXPECT_EQ(again.panels[i].scene.volume, scene().volume) << "it is not read once more";
+  }
+  EXPECT_EQ(again.settings.panelAspect, asked.settings.panelAspect);
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  session().setIsovalue(scene().isovalue + 1.0, {nextGestureId(), "other"}); // what is open goes on
+  EXPECT_EQ(dialog().askedFigure().panels, again.panels);
+}
+
+// A dialog that is closed is kept for the next time, with nothing in it.
+TEST_F(FigureWindow, aClosedDialogHoldsNoVolume) {
+  ASSERT_TRUE(ask());
+  click("figureClose");
+  const std::weak_ptr<const Volume> before = scene().volume;
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  EXPECT_TRUE(test::waitUntil([&] { return before.expired(); })) << "somebody holds it";
+  window->findChild<QAction*>(QStringLiteral("saveFigure"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  EXPECT_EQ(dialog().askedFigure().panels.front().scene.volume, scene().volume);
+}
+
 TEST_F(FigureWindow, panelsThatAreAddedShowWhatNoOtherDoes) {
   ASSERT_TRUE(ask());
   ASSERT_EQ(dialog().askedFigure().panels.size(), 2u);

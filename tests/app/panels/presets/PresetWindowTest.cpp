@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/files/saving/SavingController.h"
+#include "app/panels/presets/PresetController.h"
 #include "app/presets/PresetStore.h"
 #include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
@@ -10,6 +12,7 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include <fstream>
 #include <map>
 
 // Presets in the program's window, by mouse and keys.
@@ -243,6 +246,41 @@ TEST_F(PresetWindow, aSavedComparisonOfLooksOpensAsWhatWasEdited) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   ASSERT_TRUE(open(pathTo("both.png")));
   EXPECT_EQ(scene().transferFunction, edited);
+}
+
+TEST_F(PresetWindow, whatIsOpenedAgainShowsThePresetThatItWasMadeFrom) {
+  for (const char* source : {"phantom:8", "values.nrrd"}) {
+    if (source == std::string("values.nrrd")) { // in no known unit: presets are fitted
+      std::ofstream file(pathTo(source).toStdString());
+      file << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nspacings: 1 1 1\nencoding: ascii\n\n";
+      for (int voxel = 0; voxel < 512; ++voxel)
+        file << voxel % 256 << ' ';
+    }
+    ASSERT_TRUE(open(source == std::string("phantom:8") ? QString(source) : pathTo(source)));
+    window->findChild<PresetController*>()->use(QStringLiteral("CT bone"));
+    ASSERT_TRUE(rest());
+    const auto inUse = [this] { return window->findChild<PresetController*>()->nameShown(); };
+    ASSERT_EQ(inUse(), QStringLiteral("CT bone")) << source;
+    saving().writePicture(pathTo("bone.png"));
+    ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+    ASSERT_NE(inUse(), QStringLiteral("CT bone"));
+    ASSERT_TRUE(open(pathTo("bone.png")));
+    EXPECT_EQ(inUse(), QStringLiteral("CT bone")) << source;
+    Shading shading = scene().shading; // the curve is still the preset's
+    shading.specular = 0.77;
+    session().setShading(shading, {nextGestureId(), "light"});
+    ASSERT_TRUE(rest());
+    saving().writePicture(pathTo("lit.png"));
+    ASSERT_TRUE(open(pathTo("lit.png")));
+    EXPECT_EQ(inUse(), QStringLiteral("My CT bone")) << source;
+    session().setTransferFunction(shifted(scene().transferFunction, 3.0), {nextGestureId(), "shift"});
+    ASSERT_TRUE(rest());
+    typeName(pathTo(source) + QStringLiteral(".json"));
+    saving().saveSessionAs();
+    ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+    ASSERT_TRUE(open(pathTo(source) + QStringLiteral(".json")));
+    EXPECT_EQ(inUse(), QStringLiteral("My CT bone")) << source;
+  }
 }
 
 TEST_F(PresetWindow, favouritesNotesAndFoldersAreThereInTheNextWindow) {

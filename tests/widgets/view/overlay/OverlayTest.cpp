@@ -4,6 +4,8 @@
 #include "scene/volume/Phantom.h"
 #include "widgets/view/gestures/ViewDrag.h"
 
+#include <QFontMetricsF>
+
 #include <gtest/gtest.h>
 
 // What stands above the pictures, as a value.
@@ -117,6 +119,28 @@ TEST_F(OverlayAbove, aLabelWithLittleRoomKeepsItsError) {
   EXPECT_TRUE(shown(1400).endsWith(QStringLiteral("SP 32"))) << "all of it";
   for (int width = 120; width < 700; width += 20) // what does not fit is left out, not cut
     EXPECT_FALSE(shown(width).contains(QChar(0x2026))) << width;
+}
+
+TEST_F(OverlayAbove, aNameThatIsTooLongShowsBothEndsAndIsWholeInItsToolTip) {
+  comparison.layout = CompareLayout::sideBySide;
+  comparison.look = ComparedLook{
+      presetOf(comparison.scene, "long"),
+      {"A name of a preset as long as people give them who have many of them in one folder", "CT bone"}};
+  const std::vector<PlacedLabel> labels = labelsOf(source());
+  const auto fitting = [&](const PlacedLabel& label) {
+    return fittingTitle(source().font, label.label, label.plate);
+  };
+  const QString title = labels[0].label.title;
+  ASSERT_TRUE(title.endsWith(QStringLiteral("· Classic")));
+  EXPECT_LE(labels[0].plate.right(), 350.0);
+  EXPECT_TRUE(fitting(labels[0]).startsWith(QStringLiteral("A name")));
+  EXPECT_TRUE(fitting(labels[0]).contains(QChar(0x2026)));
+  EXPECT_TRUE(fitting(labels[0]).endsWith(QStringLiteral("Classic"))) << fitting(labels[0]).toStdString();
+  EXPECT_LE(QFontMetricsF(titleFont(source().font)).horizontalAdvance(fitting(labels[0])),
+            labels[0].plate.width());
+  EXPECT_EQ(toolTipAt(source(), labels[0].plate.center()), title);
+  EXPECT_EQ(fitting(labels[1]), labels[1].label.title);
+  EXPECT_TRUE(toolTipAt(source(), labels[1].plate.center()).isEmpty()) << "it is all there";
 }
 
 TEST_F(OverlayAbove, aLabelTellsNothingOfTheLastPictureAtRestWhileAnotherIsSeen) {

@@ -36,7 +36,16 @@ TEST(PictureStatusText, tellsErrorStepAndTimeOfThePictureAtRest) {
 TEST(PictureStatusText, hasOneBadgeForWhatThePictureIs) {
   const auto badge = [](const PictureState& state) { return pictureStatusText(state, {}).badge; };
   PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
+  EXPECT_EQ(badge(state), QStringLiteral("○ nearly exact")) << "as far as an estimate can tell";
+  state.refines = true;
+  EXPECT_EQ(badge(state), QStringLiteral("◐ refining"));
+  state.refines = false;
+  state.sides[0].chance = ErrorByChance{1.0, 0.005, 0.6, chancePixels};
+  EXPECT_EQ(badge(state), QStringLiteral("○ nearly exact")) << "of one side pixels were drawn";
+  state.sides[1].measuredLevels = 0.5;
   EXPECT_EQ(badge(state), QStringLiteral("● exact to the screen"));
+  state.sides[0].chance.reset();
+  state.sides[1].measuredLevels.reset();
   state.sides[1].estimate->p99_9 = 1.1;
   state.refines = true;
   EXPECT_EQ(badge(state), QStringLiteral("◐ refining"));
