@@ -6,6 +6,10 @@
 #include <QObject>
 #include <QStringList>
 
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
 namespace limn {
 namespace {
 
@@ -36,19 +40,31 @@ QString unitIn(const Volume& volume) {
   return QString::fromStdString(volume.info().unit);
 }
 
-// "38 ± 12 HU"
-QString meanText(const EllipseFigures& figures, const Volume& volume) {
-  return QObject::tr("%1 ± %2").arg(valueText(figures.mean, {}, decimalsIn(volume)),
-                                    valueText(figures.deviation, unitIn(volume), decimalsIn(volume)));
-}
-
 QString ellipseText(const EllipseFigures& figures, const Volume& volume) {
-  return QStringLiteral("%1 · %2").arg(figures.voxels > 0 ? meanText(figures, volume)
-                                                          : QObject::tr("no voxels"),
+  return QStringLiteral("%1 · %2").arg(figures.voxels > 0
+                                           ? meanText(figures.mean, figures.deviation, figures.voxels, volume)
+                                           : QObject::tr("no voxels"),
                                        areaText(figures.areaMm2, volume));
 }
 
 } // namespace
+
+double valueStep(const Volume& volume) {
+  const auto isOfIntegers = [](const auto& stored) {
+    return std::is_integral_v<std::decay_t<decltype(*stored.begin())>>;
+  };
+  const double slope = std::abs(volume.rescale().slope);
+  return std::visit(isOfIntegers, volume.stored()) && slope > 0.0 ? slope
+                                                                  : std::pow(10.0, -decimalsIn(volume));
+}
+
+QString meanText(double mean, double deviation, std::size_t voxels, const Volume& volume) {
+  const int decimals = decimalsOfMean(valueStep(volume), deviation, voxels);
+  const QString unit = unitIn(volume);
+  const QString scatter = fixedNumber(deviation, decimals);
+  return QObject::tr("%1 ± %2").arg(fixedNumber(mean, decimals),
+                                    unit.isEmpty() ? scatter : scatter + QChar(0x00a0) + unit);
+}
 
 bool isSeenInPicture(const Measurement& measurement) {
   return measurement.isShown && measurement.kind != Measurement::Kind::ellipse;
@@ -86,7 +102,9 @@ QString measureValueText(const Measured& measured, const Volume& volume) {
 
 QString measureNoteText(const Measured& measured, const Volume& volume) {
   const QString name = cutName(givenName(measured));
-  const QString value = measureValueText(measured, volume);
+  const bool isNoAngle =
+      measured.measurement.kind == Measurement::Kind::angle && !angleDegrees(measured.measurement);
+  const QString value = isNoAngle ? QString() : measureValueText(measured, volume);
   return name.isEmpty() ? value : value.isEmpty() ? name : QStringLiteral("%1 · %2").arg(value, name);
 }
 

@@ -94,6 +94,11 @@ int decimalsFor(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
 }
 
+int decimalsOfMean(double step, double deviation, std::size_t count) {
+  const double known = std::max(step, deviation) / std::sqrt(static_cast<double>(count));
+  return std::min(decimalsFor(known), decimalsFor(step) + 1);
+}
+
 QString promisedLevels(double levels) {
   if (!(levels > 0.0) || std::isinf(levels))
     return levels > 0.0 ? QStringLiteral("∞") : QStringLiteral("0");

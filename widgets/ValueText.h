@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,11 @@ int decimalsOfSpan(double span);
 
 /// The decimals that tell apart two numbers `step` > 0 apart, 0..9.
 int decimalsFor(double step);
+
+/// The decimals with which mean and standard deviation of `count` > 0 numbers are read that lie `step` > 0
+/// apart: so many as tell means apart that chance does, which are known to a √count-th of the deviation or,
+/// where that is less, of the step; at most one more than the numbers themselves have.
+int decimalsOfMean(double step, double deviation, std::size_t count);
 
 /// A range for reading: "0 – 8".
 QString rangeText(double lowest, double highest, int decimals);

@@ -10,12 +10,11 @@
 
 #include <QApplication>
 
-#include <algorithm>
-
 namespace limn {
 
 CropBoxController::CropBoxController(WindowContext& context, const CropSection& section)
     : m_context(context), m_section(section),
+      m_unseen(context, [this](const Scene& s) { return isBegun(s); }),
       m_action(context.actions.add(
           QStringLiteral("cropBox"),
           {.text = tr("&Crop box"),
@@ -41,12 +40,6 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
     m_isEdited = !folded;
     show();
   });
-  connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
-    followScene(m_context.session.scene());
-    if (news.state.resting)
-      judge();
-  });
-  connect(&m_judging, &BackgroundWork::failed, this, [this] { m_context.view.setCropHidesNothing(false); });
   connect(qApp, &QApplication::focusChanged, this,
           [this](const QWidget*, const QWidget* now) { followFocus(now); });
 }
@@ -61,7 +54,7 @@ void CropBoxController::begin(bool isShown) {
     m_begun = Begun{scene.volume, around, nextGestureId()};
     m_context.view.setCropHidesNothing(true); // of the body alone; what lies beside it is hidden already
     m_context.session.setCrop(around, {m_begun->gesture, tr("crop box around the body")});
-  } else if (!isShown && m_begun && m_begun->volume == scene.volume && m_begun->crop == scene.crop) {
+  } else if (!isShown && isBegun(scene)) {
     // The same gesture: undo sees that nothing is left of it.
     m_context.session.setCrop({}, {m_begun->gesture, tr("crop box around the body")});
   }
@@ -69,41 +62,8 @@ void CropBoxController::begin(bool isShown) {
     m_begun.reset();
 }
 
-// Of another crop, or another volume, nothing is known, but that the box around the body hides nothing.
-void CropBoxController::followScene(const Scene& scene) {
-  if (m_judged.empty() || (m_judged.front().volume == scene.volume && m_judged.front().crop == scene.crop))
-    return;
-  m_judging.cancel();
-  m_judged.clear();
-  m_context.view.setCropHidesNothing(m_begun && m_begun->volume == scene.volume &&
-                                     m_begun->crop == scene.crop);
-}
-
-// Cameras and light change nothing of it. What lies on the disk is not read for it.
-void CropBoxController::judge() {
-  std::vector<Scene> sides = m_context.view.scenesOfSides();
-  for (Scene& side : sides) {
-    Scene seen;
-    seen.volume = side.volume;
-    seen.transferFunction = side.transferFunction;
-    seen.keep = side.keep;
-    seen.crop = side.crop;
-    seen.projection = side.projection;
-    seen.isovalue = side.isovalue;
-    side = seen;
-  }
-  if (sides == m_judged)
-    return;
-  m_judged = sides;
-  m_judging.cancel();
-  if (sides.empty() || !sides.front().volume || sides.front().crop == CropBox{} ||
-      sides.front().volume->room())
-    return m_context.view.setCropHidesNothing(false);
-  m_judging.start([this, sides](const Effort& effort) -> BackgroundWork::Deliver {
-    const bool hidesNothing =
-        std::ranges::all_of(sides, [&](const Scene& side) { return cropsOnlyUnseen(side, effort); });
-    return [this, hidesNothing] { m_context.view.setCropHidesNothing(hidesNothing); };
-  });
+bool CropBoxController::isBegun(const Scene& scene) const {
+  return m_begun && m_begun->volume == scene.volume && m_begun->crop == scene.crop;
 }
 
 bool CropBoxController::isShown() const {

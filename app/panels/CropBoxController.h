@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/panels/UnseenCrop.h"
 #include "scene/Scene.h"
-#include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 class QAction;
 class QWidget;
@@ -21,8 +20,7 @@ struct WindowContext;
 
 /// Shows the crop box in the picture while its action is checked, and while the crop section is used: on
 /// while one goes from there to its handles in the view. Where nothing is cropped yet and the body is known
-/// the action puts the box around that, and takes it back where nobody has moved it since. Once the picture
-/// rests it finds out, beside the event loop, whether what the box takes away would be seen.
+/// the action puts the box around that, and takes it back where nobody has moved it since.
 class CropBoxController : public QObject {
   Q_OBJECT
 
@@ -42,15 +40,13 @@ private:
 
   void show();
   void begin(bool isShown);
-  void followScene(const Scene& scene);
-  void judge();
+  bool isBegun(const Scene& scene) const; ///< it shows that box
   void followFocus(const QWidget* now);
 
   WindowContext& m_context;
   const CropSection& m_section;
   std::optional<Begun> m_begun;
-  std::vector<Scene> m_judged; ///< the sides of which it is known, or being found, what the crop hides
-  BackgroundWork m_judging;
+  UnseenCrop m_unseen;
   QAction* m_action;
   bool m_hidTurned = false; ///< the action, just now
   bool m_isEdited = false;  ///< in its section, or in the view since

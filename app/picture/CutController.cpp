@@ -96,7 +96,6 @@ CutController::CutController(WindowContext& context)
   connect(input, &ViewInput::pieceRequested, this, &CutController::pick);
   connect(input, &ViewInput::pieceNarrowed, this, &CutController::narrow);
   const PlaneDeck* planes = &context.planes;
-  connect(planes, &PlaneDeck::toolChanged, this, &CutController::takePlaneTool);
   connect(planes, &PlaneDeck::pieceRequested, this, &CutController::pickAt);
   connect(planes, &PlaneDeck::pieceNarrowed, this, &CutController::narrow);
   connect(planes, &PlaneDeck::lineClosed, this, &CutController::cutInSlice);
@@ -111,7 +110,7 @@ CutController::CutController(WindowContext& context)
     m_context.view.setTool(ViewTool::rotate);
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
-  context.keepClearOfMessages(*m_bar);
+  context.keepClear(*m_bar);
   m_bar->setDrawing([view = &context.view] { return view->input().cutLine().has_value(); });
   connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
     putDown();
@@ -120,27 +119,9 @@ CutController::CutController(WindowContext& context)
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
 
-// One tool that cuts is in hand everywhere, or nowhere.
 void CutController::showTool() {
   putDown();
   showBar();
-  const ViewTool tool = m_context.view.tool();
-  const PlaneTool before = m_context.planes.tool();
-  const PlaneTool wanted = tool == ViewTool::scissors ? PlaneTool::scissors
-                           : tool == ViewTool::piece  ? PlaneTool::piece
-                           : cuts(before)             ? PlaneTool::crosshair
-                                                      : before;
-  m_context.planes.setTool(wanted);
-}
-
-void CutController::takePlaneTool(PlaneTool tool) {
-  const ViewTool before = m_context.view.tool();
-  if (tool == PlaneTool::scissors)
-    m_context.view.setTool(ViewTool::scissors);
-  else if (tool == PlaneTool::piece)
-    m_context.view.setTool(ViewTool::piece);
-  else if (before == ViewTool::scissors || before == ViewTool::piece)
-    m_context.view.setTool(ViewTool::rotate);
 }
 
 void CutController::showBar() {

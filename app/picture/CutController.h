@@ -53,7 +53,6 @@ private:
   };
 
   void showTool();
-  void takePlaneTool(PlaneTool tool);
   void cutInSlice(PatientPlane plane, Scissors scissors);
   void cutAlong(const std::vector<glm::dvec2>& polygon, double aspect);
   void cut(const Scissors& scissors);

@@ -19,38 +19,29 @@ namespace limn {
 namespace {
 
 constexpr int measureTellsForMs = 6000;
-constexpr int leastHeightForBar = 240; // of the pictures, so that it is clear of their middle
+constexpr int leastHeightForBar =
+    400; // of the pictures, so that it is clear of the face where it lies upon them
 
 // What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
 bool isLedInSlices(const Measurement& measurement) {
   return measurement.plane && measurement.kind != Measurement::Kind::mark;
 }
 
-// What to do in the picture with its tool, or in slices with theirs.
-QString hintFor(std::optional<Measurement::Kind> inPicture, std::optional<Measurement::Kind> inSlices) {
+// What to do with the tool, which is in hand in the picture and in slices alike.
+QString hintFor(Measurement::Kind kind, bool hasSlices) {
   using Kind = Measurement::Kind;
-  if (inPicture)
-    switch (*inPicture) {
-    case Kind::distance:
-      return MeasureController::tr("Click both ends");
-    case Kind::angle:
-      return MeasureController::tr("Click end, corner and end");
-    case Kind::mark:
-      return MeasureController::tr("Click the place to mark");
-    case Kind::ellipse:
-      break; // which no picture has
-    }
-  switch (inSlices.value_or(Kind::ellipse)) {
+  switch (kind) {
   case Kind::distance:
-    return MeasureController::tr("In a slice, click both ends or drag");
+    return MeasureController::tr("Click both ends");
   case Kind::angle:
-    return MeasureController::tr("In a slice, click end, corner and end");
+    return MeasureController::tr("Click end, corner and end");
   case Kind::mark:
-    return MeasureController::tr("In a slice, click the place");
+    return MeasureController::tr("Click the place to mark");
   case Kind::ellipse:
-    break;
+    break; // which no picture has
   }
-  return MeasureController::tr("In a slice, drag from corner to corner or click both");
+  return hasSlices ? MeasureController::tr("In a slice, drag from corner to corner or click both")
+                   : MeasureController::tr("An ellipse is drawn in a slice; View ▸ Slices shows them.");
 }
 
 // While one is drawn: its next place, and how it ends. Nothing of what has but one.
@@ -69,16 +60,18 @@ QString nextHint(Measurement::Kind kind, std::size_t place) {
 MeasureController::MeasureController(WindowContext& context)
     : QObject(&context.window), m_context(context), m_bar(new HintBar(tr("Measuring"), &context.view)) {
   const ViewInput* input = &context.view.input();
-  connect(&context.planes, &PlaneDeck::measurementsEdited, this, &MeasureController::edit);
+  connect(&context.planes, &PlaneDeck::measurementsEdited, this, [this](const MeasurementsEdited& edited) {
+    m_open.reset(); // one is drawn at a time
+    edit(edited);
+  });
   connect(&context.session, &Session::measurementsChanged, this, &MeasureController::refresh);
   connect(&context.view, &CompareView::toolChanged, this, &MeasureController::showTool);
-  connect(&context.planes, &PlaneDeck::toolChanged, this, &MeasureController::showBar);
   connect(&context.session, &Session::planesChanged, this, &MeasureController::showBar);
   connect(m_bar, &HintBar::closeRequested, this, [this] {
     layAside();
     m_context.view.setFocus(); // the button that had the keyboard is gone
   });
-  context.keepClearOfMessages(*m_bar);
+  context.keepClear(*m_bar);
   m_bar->setDrawing([this] { return m_open.has_value(); });
   m_bar->setLeastHeight(leastHeightForBar);
   connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
@@ -116,8 +109,6 @@ MeasureController::MeasureController(WindowContext& context)
 }
 
 void MeasureController::layAside() {
-  if (kindOf(m_context.planes.tool()))
-    m_context.planes.setTool(PlaneTool::crosshair);
   if (kindOf(m_context.view.tool()))
     m_context.view.setTool(ViewTool::rotate);
 }
@@ -208,11 +199,7 @@ void MeasureController::goTo(std::size_t number) {
 }
 
 void MeasureController::useTool(Measurement::Kind kind) {
-  m_context.planes.setTool(toolOf(kind));
-  if (const std::optional<ViewTool> tool = viewToolOf(kind))
-    m_context.view.setTool(*tool);
-  else if (m_context.session.planes().layout == PlaneLayout::pictureOnly)
-    say(tr("An ellipse is drawn in a slice; View ▸ Slices shows them."));
+  m_context.view.setTool(viewToolOf(kind));
 }
 
 void MeasureController::remove() {
@@ -228,22 +215,23 @@ void MeasureController::showTool() {
   showBar();
 }
 
+bool MeasureController::hasSlices() const {
+  return m_context.session.planes().layout != PlaneLayout::pictureOnly;
+}
+
 void MeasureController::showBar() {
-  const bool hasSlices = m_context.session.planes().layout != PlaneLayout::pictureOnly;
-  const std::optional<Measurement::Kind> inPicture = kindOf(m_context.view.tool());
-  const std::optional<Measurement::Kind> inSlices =
-      hasSlices ? kindOf(m_context.planes.tool()) : std::nullopt;
-  if (!m_volume || (!inPicture && !inSlices)) {
+  const std::optional<Measurement::Kind> kind = kindOf(m_context.view.tool());
+  if (!m_volume || !kind) {
     sayNext({});
     return m_bar->putAway();
   }
-  const QString hint = hintFor(inPicture, inSlices);
+  const QString hint = hintFor(*kind, hasSlices());
   if (m_bar->isOut() && m_bar->hint() == hint) // slices are scrolled
     return m_bar->lookAgain();
   m_bar->showHint(hint,
                   tr("What was measured is led by its ends and goes with Delete; a drag over the picture "
                      "rotates it. Esc takes back what is begun, then lays the tool aside."));
-  if (m_context.view.height() < leastHeightForBar)
+  if (!m_bar->hasRoom())
     say(hint);
 }
 
@@ -262,11 +250,15 @@ void MeasureController::pick(const Ray& ray, int side) {
   const std::optional<Measurement::Kind> kind = kindOf(m_context.view.tool());
   if (!kind || !m_volume)
     return;
+  if (*kind == Measurement::Kind::ellipse)
+    return say(hintFor(*kind, hasSlices()));
   const std::optional<glm::dvec3> place = placeSeen(ray, side);
   if (!place)
     return;
-  if (!m_open)
+  if (!m_open) {
+    m_context.planes.setTool(toolOf(*kind)); // takes back what was begun in a slice
     m_open = Measurement{*kind, std::nullopt, {}};
+  }
   m_open->placesMm.push_back(*place);
   if (m_open->placesMm.size() < placesOf(*kind)) {
     sayNext(nextHint(*kind, m_open->placesMm.size()));

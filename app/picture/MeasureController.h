@@ -33,7 +33,7 @@ public slots:
   void edit(const limn::MeasurementsEdited& edited);
   /// Takes one in hand and leads the crosshair to it.
   void goTo(std::size_t number);
-  /// The left button measures so from now on, in slices and, but for ellipses, in the picture.
+  /// The left button measures so from now on, in the picture and in slices; ellipses in these alone.
   void useTool(limn::Measurement::Kind kind);
 
 signals:
@@ -48,6 +48,7 @@ private:
   std::vector<Measurement> placed() const;
   void showTool();
   void showBar();
+  bool hasSlices() const;
   void layAside(); ///< the tools that measure
   void remove();
   void pick(const Ray& ray, int side);

@@ -5,6 +5,7 @@
 #include "app/window/WindowContext.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/overlay/LabelReading.h"
@@ -39,6 +40,23 @@ QString probeText(const Probe& probe, const VolumeInfo& info) {
     places << placeText(probe.positionMm[axis], axis, info.orientationKnown);
   return QObject::tr("%1 at cursor · %2 mm")
       .arg(valueText(probe.value, unit, unit.isEmpty() ? 2 : 0), places.join(QStringLiteral(", ")));
+}
+
+// The tool that does the same in slices, or in the picture.
+std::optional<PlaneTool> sharedTool(ViewTool tool) {
+  if (const std::optional<Measurement::Kind> kind = kindOf(tool))
+    return toolOf(*kind);
+  return tool == ViewTool::scissors ? std::optional(PlaneTool::scissors)
+         : tool == ViewTool::piece  ? std::optional(PlaneTool::piece)
+                                    : std::nullopt;
+}
+
+std::optional<ViewTool> sharedTool(PlaneTool tool) {
+  if (const std::optional<Measurement::Kind> kind = kindOf(tool))
+    return viewToolOf(*kind);
+  return tool == PlaneTool::scissors ? std::optional(ViewTool::scissors)
+         : tool == PlaneTool::piece  ? std::optional(ViewTool::piece)
+                                     : std::nullopt;
 }
 
 } // namespace
@@ -80,6 +98,7 @@ PictureArea::PictureArea(WindowContext& context)
       m_regions(context), m_cuts(context), m_orientation(context), m_views(context, m_orientation.menu()),
       m_crosshair(context), m_turnedBox(context), m_planes(context), m_measures(context), m_menu(context) {
   addTools();
+  shareTools();
   addCopying();
   const CompareView* view = &context.view;
   connect(view, &CompareView::windowLevelEdited, &context.session, &Session::setTransferFunction);
@@ -144,6 +163,7 @@ void PictureArea::addTools() {
   add(ViewTool::distance, "distance", tr("Distance"), tr("D"), tr("clicks set both ends, a drag rotates"));
   add(ViewTool::angle, "angle", tr("Angle"), tr("G"),
       tr("clicks set an end, the corner and the other end, a drag rotates"));
+  add(ViewTool::ellipse, "ellipse", tr("Ellipse"), tr("E"), tr("drawn in a slice; a drag rotates"));
   add(ViewTool::mark, "mark", tr("Mark"), tr("N"), tr("a click marks a place, a drag rotates"));
   m_context.actions.addToolMenu(measuring.front(), measuring);
   checkOnly(*m_tools, static_cast<int>(ViewTool::rotate));
@@ -152,6 +172,24 @@ void PictureArea::addTools() {
   });
   connect(&m_context.view, &CompareView::toolChanged, this,
           [this](ViewTool tool) { checkOnly(*m_tools, static_cast<int>(tool)); });
+}
+
+// One tool that cuts or measures is in hand everywhere, or nowhere: a click in the other place would be lost.
+void PictureArea::shareTools() {
+  CompareView* view = &m_context.view;
+  PlaneDeck* planes = &m_context.planes;
+  connect(view, &CompareView::toolChanged, planes, [planes](ViewTool tool) {
+    if (const std::optional<PlaneTool> same = sharedTool(tool))
+      planes->setTool(*same);
+    else if (sharedTool(planes->tool()))
+      planes->setTool(PlaneTool::crosshair);
+  });
+  connect(planes, &PlaneDeck::toolChanged, view, [view](PlaneTool tool) {
+    if (const std::optional<ViewTool> same = sharedTool(tool))
+      view->setTool(*same);
+    else if (sharedTool(view->tool()))
+      view->setTool(ViewTool::rotate);
+  });
 }
 
 void PictureArea::addCopying() {

@@ -72,6 +72,7 @@ signals:
 
 private:
   void addTools();
+  void shareTools();
   void addCopying();
   void copyPicture();
   void showScene(const Scene& scene);

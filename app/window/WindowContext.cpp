@@ -8,6 +8,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/HintBar.h"
 
 #include <QFileInfo>
@@ -95,7 +96,18 @@ MakingOptions WindowContext::drawnLikeTheView() const {
   return order;
 }
 
-void WindowContext::keepClearOfMessages(HintBar& bar) const {
+void WindowContext::keepClear(HintBar& bar) const {
+  bar.setWritten([&seen = view] {
+    OverlaySource source{seen.order(), seen.pictureState()};
+    source.comparison.measures.clear(); // keep clear of it, and not the other way round
+    source.cutLine.reset();
+    if (!source.comparison.scene.volume)
+      return std::vector<QRectF>();
+    std::vector<QRectF> places = writtenPlaces(overlayOf(source));
+    if (source.lowest() < seen.height()) // a panel, such as one that tells how far loading is
+      places.emplace_back(0.0, source.lowest(), seen.width(), seen.height() - source.lowest());
+    return places;
+  });
   const std::array<MessageBar*, 6> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages};
   bar.setCoveredBelow([&seen = view, bars] {
     int covered = 0;

@@ -82,8 +82,9 @@ struct WindowContext {
   /// Pictures for files are drawn by whoever draws the window.
   MakingOptions drawnLikeTheView() const;
 
-  /// Has a bar of the view stand above the messages over its lower edge.
-  void keepClearOfMessages(HintBar& bar) const;
+  /// Has a bar of the view keep clear of what is written over its lower edge, and stand above the messages
+  /// where it has no room beside that.
+  void keepClear(HintBar& bar) const;
 
   /// Says what went wrong in the bar above the picture.
   void showError(const QString& sentence) const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/Waiting.h"
 #include "widgets/FindWidget.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
@@ -12,9 +13,12 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QTest>
+#include <QTimer>
+#include <QToolTip>
 
 #include <gtest/gtest.h>
 
@@ -125,6 +129,44 @@ TEST(NumberField, refusesWhatDoesNotFitWithASentenceAndKeepsTheNumberBefore) {
   }
   QTest::keyClicks(&field, QStringLiteral("1"));
   EXPECT_TRUE(field.refusal().isEmpty()) << "once something else is typed";
+}
+
+// The number before is back: a red edge would say that it is wrong.
+TEST(NumberField, isNotRedOnceItIsLeft) {
+  QWidget window;
+  auto* row = new QHBoxLayout(&window);
+  auto* field = new NumberField(0.0, 1.0, 4);
+  auto* next = new NumberField(0.0, 1.0, 4);
+  for (NumberField* one : {field, next})
+    row->addWidget(one);
+  window.show();
+  ASSERT_TRUE(test::waitUntilExposed(window));
+  window.activateWindow();
+  ASSERT_TRUE(test::waitUntil([&] { return window.isActiveWindow(); }));
+  const auto isRed = [&] {
+    const QImage seen = field->grab().toImage();
+    const QColor edge = seen.pixelColor(seen.width() / 2, 1);
+    return edge.red() > edge.green() + 60;
+  };
+  field->setFocus();
+  EXPECT_FALSE(typedInto(*field, QStringLiteral("10")).refusal.isEmpty());
+  EXPECT_TRUE(isRed());
+  QTest::keyClick(field, Qt::Key_Tab);
+  ASSERT_TRUE(next->hasFocus());
+  EXPECT_FALSE(isRed());
+  EXPECT_TRUE(field->refusal().isEmpty() && field->accessibleDescription().isEmpty());
+  // Left with what is refused it says so, and is red as long as its sentence stands.
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, QStringLiteral("10"));
+  QTest::keyClick(field, Qt::Key_Tab);
+  ASSERT_TRUE(next->hasFocus());
+  EXPECT_TRUE(isRed());
+  EXPECT_TRUE(test::waitUntil([] { return QToolTip::text().contains(QStringLiteral("from 0 to 1")); }));
+  auto* stands = field->findChild<QTimer*>(QStringLiteral("refusalStands"));
+  ASSERT_TRUE(stands->isActive());
+  stands->start(0); // not the eight seconds of its sentence
+  EXPECT_TRUE(test::waitUntil([&] { return !isRed(); }));
 }
 
 TEST(NumberField, takesPerCentWhereThatIsMeant) {

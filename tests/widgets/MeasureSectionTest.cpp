@@ -2,6 +2,7 @@
 #include "widgets/properties/MeasureSection.h"
 
 #include "scene/volume/Phantom.h"
+#include "widgets/ValueText.h"
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -120,6 +121,30 @@ TEST_F(MeasureSectionTest, buttonsAskForTools) {
     QTest::mouseClick(button, Qt::LeftButton);
   }
   EXPECT_EQ(asked, std::vector<Kind>(measurementKinds.begin(), measurementKinds.end()));
+}
+
+// As many as the voxels carry: of 8 bits values have none, their mean may.
+TEST(MeasureText, meanAndDeviationHaveTheDigitsThatTheVoxelsCarry) {
+  Grid grid;
+  grid.dims = {2, 1, 1};
+  const auto text = [&](auto stored, double slope, double mean, double deviation, std::size_t voxels) {
+    const Volume volume(grid, std::move(stored), Rescale{slope, 0.0}, std::nullopt, {});
+    return plain(meanText(mean, deviation, voxels, volume));
+  };
+  const std::vector<std::uint8_t> bytes{0, 255};
+  EXPECT_EQ(text(bytes, 1.0, 38.23, 0.74, 1), QStringLiteral("38 ± 1"));
+  EXPECT_EQ(text(bytes, 1.0, 38.23, 0.74, 60), QStringLiteral("38.2 ± 0.7")) << "of 60 within 1/8";
+  EXPECT_EQ(text(bytes, 1.0, 38.0, 0.0, 60), QStringLiteral("38.0 ± 0.0"));
+  EXPECT_EQ(text(bytes, 1.0, 38.23, 12.24, 60), QStringLiteral("38 ± 12")) << "of 60 within 1.6";
+  EXPECT_EQ(text(bytes, 1.0, 38.23, 12.24, 100000), QStringLiteral("38.2 ± 12.2"))
+      << "one more than values have";
+  EXPECT_EQ(text(bytes, 0.01, 0.3823, 0.0074, 60), QStringLiteral("0.382 ± 0.007"));
+  EXPECT_EQ(text(std::vector<std::int16_t>{-1024, 3071}, 1.0, -38.23, 0.74, 60),
+            QString(QChar(0x2212)) + QStringLiteral("38.2 ± 0.7"));
+  EXPECT_EQ(text(std::vector<float>{0.0f, 1.0f}, 1.0, 0.38234, 0.00741, 60),
+            QStringLiteral("0.3823 ± 0.0074"));
+  EXPECT_EQ(decimalsOfMean(1.0, 0.0, 1), 0);
+  EXPECT_EQ(decimalsOfMean(0.5, 0.0, 100), 2);
 }
 
 TEST(MeasureText, lengthsOfAnUnknownSpacingAreVoxels) {

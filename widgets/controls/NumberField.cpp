@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -29,7 +30,8 @@ QString withHyphen(QString text) {
 } // namespace
 
 NumberField::NumberField(double lowest, double highest, int decimals, QWidget* parent)
-    : QDoubleSpinBox(parent) {
+    : QDoubleSpinBox(parent), m_refusalStands(new QTimer(this)) {
+  m_refusalStands->setObjectName(QStringLiteral("refusalStands"));
   setDecimals(decimals);
   setRange(lowest, highest);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -39,6 +41,9 @@ NumberField::NumberField(double lowest, double highest, int decimals, QWidget* p
   setNumber(std::clamp(0.0, lowest, highest));
   connect(this, &QAbstractSpinBox::editingFinished, this, &NumberField::reportIfChanged);
   connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::forgetRefusal);
+  m_refusalStands->setSingleShot(true);
+  m_refusalStands->setInterval(refusalMs);
+  connect(m_refusalStands, &QTimer::timeout, this, &NumberField::forgetRefusal);
 }
 
 void NumberField::setLimits(double lowest, double highest, int decimals) {
@@ -176,6 +181,7 @@ void NumberField::forgetRefusal() {
   if (m_refusal.isEmpty())
     return;
   m_refusal.clear();
+  m_refusalStands->stop();
   setAccessibleDescription({});
   update();
 }
@@ -207,6 +213,16 @@ void NumberField::wheelEvent(QWheelEvent* event) {
     event->ignore(); // so that scrolling a panel changes nothing on the way
 }
 
+// What it is left with may be refused right now: that is seen for a while. What was refused before is over.
+void NumberField::focusOutEvent(QFocusEvent* event) {
+  const bool wasRefused = !m_refusal.isEmpty();
+  QDoubleSpinBox::focusOutEvent(event);
+  if (wasRefused)
+    forgetRefusal();
+  else if (!m_refusal.isEmpty())
+    m_refusalStands->start();
+}
+
 void NumberField::reportIfChanged() {
   lineEdit()->setModified(false);
   // The display rounds: an untouched field must not replace the exact number by its rounding.
@@ -221,8 +237,11 @@ void NumberField::reportIfChanged() {
 }
 
 void sayRefusal(QWidget& field, const QString& sentence) {
-  if (field.isVisible())
-    QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), sentence, &field, {}, refusalMs);
+  // Once the focus has gone where it is going: that hides every tip.
+  QTimer::singleShot(0, &field, [&field, sentence] {
+    if (field.isVisible())
+      QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), sentence, &field, {}, refusalMs);
+  });
 }
 
 void paintRefusedEdge(QPainter& painter, const QRectF& field) {

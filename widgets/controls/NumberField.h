@@ -6,13 +6,15 @@
 #include <optional>
 
 class QPainter;
+class QTimer;
 
 namespace limn {
 
 /// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It
 /// keeps the exact number it was given, whatever it rounds for display, and shows no trailing zeros. It
 /// writes the real minus sign, and reads that and the hyphen of a keyboard. A number that does not fit is
-/// refused with a red edge and a sentence that says what fits; the one before stays.
+/// refused with a red edge and a sentence that says what fits; the one before stays. The edge goes with the
+/// focus, or where that is refused which a field is left with, as the sentence does.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -44,7 +46,7 @@ public:
   /// "10 %" means 0.1.
   void setTakesPercent(bool takes) { m_takesPercent = takes; }
 
-  /// Why the last number was refused; empty once another is typed.
+  /// Why the last number was refused; empty once another is typed, or the field is left alone.
   const QString& refusal() const { return m_refusal; }
 
   void stepBy(int steps) override;
@@ -60,6 +62,7 @@ signals:
 protected:
   bool event(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
@@ -74,6 +77,7 @@ private:
   double m_number = 0.0;
   bool m_takesPercent = false;
   QString m_refusal;
+  QTimer* m_refusalStands;            ///< in a field that was left with what is refused
   std::optional<QString> m_leastText; ///< where it is as wide as its numbers
   QString (*m_write)(double) = nullptr;
 };

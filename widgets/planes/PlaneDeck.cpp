@@ -5,6 +5,7 @@
 #include "widgets/planes/PlaneView.h"
 #include "widgets/theme/Theme.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -148,6 +149,15 @@ void PlaneDeck::arrange() {
 void PlaneDeck::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   arrange();
+}
+
+// Of keys that the picture, or the row above the slices, leaves: tools of slices are taken from there, too.
+void PlaneDeck::keyPressEvent(QKeyEvent* event) {
+  const Qt::KeyboardModifiers others = event->modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+  const std::optional<PlaneTool> tool = toolOfKey(event->key());
+  if (!m_content.volume || others != Qt::NoModifier || !tool)
+    return QWidget::keyPressEvent(event);
+  setTool(*tool);
 }
 
 // What shows between the places.

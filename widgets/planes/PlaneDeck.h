@@ -54,6 +54,7 @@ signals:
 protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
 private:
   PlaneLayout shownLayout() const;

@@ -7,6 +7,7 @@
 #include <QLineF>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace limn {
@@ -128,6 +129,13 @@ std::optional<Measurement::Kind> kindOf(PlaneTool tool) {
 
 PlaneTool toolOf(Measurement::Kind kind) {
   return static_cast<PlaneTool>(static_cast<int>(PlaneTool::distance) + static_cast<int>(kind));
+}
+
+std::optional<PlaneTool> toolOfKey(int key) {
+  constexpr std::array keys{Qt::Key_C, Qt::Key_W, Qt::Key_X, Qt::Key_K,
+                            Qt::Key_D, Qt::Key_G, Qt::Key_E, Qt::Key_N}; // in the order of PlaneTool
+  const auto found = std::ranges::find(keys, key);
+  return found == keys.end() ? std::nullopt : std::optional(static_cast<PlaneTool>(found - keys.begin()));
 }
 
 std::optional<MeasureHandle> handleTaken(const PlaneContent& content, PatientPlane plane,

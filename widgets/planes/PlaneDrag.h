@@ -58,6 +58,9 @@ bool cuts(PlaneTool tool);
 std::optional<Measurement::Kind> kindOf(PlaneTool tool);
 PlaneTool toolOf(Measurement::Kind kind);
 
+/// The tool that a key takes, with the keyboard in a slice or beside it: C, W, X, K, D, G, E, N.
+std::optional<PlaneTool> toolOfKey(int key);
+
 /// Of a click the pointer moves by less than this, logical pixels.
 inline constexpr double shortestDrag = 3.0;
 

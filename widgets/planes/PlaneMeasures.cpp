@@ -87,7 +87,7 @@ Measurement withHandleAt(Measurement measurement, std::size_t handle, const glm:
   std::vector<glm::dvec3>& places = measurement.placesMm;
   places[handle] = placeMm;
   if (isNew && measurement.kind == Measurement::Kind::angle && handle == 1)
-    places[2] = places[1] + glm::cross(axesOf(*measurement.plane).forward, places[0] - places[1]);
+    places[2] = placeMm;
   return measurement;
 }
 

@@ -26,7 +26,7 @@ Measurement begunAt(Measurement::Kind kind, PatientPlane plane, const glm::dvec3
                     const std::vector<Measured>& others);
 
 /// The same measurement with a handle led to a place in its plane. While the corner of an angle is led that
-/// has no second leg yet (`isNew`), that leg stands upright on the first.
+/// has no second leg yet (`isNew`), its other end goes along: it is no angle before it has three places.
 Measurement withHandleAt(Measurement measurement, std::size_t handle, const glm::dvec3& placeMm, bool isNew);
 
 } // namespace limn

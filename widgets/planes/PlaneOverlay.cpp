@@ -2,6 +2,7 @@
 #include "widgets/planes/PlaneOverlay.h"
 
 #include "planes/PlaneGrid.h"
+#include "widgets/MeasureText.h"
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/planes/PlaneMeasures.h"
 #include "widgets/view/overlay/OverlayParts.h"
@@ -78,11 +79,9 @@ void addLetters(PlaneOverlay& overlay, const PlaneContent& content, const PlaneA
     overlay.notes.push_back(note);
     return;
   }
-  LetterMarks marks = letterMarks(
+  overlay.letters = letterMarks(
       {lettersOf(-axes.right), lettersOf(axes.right), lettersOf(-axes.down), lettersOf(axes.down)},
       {view, column.front(), besideLine(view.center().y(), overlay.crosshair.y())}, overlay.font, plates);
-  marks.onPlates = true; // bone is as bright as they are
-  overlay.letters = marks;
 }
 
 // What texts beside measurements keep clear of.
@@ -150,6 +149,18 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   overlay.measures =
       placedMeasures(measureShapes(content, plane, frame), font, overlay.view, platesOf(overlay));
   return overlay;
+}
+
+QString planeToolTip(const PlaneOverlay& overlay, const PlaneContent& content, const QPointF& point) {
+  QString tip;
+  for (const Note& note : overlay.notes)
+    if (note.plate.contains(point) && note.text != note.whole)
+      tip = note.whole;
+  for (const MeasureMark& mark : overlay.measures)
+    if (mark.note && mark.note->plate.contains(point))
+      tip = measureDetails(content.measured[mark.shape.number], *content.volume);
+  return tip.isEmpty() ? tip
+                       : QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(tip.toHtmlEscaped());
 }
 
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {

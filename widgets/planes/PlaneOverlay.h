@@ -32,6 +32,10 @@ struct PlaneOverlay {
 PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const PlaneFrame& frame,
                           const QSizeF& size, const QFont& font);
 
+/// What a tool tip says at a point: all of a note that is shortened, and all that is known of a measurement
+/// whose text lies there; empty for nothing.
+QString planeToolTip(const PlaneOverlay& overlay, const PlaneContent& content, const QPointF& point);
+
 /// Paints it in the logical pixels of the view.
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay);
 

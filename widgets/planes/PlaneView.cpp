@@ -11,9 +11,11 @@
 #include "widgets/view/panels/FocusRing.h"
 
 #include <QContextMenuEvent>
+#include <QHelpEvent>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <chrono>
@@ -129,6 +131,15 @@ void PlaneView::describe() {
     return;
   setAccessibleDescription(description);
   tellPlaneMoved(*this);
+}
+
+bool PlaneView::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || !m_content.volume)
+    return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const PlaneOverlay overlay = planeOverlay(m_content, m_plane, frame(), size(), font());
+  QToolTip::showText(help->globalPos(), planeToolTip(overlay, m_content, help->pos()), this);
+  return true;
 }
 
 void PlaneView::paintEvent(QPaintEvent*) {
@@ -263,14 +274,15 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   return !m_drag || !m_drag->isLoose;
 }
 
-// Takes back what was clicked once, but for an angle with a leg. Tells whether anything was taken back.
+// Takes back what was clicked once, but for an angle with both legs. Tells whether anything was taken back.
 bool PlaneView::endLooseDrag() {
   if (!m_drag || !m_drag->isLoose)
     return false;
   const PlaneDrag drag = *std::exchange(m_drag, std::nullopt);
-  if (drag.measurements.back().kind == Measurement::Kind::angle && drag.handle.place == 2) {
-    emit measurementsEdited(
-        {measurementsOf(m_content.measured), m_content.inHand, drag.gesture}); // it is over
+  const std::vector<Measured>& now = m_content.measured;
+  if (drag.handle.place == 2 && drag.handle.number < now.size() &&
+      angleDegrees(now[drag.handle.number].measurement)) {
+    emit measurementsEdited({measurementsOf(now), m_content.inHand, drag.gesture}); // it is over
     return false;
   }
   emit measurementsEdited(measuredBefore(drag));
@@ -338,6 +350,10 @@ bool PlaneView::obey(int key, bool isFast) {
     return true;
   if (moveByKey(key, isFast ? fastSlices : 1))
     return true;
+  if (const std::optional<PlaneTool> tool = toolOfKey(key)) {
+    emit toolRequested(*tool);
+    return true;
+  }
   switch (key) {
   case Qt::Key_Plus:
   case Qt::Key_Equal:
@@ -349,30 +365,6 @@ bool PlaneView::obey(int key, bool isFast) {
   case Qt::Key_F:
     m_zoom.reset();
     look();
-    return true;
-  case Qt::Key_C:
-    emit toolRequested(PlaneTool::crosshair);
-    return true;
-  case Qt::Key_W:
-    emit toolRequested(PlaneTool::windowLevel);
-    return true;
-  case Qt::Key_X:
-    emit toolRequested(PlaneTool::scissors);
-    return true;
-  case Qt::Key_K:
-    emit toolRequested(PlaneTool::piece);
-    return true;
-  case Qt::Key_D:
-    emit toolRequested(PlaneTool::distance);
-    return true;
-  case Qt::Key_G:
-    emit toolRequested(PlaneTool::angle);
-    return true;
-  case Qt::Key_E:
-    emit toolRequested(PlaneTool::ellipse);
-    return true;
-  case Qt::Key_N:
-    emit toolRequested(PlaneTool::mark);
     return true;
   case Qt::Key_Escape:
     if (!m_drag && m_tool == PlaneTool::crosshair)

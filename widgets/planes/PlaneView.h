@@ -68,6 +68,7 @@ signals:
   void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);
 
 protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

@@ -4,6 +4,7 @@
 #include "scene/LabelLooks.h"
 #include "scene/basics/Error.h"
 #include "scene/regions/BodyAndLabels.h"
+#include "widgets/MeasureText.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/theme/Theme.h"
@@ -54,8 +55,8 @@ QString figuresText(const LabelFigures& figures, const Volume& volume) {
   const int decimals = decimalsOfSpan(volume.range().highest - volume.range().lowest);
   const QString unit = QString::fromStdString(volume.info().unit);
   const auto number = [&](double value) { return valueText(value, {}, decimals); };
-  return LabelTable::tr("%1 · %2 ± %3 · %4 – %5")
-      .arg(size, number(figures.mean), valueText(figures.deviation, unit, decimals), number(figures.lowest),
+  return LabelTable::tr("%1 · %2 · %3 – %4")
+      .arg(size, meanText(figures.mean, figures.deviation, figures.voxels, volume), number(figures.lowest),
            valueText(figures.highest, unit, decimals));
 }
 

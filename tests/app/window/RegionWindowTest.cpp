@@ -60,6 +60,27 @@ protected:
     return {};
   }
 
+  // All of the head, from such a side and, by its scale, so small that a box around it is seen, too.
+  [[nodiscard]] bool showHeadObliquely(double scale = 0.3) {
+    if (!open(pathTo("head.nrrd")))
+      return false;
+    setLayout(CompareLayout::single);
+    bodyOnly().trigger(); // all is kept
+    session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), scale));
+    return rest();
+  }
+  void turnBox() { window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger(); }
+  void expectBox(const TurnedBox& box, const char* when) const {
+    ASSERT_TRUE(turned) << when;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(turned->crop.lower[axis], box.crop.lower[axis], 1e-9) << when; // of a box found again
+      EXPECT_NEAR(turned->crop.upper[axis], box.crop.upper[axis], 1e-9) << when;
+      EXPECT_NEAR(glm::length(turned->grid.direction[axis] - box.grid.direction[axis]), 0.0, 1e-9) << when;
+    }
+  }
+
+  const std::optional<TurnedBox>& turned = window->view().order().comparison.turnedBox;
+
   // By its handle, so many of the window's pixels, in the first picture.
   void dragFace(const CropFace& face, const QPoint& by) {
     const TurnedBox box = boxOver(view().order().comparison);
@@ -333,14 +354,9 @@ TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
 }
 
 TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  setLayout(CompareLayout::single);
-  bodyOnly().trigger();                                                // all is kept
-  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3)); // all of a box around it is seen
-  ASSERT_TRUE(rest());
+  ASSERT_TRUE(showHeadObliquely());
   const int steps = undo().count();
-  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
-  const auto& turned = view().order().comparison.turnedBox;
+  turnBox();
   ASSERT_TRUE(turned);
   EXPECT_TRUE(view().cropBoxIsVisible());
   EXPECT_EQ(undo().count(), steps) << "it takes nothing away yet";
@@ -382,14 +398,29 @@ TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   EXPECT_FALSE(turned) << "the box is the crop's again";
 }
 
+// Around a head that fills the picture its sides lie beyond the edges, and are seen there from within.
+TEST_F(RegionWindow, aTurnedBoxThatIsLargerThanThePictureIsHeldWhereItsSidesAreSeen) {
+  ASSERT_TRUE(showHeadObliquely(1.0));
+  turnBox();
+  ASSERT_TRUE(turned);
+  const QRectF picture = view().logicalRect(0);
+  const ViewProjection projection = viewProjection(scene().camera, picture);
+  int beyond = 0;
+  for (const CropHandle& handle : cropBoxShape(turned->crop, turned->grid, projection).handles) {
+    EXPECT_TRUE(picture.adjusted(11.9, 11.9, -11.9, -11.9).contains(handle.centre))
+        << handle.face.axis << handle.face.isUpper;
+    beyond += !picture.contains(*pixelOf(projection, faceCentre(turned->crop, turned->grid, handle.face)));
+  }
+  EXPECT_GE(beyond, 1) << "or nothing is tried";
+  dragFace({2, false}, {0, -60});
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.cuts.size(), 1u);
+  EXPECT_GT(turned.value().crop.lower.z, 0.0);
+}
+
 TEST_F(RegionWindow, aTurnedBoxThatUndoHasEndedComesBackWithRedo) {
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  setLayout(CompareLayout::single);
-  bodyOnly().trigger();
-  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3));
-  ASSERT_TRUE(rest());
-  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
-  const auto& turned = view().order().comparison.turnedBox;
+  ASSERT_TRUE(showHeadObliquely());
+  turnBox();
   dragFace({2, true}, {0, 60});
   ASSERT_TRUE(ready());
   const TurnedBox cut = turned.value();
@@ -398,11 +429,7 @@ TEST_F(RegionWindow, aTurnedBoxThatUndoHasEndedComesBackWithRedo) {
   ASSERT_FALSE(turned) << "the box is the crop's again";
   undo().redo();
   ASSERT_TRUE(ready());
-  ASSERT_TRUE(turned);
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(turned->crop.lower[axis], cut.crop.lower[axis], 1e-9); // of a box found again
-    EXPECT_NEAR(turned->crop.upper[axis], cut.crop.upper[axis], 1e-9);
-  }
+  expectBox(cut, "and forth again");
   // Put away it stays so.
   window->findChild<QAction*>(QStringLiteral("cropBox"))->trigger();
   undo().undo();
@@ -425,13 +452,8 @@ TEST_F(RegionWindow, theLinesOfATurnedBoxAreToldApartInTheList) {
 
 // It is kept as lines, so it is found again in them: by undo, once it was put away, in a session.
 TEST_F(RegionWindow, aTurnedBoxComesBackAsLongAsItsCutsAreTheLast) {
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  setLayout(CompareLayout::single);
-  bodyOnly().trigger();
-  session().setCamera(zoomed(orbited(scene().camera, 0.5, 0.4), 0.3));
-  ASSERT_TRUE(rest());
-  window->findChild<QAction*>(QStringLiteral("turnCropBox"))->trigger();
-  const auto& turned = view().order().comparison.turnedBox;
+  ASSERT_TRUE(showHeadObliquely());
+  turnBox();
   dragFace({2, true}, {0, 60});
   ASSERT_TRUE(ready());
   ASSERT_EQ(scene().keep.cuts.size(), 1u);
@@ -440,14 +462,6 @@ TEST_F(RegionWindow, aTurnedBoxComesBackAsLongAsItsCutsAreTheLast) {
   ASSERT_TRUE(ready());
   const TurnedBox twice = turned.value();
   ASSERT_NE(once.crop, twice.crop);
-  const auto expectBox = [&](const TurnedBox& box, const char* when) {
-    ASSERT_TRUE(turned) << when;
-    for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_NEAR(turned->crop.lower[axis], box.crop.lower[axis], 1e-9) << when; // of a box found again
-      EXPECT_NEAR(turned->crop.upper[axis], box.crop.upper[axis], 1e-9) << when;
-      EXPECT_NEAR(glm::length(turned->grid.direction[axis] - box.grid.direction[axis]), 0.0, 1e-9) << when;
-    }
-  };
   undo().undo();
   ASSERT_TRUE(ready());
   expectBox(once, "one step back");

@@ -207,15 +207,43 @@ TEST_F(SliceCutWindow, cornersAreClickedAndTheLineGoesWithItsSlice) {
   EXPECT_EQ(planeTool(), PlaneTool::scissors) << "Esc takes the line, then the tool";
 }
 
-TEST_F(SliceCutWindow, anotherToolInThePictureLeavesTheSlicesTheirs) {
-  press(view(), Qt::Key_X);
-  EXPECT_EQ(planeTool(), PlaneTool::scissors);
-  press(view(), Qt::Key_D);
-  EXPECT_EQ(planeTool(), PlaneTool::crosshair);
-  press(axial(), Qt::Key_D);
-  EXPECT_EQ(planeTool(), PlaneTool::distance);
+// A click in the other place would be lost.
+TEST_F(SliceCutWindow, aToolThatCutsOrMeasuresIsInHandEverywhereOrNowhere) {
+  const std::vector<std::tuple<Qt::Key, ViewTool, PlaneTool>> shared{
+      {Qt::Key_X, ViewTool::scissors, PlaneTool::scissors},
+      {Qt::Key_D, ViewTool::distance, PlaneTool::distance},
+      {Qt::Key_K, ViewTool::piece, PlaneTool::piece},
+      {Qt::Key_G, ViewTool::angle, PlaneTool::angle},
+      {Qt::Key_E, ViewTool::ellipse, PlaneTool::ellipse},
+      {Qt::Key_N, ViewTool::mark, PlaneTool::mark}};
+  for (QWidget* place : {static_cast<QWidget*>(&view()), static_cast<QWidget*>(&axial())})
+    for (const auto& [key, inPicture, inSlices] : shared) {
+      press(*place, key);
+      EXPECT_EQ(view().tool(), inPicture) << key;
+      EXPECT_EQ(planeTool(), inSlices) << key;
+    }
   press(view(), Qt::Key_M);
-  EXPECT_EQ(planeTool(), PlaneTool::distance);
+  EXPECT_EQ(view().tool(), ViewTool::pan);
+  EXPECT_EQ(planeTool(), PlaneTool::crosshair);
+  press(axial(), Qt::Key_W);
+  EXPECT_EQ(planeTool(), PlaneTool::windowLevel);
+  EXPECT_EQ(view().tool(), ViewTool::pan) << "what each place has for itself";
+  press(axial(), Qt::Key_G);
+  press(axial(), Qt::Key_Escape);
+  EXPECT_EQ(view().tool(), ViewTool::rotate);
+  EXPECT_EQ(planeTool(), PlaneTool::crosshair);
+}
+
+// C has no meaning of its own in the picture, and the row above the slices has none for letters.
+TEST_F(SliceCutWindow, keysOfToolsNeedNotTheFocusOfASlice) {
+  press(axial(), Qt::Key_D);
+  press(view(), Qt::Key_C);
+  EXPECT_EQ(planeTool(), PlaneTool::crosshair);
+  EXPECT_EQ(view().tool(), ViewTool::rotate);
+  auto* button = window->findChild<QToolButton*>(QStringLiteral("measureTool"));
+  press(*button, Qt::Key_G);
+  EXPECT_EQ(planeTool(), PlaneTool::angle);
+  EXPECT_EQ(view().tool(), ViewTool::angle);
 }
 
 TEST_F(SliceCutWindow, theBarHasRoomForItsButtonsBesideALargeSlice) {
@@ -225,6 +253,15 @@ TEST_F(SliceCutWindow, theBarHasRoomForItsButtonsBesideALargeSlice) {
   const CutBar& bar = *view().findChild<CutBar*>();
   ASSERT_TRUE(bar.isVisible());
   EXPECT_TRUE(view().rect().contains(bar.geometry()));
+  // In one of four views of a usual window they stand in one row, at the lower edge and not over the face.
+  window->resize(1440, 860);
+  window->findChild<QAction*>(QStringLiteral("planes-picture_and_three"))->trigger();
+  EXPECT_TRUE(test::waitUntil([&] { return view().width() > 400 && bar.height() < 50; }))
+      << bar.width() << " of " << view().width();
+  EXPECT_GT(bar.geometry().top(), view().height() / 2);
+  window->resize(1280, 800);
+  window->findChild<QAction*>(QStringLiteral("planes-one_large"))->trigger();
+  QCoreApplication::processEvents();
   int seen = 0;
   for (const QPushButton* button : bar.findChildren<QPushButton*>())
     if (button->isVisible()) {

@@ -235,10 +235,15 @@ TEST_F(PlaneViewTest, anAngleIsDrawnToItsCornerAndFollowsThePointerToItsEnd) {
   view.setTool(PlaneTool::angle);
   drag(view, {80, 80}, {80, 180});
   ASSERT_EQ(host.measurements().size(), 1u);
-  EXPECT_NEAR(*angleDegrees(host.measurements().front()), 90.0, 1e-9) << "until the pointer says otherwise";
+  EXPECT_FALSE(angleDegrees(host.measurements().front())) << "until the pointer says where its end is";
+  const auto text = [this] {
+    return measureShapes(host.content, PatientPlane::axial, view.frame()).front().text;
+  };
+  EXPECT_EQ(text(), QString()) << "no number that nobody measured";
   QTest::mouseMove(&view, {180, 180});
   QTest::mouseMove(&view, {180, 80});
   EXPECT_NEAR(*angleDegrees(host.measurements().front()), 45.0, 1e-9);
+  EXPECT_EQ(text(), QStringLiteral("45.0°")) << "the one under the pointer";
   QTest::mouseClick(&view, Qt::LeftButton, {}, {180, 80});
   QTest::mouseMove(&view, {30, 30});
   ASSERT_EQ(host.measurements().size(), 1u);
@@ -264,10 +269,15 @@ TEST_F(PlaneViewTest, escTakesAnAngleBackThatHasNoEnd) {
   host.widget.setContent(host.content);
   QTest::mouseMove(&view, {150, 90});
   EXPECT_TRUE(host.measurements().empty());
-  // Another slice ends it where it is.
+  // Another slice ends it where it is, or takes it back where it has one leg.
   drag(view, {80, 80}, {80, 180});
   turnWheel(view, {150, 130}, 120);
+  EXPECT_TRUE(host.measurements().empty());
+  drag(view, {80, 80}, {80, 180});
+  QTest::mouseMove(&view, {150, 130});
+  turnWheel(view, {150, 130}, 120);
   const std::vector<Measurement> there = host.measurements();
+  ASSERT_EQ(there.size(), 1u);
   QTest::mouseMove(&view, {200, 90});
   EXPECT_EQ(host.measurements(), there);
 }
@@ -339,6 +349,29 @@ TEST_F(PlaneViewTest, aTextDoesNotLieOnWhatWasMeasured) {
   EXPECT_TRUE(overlay.view.contains(mark.note->plate));
   for (const Note& note : overlay.notes)
     EXPECT_FALSE(note.plate.intersects(mark.note->plate)) << note.text.toStdString();
+}
+
+TEST_F(PlaneViewTest, whatIsShortenedIsToldInFullByAToolTip) {
+  view.setTool(PlaneTool::distance);
+  drag(view, {130, 110}, {170, 150});
+  host.content.measured.front().measurement.name =
+      "a vessel <that> is called by more letters than have room beside it";
+  const auto tipAt = [&](const QSize& size, const auto& placeOf) {
+    const PlaneFrame frame = planeFrame(seenGrid(host.content), PatientPlane::axial,
+                                        crosshairOf(host.content), size, 1.0, std::nullopt);
+    const PlaneOverlay overlay = planeOverlay(host.content, PatientPlane::axial, frame, size, view.font());
+    return planeToolTip(overlay, host.content, placeOf(overlay));
+  };
+  const auto title = [](const PlaneOverlay& overlay) { return overlay.notes.front().plate.center(); };
+  EXPECT_EQ(tipAt({400, 300}, title), QString()) << "it is seen";
+  EXPECT_TRUE(tipAt({90, 60}, title).contains(QStringLiteral("Axial")))
+      << tipAt({90, 60}, title).toStdString();
+  const auto measure = [](const PlaneOverlay& overlay) {
+    return overlay.measures.at(0).note->plate.center();
+  };
+  EXPECT_TRUE(tipAt(view.size(), measure)
+                  .contains(QStringLiteral(
+                      "vessel &lt;that&gt; is called by more letters than have room beside it")));
 }
 
 TEST_F(PlaneViewTest, keysWalkVoxelByVoxelAndSliceBySlice) {

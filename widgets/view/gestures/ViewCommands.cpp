@@ -46,6 +46,7 @@ const KeyCommand letterCommands[] = {{Qt::Key_A, LookFrom{StandardView::anterior
                                      {Qt::Key_K, UseTool{ViewTool::piece}},
                                      {Qt::Key_D, UseTool{ViewTool::distance}},
                                      {Qt::Key_G, UseTool{ViewTool::angle}},
+                                     {Qt::Key_E, UseTool{ViewTool::ellipse}},
                                      {Qt::Key_N, UseTool{ViewTool::mark}},
                                      {Qt::Key_BracketLeft, UseTool{ViewTool::rotate}},
                                      {Qt::Key_Space, Swap{}}};

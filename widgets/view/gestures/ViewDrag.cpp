@@ -35,6 +35,7 @@ DragKind dragOfTool(ViewTool tool) {
   case ViewTool::piece:
   case ViewTool::distance:
   case ViewTool::angle:
+  case ViewTool::ellipse:
   case ViewTool::mark:
     return DragKind::rotate;
   case ViewTool::scissors:
@@ -86,17 +87,13 @@ CropBox croppedTo(const ViewDrag& drag, const Scene& shown, const QPointF& point
 } // namespace
 
 std::optional<Measurement::Kind> kindOf(ViewTool tool) {
-  return tool == ViewTool::distance ? std::optional(Measurement::Kind::distance)
-         : tool == ViewTool::angle  ? std::optional(Measurement::Kind::angle)
-         : tool == ViewTool::mark   ? std::optional(Measurement::Kind::mark)
-                                    : std::nullopt;
+  if (tool < ViewTool::distance)
+    return std::nullopt;
+  return measurementKinds[static_cast<std::size_t>(tool) - static_cast<std::size_t>(ViewTool::distance)];
 }
 
-std::optional<ViewTool> viewToolOf(Measurement::Kind kind) {
-  return kind == Measurement::Kind::distance ? std::optional(ViewTool::distance)
-         : kind == Measurement::Kind::angle  ? std::optional(ViewTool::angle)
-         : kind == Measurement::Kind::mark   ? std::optional(ViewTool::mark)
-                                             : std::nullopt;
+ViewTool viewToolOf(Measurement::Kind kind) {
+  return static_cast<ViewTool>(static_cast<int>(ViewTool::distance) + static_cast<int>(kind));
 }
 
 DragKind dragKind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool tool) {

@@ -21,12 +21,13 @@ namespace limn {
 
 /// What the left button does without modifiers. Scissors draw a line to cut along; with `piece`, a click
 /// picks the connected piece that is seen there, and a drag rotates. With those that measure a click sets a
-/// place that is seen, and a drag rotates.
-enum class ViewTool { rotate, pan, zoom, windowLevel, scissors, piece, distance, angle, mark };
+/// place that is seen (of an ellipse, which lies in slices alone, it only asks), and a drag rotates; they are
+/// in the order of Measurement::Kind.
+enum class ViewTool { rotate, pan, zoom, windowLevel, scissors, piece, distance, angle, ellipse, mark };
 
-/// What a tool measures, where it does, and the tool that measures so; of ellipses there is none.
+/// What a tool measures, where it does, and the tool that measures so.
 std::optional<Measurement::Kind> kindOf(ViewTool tool);
-std::optional<ViewTool> viewToolOf(Measurement::Kind kind);
+ViewTool viewToolOf(Measurement::Kind kind);
 
 /// What a drag in the 3D view does; the last two follow from where it begins.
 enum class DragKind { none, rotate, pan, zoom, roll, windowLevel, opacity, wipe, cropFace };

@@ -49,6 +49,62 @@ bool liesAcross(const CropBox& crop, const Grid& grid, CropFace face, const View
   return glm::length(glm::cross(outwardNormal(grid, face), sight)) < leastSine;
 }
 
+// A place of a face, 0 to 1 along its two axes.
+glm::dvec3 onFace(const CropBox& crop, const Grid& grid, CropFace face, const glm::dvec2& at) {
+  glm::dvec3 fraction;
+  fraction[face.axis] = placeOf(crop, face);
+  for (int i = 0; i < 2; ++i) {
+    const int axis = (face.axis + 1 + i) % 3;
+    fraction[axis] = glm::mix(crop.lower[axis], crop.upper[axis], at[i]);
+  }
+  return worldAt(grid, fraction);
+}
+
+// What of a picture the pointer can take all of a handle in.
+QRectF reachOf(const ViewProjection& projection) {
+  return projection.picture.adjusted(cropHandleHitRadius, cropHandleHitRadius, -cropHandleHitRadius,
+                                     -cropHandleHitRadius);
+}
+
+// Where the handle stands of a place of a face: there or, beyond the picture, at its edge.
+QPointF standsAt(const ViewProjection& projection, const QPointF& pixel) {
+  const QRectF reach = reachOf(projection);
+  return {std::max(reach.left(), std::min(pixel.x(), reach.right())),
+          std::max(reach.top(), std::min(pixel.y(), reach.bottom()))};
+}
+
+// Where a face is held: in its middle or, where that lies beyond the picture, at the place nearest to it, as
+// seen, of what the picture shows of the face; in its middle if it shows none.
+glm::dvec3 heldAt(const CropBox& crop, const Grid& grid, CropFace face, const ViewProjection& projection) {
+  constexpr int steps = 16;
+  const glm::dvec3 middle = faceCentre(crop, grid, face);
+  const std::optional<QPointF> wanted = pixelOf(projection, middle);
+  const QRectF reach = reachOf(projection);
+  if (!wanted || reach.contains(*wanted))
+    return middle;
+  std::optional<glm::dvec2> best;
+  double nearest = std::numeric_limits<double>::max();
+  glm::dvec2 around(0.5);
+  double span = 1.0; // of what is searched, an eighth each time: to less than a pixel
+  for (int round = 0; round < 4; ++round, span /= 8.0) {
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j) {
+        const glm::dvec2 at = glm::clamp(around + span * (glm::dvec2(i, j) / double(steps) - 0.5), 0.0, 1.0);
+        const std::optional<QPointF> pixel = pixelOf(projection, onFace(crop, grid, face, at));
+        if (!pixel || !reach.contains(*pixel))
+          continue;
+        if (const double away = QLineF(*pixel, *wanted).length(); away < nearest) {
+          nearest = away;
+          best = at;
+        }
+      }
+    if (!best)
+      return middle;
+    around = *best;
+  }
+  return onFace(crop, grid, face, *best);
+}
+
 // The share of the way from `from` to `to` that stays inside a rectangle; 0 where it begins outside.
 double shareInside(const QRectF& room, const QPointF& from, const QPointF& to) {
   const auto along = [](double start, double end, double low, double high) {
@@ -64,7 +120,7 @@ std::optional<CropHandle> handleAcross(const CropBox& crop, const Grid& grid, Cr
                                        const ViewProjection& projection) {
   const bool isBehind = facesAway(crop, grid, face, projection);
   const QPointF wanted = isBehind ? QPointF(-1.0, 1.0) : QPointF(1.0, -1.0);
-  const std::optional<QPointF> middle = pixelOf(projection, faceCentre(crop, grid, face));
+  const std::optional<QPointF> middle = pixelOf(projection, heldAt(crop, grid, face, projection));
   std::optional<QPointF> best;
   for (int corner = 0; corner < 4; ++corner) {
     glm::dvec3 fraction = crop.lower;
@@ -83,7 +139,7 @@ std::optional<CropHandle> handleAcross(const CropBox& crop, const Grid& grid, Cr
   const QPointF way = *best - *middle;
   const double fromRows = std::min(fromTexts, projection.picture.height() / 4.0);
   const QRectF room = projection.picture.adjusted(fromSides, fromRows, -fromSides, -fromRows);
-  return CropHandle{face, *middle + shareInside(room, *middle, *best) * way,
+  return CropHandle{face, standsAt(projection, *middle + shareInside(room, *middle, *best) * way),
                     way / std::hypot(way.x(), way.y()), isBehind, true};
 }
 
@@ -203,7 +259,7 @@ CropBoxShape cropBoxShape(const CropBox& crop, const Grid& grid, const ViewProje
   CropBoxShape shape;
   addEdges(shape, crop, grid, projection);
   for (const CropFace face : cropFaces) {
-    const glm::dvec3 centre = faceCentre(crop, grid, face);
+    const glm::dvec3 centre = heldAt(crop, grid, face, projection);
     const std::optional<QPointF> pixel = pixelOf(projection, centre);
     if (!pixel)
       continue;
@@ -215,8 +271,8 @@ CropBoxShape cropBoxShape(const CropBox& crop, const Grid& grid, const ViewProje
     const glm::dvec3 outward = outwardNormal(grid, face);
     const QPointF way = pixelsPerMm(projection, centre, outward);
     const double length = std::hypot(way.x(), way.y());
-    shape.handles.push_back(
-        {face, *pixel, length > 0.0 ? way / length : QPointF(), facesAway(crop, grid, face, projection)});
+    shape.handles.push_back({face, standsAt(projection, *pixel), length > 0.0 ? way / length : QPointF(),
+                             facesAway(crop, grid, face, projection)});
   }
   return shape;
 }
@@ -241,7 +297,7 @@ std::optional<CropHandle> handleAt(const CropBoxShape& shape, const QPointF& pix
 double placeUnder(const CropBox& crop, const Grid& grid, CropFace face, const ViewProjection& projection,
                   const QPointF& pixel) {
   const double before = placeOf(crop, face);
-  const glm::dvec3 start = faceCentre(crop, grid, face);
+  const glm::dvec3 start = heldAt(crop, grid, face, projection);
   if (liesAcross(crop, grid, face, projection)) {
     const std::optional<CropHandle> handle = handleAcross(crop, grid, face, projection);
     if (!handle)
@@ -259,7 +315,7 @@ double placeUnder(const CropBox& crop, const Grid& grid, CropFace face, const Vi
     return before;
 
   // Lead the pointer to the axis as it lies in the picture, then meet it in the volume.
-  const double along = QPointF::dotProduct(pixel - *startPixel, way);
+  const double along = QPointF::dotProduct(pixel - standsAt(projection, *startPixel), way);
   const Ray ray = rayThrough(projection, *startPixel + along / squared * way);
   const glm::dvec3 w = start - ray.origin;
   const double cosine = glm::dot(axis, ray.direction);

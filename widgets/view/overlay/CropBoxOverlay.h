@@ -25,9 +25,10 @@ struct CropEdge {
   bool isHidden = false; ///< behind the box
 };
 
-/// The handle of a face as seen: in its middle, or, where the face lies across the line of sight and would
-/// move along it, towards a corner as far as that is seen beside the texts at the edges of the picture: of
-/// the face in front up to the right, of the one behind down to the left.
+/// The handle of a face as seen: in its middle, where that lies beyond the picture as near to it as the face
+/// is seen (of a face that is not seen at all at the picture's edge), or, where the face lies across the line
+/// of sight and would move along it, towards a corner as far as that is seen beside the texts at the edges of
+/// the picture: of the face in front up to the right, of the one behind down to the left.
 struct CropHandle {
   CropFace face;
   QPointF centre;

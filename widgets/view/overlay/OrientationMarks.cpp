@@ -15,6 +15,7 @@ namespace limn {
 namespace {
 
 constexpr double letterGap = 4.0;   // between a letter and a plate, logical pixels
+constexpr double letterEdge = 4.0;  // between a letter and the upper or lower edge
 constexpr double depthOfLane = 0.2; // of the picture, from its edge inwards
 
 // Places that touch a plate's edge, and the wished one: a nearest free place is one of them.
@@ -44,8 +45,7 @@ std::pair<double, double> detour(const QRectF& wished, const QRectF& place, Qt::
 // its edge tells more than none.
 QRectF laneOf(const QRectF& wished, const LetterWish& wish, Qt::Orientation along) {
   const QRectF& picture = wish.picture;
-  const QRectF inner =
-      picture.adjusted(overlayMargin / 3, overlayMargin / 3, -overlayMargin / 3, -overlayMargin / 3);
+  const QRectF inner = picture.adjusted(letterEdge, letterEdge, -letterEdge, -letterEdge);
   QRectF lane = inner;
   lane.setTop(inner.top() + wish.titles);
   if (along == Qt::Horizontal) {
@@ -154,7 +154,7 @@ LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wis
   const QSizeF size = letterSize(font);
   const double inset = letterInset(font);
   const QRectF& picture = wish.picture;
-  const double edge = overlayMargin + size.height() / 2;
+  const double edge = letterEdge + size.height() / 2;
   // With room for three, so that turning moves none; where that is not free, with room for what is written.
   const auto placeAt = [&](const std::string& text, double x, double y, Qt::Orientation along) {
     const QFontMetricsF metrics(titleFont(font));
@@ -186,12 +186,10 @@ void paintLetters(QPainter& painter, const LetterMarks& marks) {
     if (!marks.places[i])
       continue;
     const QString text = QString::fromStdString(*letters[i]);
-    if (marks.onPlates) {
-      QRectF plate(0, 0, painter.fontMetrics().horizontalAdvance(text) + 2 * letterGap,
-                   marks.places[i]->height());
-      plate.moveCenter(marks.places[i]->center());
-      paintPlate(painter, plate);
-    }
+    QRectF plate(0, 0, painter.fontMetrics().horizontalAdvance(text) + 2 * letterGap,
+                 marks.places[i]->height());
+    plate.moveCenter(marks.places[i]->center());
+    paintPlate(painter, plate);
     paintOutlined(painter, *marks.places[i], text);
   }
   painter.restore();

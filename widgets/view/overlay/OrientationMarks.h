@@ -54,7 +54,6 @@ struct LetterMarks {
   OrientationLetters letters;
   /// Left, right, top, bottom; none where a letter would lie on what is shown.
   std::array<std::optional<QRectF>, 4> places;
-  bool onPlates = false; ///< so that they stand out from lines and bright tissue, too
 };
 
 /// Where in `picture` letters are wished: `across` the place of the upper and the lower one, `down` that of
@@ -85,7 +84,7 @@ std::optional<QRectF> clearPlace(const QRectF& wished, const QRectF& lane, Qt::O
 LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wish, const QFont& font,
                         const std::vector<QRectF>& plates);
 
-/// Paints those letters that have a place.
+/// Paints those letters that have a place, on plates, so that they stand out from lines and bright tissue.
 void paintLetters(QPainter& painter, const LetterMarks& marks);
 
 } // namespace limn

@@ -166,12 +166,12 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<Q
   plates.insert(plates.end(), handles.begin(), handles.end());
   for (std::size_t position = 0; position < columns.size(); ++position) {
     const QRectF picture = source.written(static_cast<int>(position));
-    LetterMarks marks = letterMarks(orientationLetters(source.comparison.scene.camera),
-                                    {picture, columns[position], picture.center().y(),
-                                     overlay.labels[position].plate.bottom() - picture.top()},
-                                    source.font, plates);
-    marks.onPlates = source.hasCropBox;
-    overlay.letters.push_back(marks);
+    const double titles = leavesMiddleFree(source, static_cast<int>(position))
+                              ? 0.0
+                              : overlay.labels[position].plate.bottom() - picture.top();
+    overlay.letters.push_back(letterMarks(orientationLetters(source.comparison.scene.camera),
+                                          {picture, columns[position], picture.center().y(), titles},
+                                          source.font, plates));
   }
 }
 
@@ -309,6 +309,25 @@ Overlay overlayOf(const OverlaySource& source) {
   overlay.cutLine = source.cutLine;
   overlay.progress = progressOf(source.state);
   return overlay;
+}
+
+std::vector<QRectF> writtenPlaces(const Overlay& overlay) {
+  std::vector<QRectF> places;
+  for (const PlacedLabel& label : overlay.labels)
+    places.push_back(label.steadyPlate);
+  for (const Note& note : overlay.notes)
+    places.push_back(note.plate);
+  if (overlay.differenceBar)
+    places.push_back(overlay.differenceBar->plate);
+  if (overlay.scale)
+    places.push_back(overlay.scale->plate);
+  if (overlay.cube)
+    places.push_back(overlay.cube->plate);
+  for (const LetterMarks& marks : overlay.letters)
+    for (const std::optional<QRectF>& place : marks.places)
+      if (place)
+        places.push_back(*place);
+  return places;
 }
 
 void paintOverlay(QPainter& painter, const Overlay& overlay) {

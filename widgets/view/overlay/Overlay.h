@@ -74,6 +74,9 @@ std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int posit
 /// Lays everything out; nothing is painted yet.
 Overlay overlayOf(const OverlaySource& source);
 
+/// Where something is written over the pictures that stays there: titles, notes, scales, cube and letters.
+std::vector<QRectF> writtenPlaces(const Overlay& overlay);
+
 /// Paints what stands above the pictures, in the painter's logical pixels.
 void paintOverlay(QPainter& painter, const Overlay& overlay);
 

@@ -65,6 +65,15 @@ void paintOutlined(QPainter& painter, const QRectF& place, const QString& text) 
   painter.drawText(place, Qt::AlignCenter, text);
 }
 
+QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate) {
+  const double room = plate.width() - 4 * unit - (label.leadsToMenu ? arrowWidth : 0.0);
+  const QFontMetricsF metrics(titleFont(font));
+  // A plate that was made for it has rounding alone to spare.
+  return metrics.horizontalAdvance(label.title) <= room + 0.5
+             ? label.title
+             : metrics.elidedText(label.title, Qt::ElideMiddle, std::max(0.0, room));
+}
+
 QString fittingDetails(const QFont& font, const QStringList& details, double room) {
   const QFontMetricsF metrics(font);
   QString line;
@@ -106,7 +115,7 @@ Note noteAt(const QFont& font, const QString& text, const QPointF& corner, Qt::A
     left -= size.width();
   else if (alignment & Qt::AlignHCenter)
     left -= size.width() / 2;
-  return {fitting, QRectF(QPointF(left, corner.y() - size.height()), size)};
+  return {fitting, QRectF(QPointF(left, corner.y() - size.height()), size), text};
 }
 
 QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text, const QRectF& side) {

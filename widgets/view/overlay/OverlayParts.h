@@ -29,6 +29,9 @@ struct SideLabel {
   bool leadsToMenu = true; ///< shows that a click changes the model
 };
 
+/// The title of a label as it stands on its plate: one that is too long is shortened in its middle.
+QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate);
+
 /// As many details as have room in so many logical pixels, in one line.
 QString fittingDetails(const QFont& font, const QStringList& details, double room);
 
@@ -42,6 +45,7 @@ QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& pl
 struct Note {
   QString text;
   QRectF plate;
+  QString whole{}; ///< before it was shortened
 };
 
 /// A note with its lower right, lower centre or lower left at `corner`; text that is wider than `room` is

@@ -77,6 +77,11 @@ double partingOf(const OverlaySource& source, const QRectF& picture) {
              : picture.center().x();
 }
 
+// How far a label goes that leaves room for a letter in the middle.
+double besideMiddle(const OverlaySource& source, const QRectF& picture) {
+  return picture.center().x() - letterSize(source.font).width() / 2;
+}
+
 QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label) {
   QRectF side = pictureRect(source.geometry, position);
   const CompareLayout layout = source.geometry.layout;
@@ -84,6 +89,8 @@ QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label
   if (isShared) { // two labels share one picture: each has its part
     const double parting = partingOf(source, side);
     position == 0 ? side.setRight(parting) : side.setLeft(parting);
+  } else if (leavesMiddleFree(source, position)) {
+    side.setRight(besideMiddle(source, side));
   }
   return labelPlate(source.font, label, side, isShared && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
 }
@@ -109,6 +116,14 @@ constexpr int stayMs = 4000; // after the pointer rests
 constexpr int fadeMs = 400;
 
 } // namespace
+
+bool leavesMiddleFree(const OverlaySource& source, int position) {
+  constexpr double least = 320.0; // for title, error and time of every model, logical pixels
+  const CompareLayout layout = source.geometry.layout;
+  const QRectF picture = pictureRect(source.geometry, position);
+  return layout != CompareLayout::wipe && layout != CompareLayout::difference &&
+         besideMiddle(source, picture) - picture.left() - 2 * overlayMargin >= least;
+}
 
 QString sideTitle(const Scene& scene) {
   return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
@@ -200,6 +215,9 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
       return QObject::tr("<p>What lies nearer looks larger: the length holds at the depth of the turning "
                          "point (pivot). View ▸ "
                          "Orthographic has one scale everywhere.</p>");
+  for (const PlacedLabel& one : labelsOf(source))
+    if (one.plate.contains(point) && fittingTitle(source.font, one.label, one.plate) != one.label.title)
+      return QStringLiteral("<p>%1</p>").arg(one.label.title.toHtmlEscaped());
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

@@ -41,6 +41,10 @@ struct DifferenceTitle {
   Note note;
 };
 
+/// Whether the label of the picture at a position leaves its middle free, whatever it tells: in wide pictures
+/// that have one label. There a letter can stand beside it, at the picture's very edge.
+bool leavesMiddleFree(const OverlaySource& source, int position);
+
 /// In the middle, under the models' labels where it does not fit between them; absent in other layouts.
 std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/HintBar.h"
 
+#include "widgets/view/overlay/OrientationMarks.h"
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +16,8 @@ namespace {
 
 constexpr int aboveEdge = 44; // logical pixels, over scale and notes
 constexpr int gapAbove = 8;   // what else lies there
+constexpr int besideEdge = 4; // in their row, which messages leave free
+constexpr int gapAtSides = 8;
 
 } // namespace
 
@@ -21,7 +25,6 @@ HintBar::HintBar(const QString& name, QWidget* parent)
     : PicturePanel(parent), m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this)), m_text(new QLabel(this)) {
   auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
   close->setToolTip(tr("Lays the tool aside (Esc)."));
-  m_rows->setContentsMargins(12, 6, 6, 6);
   m_rows->setSpacing(6);
   for (QHBoxLayout*& group : m_groups) {
     group = new QHBoxLayout;
@@ -29,7 +32,7 @@ HintBar::HintBar(const QString& name, QWidget* parent)
     m_rows->addLayout(group);
   }
   m_groups.front()->addWidget(m_text);
-  m_groups.front()->addSpacing(6);
+  m_text->setContentsMargins(0, 0, 6, 0);
   m_groups.back()->addWidget(close);
   connect(close, &QPushButton::clicked, this, &HintBar::closeRequested);
   parent->installEventFilter(this);
@@ -42,8 +45,8 @@ void HintBar::showHint(const QString& text, const QString& tip, bool stays) {
   m_text->setToolTip(tip);
   m_stays = stays;
   m_isOut = true;
-  follow();
   place();
+  follow();
 }
 
 QString HintBar::hint() const {
@@ -56,15 +59,15 @@ void HintBar::putAway() {
 }
 
 void HintBar::follow() {
-  setVisible(m_isOut && !m_isAside && parentWidget()->height() >= m_leastHeight && !m_isDrawing());
-  if (isVisible() && m_placedOver != m_coveredBelow())
+  if (m_isOut && !m_isAside && (m_placedOver != m_coveredBelow() || m_placedBeside != m_written()))
     place();
+  setVisible(m_isOut && !m_isAside && m_hasRoom && !m_isDrawing());
 }
 
 bool HintBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched != parent())
     return PicturePanel::eventFilter(watched, event);
-  if (event->type() == QEvent::Resize && isVisible())
+  if (event->type() == QEvent::Resize && m_isOut)
     place();
   // While something is drawn the picture is seen whole; the view has to know first what an event is to it.
   if (m_isOut)
@@ -84,27 +87,47 @@ void HintBar::showEvent(QShowEvent* event) {
   place();
 }
 
+// In the row of scale and notes it lies on least of what is looked at.
+bool HintBar::placeBeside() {
+  const QSizeF size = sizeHint();
+  const QRectF view = parentWidget()->rect();
+  const QRectF lane(view.left() + gapAtSides, view.bottom() - besideEdge - size.height(),
+                    view.width() - 2 * gapAtSides, size.height());
+  const QRectF wished(QPointF(view.center().x() - size.width() / 2, lane.top()), size);
+  const std::optional<QRectF> place = clearPlace(wished, lane, Qt::Horizontal, m_placedBeside);
+  if (place)
+    setGeometry(place->toRect());
+  return place.has_value();
+}
+
 // In a narrow view words that the tool's tip says, too, give way; the others take a row first. Beside slices
 // the view may have no room for all buttons either: then they stand in three rows.
 void HintBar::place() {
   const QWidget* view = parentWidget();
   const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
     m_text->setVisible(hasText);
+    m_rows->setContentsMargins(hasText ? 12 : 6, 6, 6, 6);
     m_rows->setDirection(direction);
     layout()->activate();
-    return sizeHint().width() <= view->width() - 16;
+    return sizeHint().width() <= view->width() - 2 * gapAtSides;
   };
   const auto fitsInRows = [&] { return fits(true, QBoxLayout::TopToBottom); };
   const auto fitsWithoutText = [&] { return fits(false, QBoxLayout::LeftToRight); };
-  if (!fits(true, QBoxLayout::LeftToRight) && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
+  m_placedOver = m_coveredBelow();
+  m_placedBeside = m_written();
+  raise();
+  const bool fitsInOne = fits(true, QBoxLayout::LeftToRight);
+  const bool isBeside = fitsInOne && placeBeside();
+  m_hasRoom = isBeside || view->height() >= m_leastHeight;
+  if (isBeside || !m_hasRoom)
+    return;
+  if (!fitsInOne && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
       !(m_stays ? fitsWithoutText() : fitsInRows()))
     fits(false, QBoxLayout::TopToBottom);
-  m_placedOver = m_coveredBelow();
   const int below = m_placedOver > 0 ? std::max(aboveEdge, m_placedOver + gapAbove) : aboveEdge;
   const QSize size = sizeHint().boundedTo(view->size());
   setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - below - size.height()),
               size.width(), size.height());
-  raise();
 }
 
 } // namespace limn

@@ -3,10 +3,13 @@
 
 #include "widgets/view/panels/ViewPanels.h"
 
+#include <QRectF>
+
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 class QBoxLayout;
 class QHBoxLayout;
@@ -15,7 +18,8 @@ class QLabel;
 namespace limn {
 
 /// Lies over the lower edge of the pictures while a tool is in hand that takes more than a drag: what to do
-/// next, and a button that lays the tool aside. Stays in the middle of its parent's width.
+/// next, and a button that lays the tool aside. It stands beside what is written there, as near to the middle
+/// as that leaves room; where there is too little, above that in the middle.
 class HintBar : public PicturePanel {
   Q_OBJECT
 
@@ -32,9 +36,13 @@ public:
   /// While this says so the bar is out of the way: what it lies on may be meant.
   void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
 
-  /// Over a lower view than this, logical pixels, it does not come up: there it would cover what is meant.
-  /// 0 at first.
+  /// Where something is written over the view at present, logical pixels. Nowhere at first.
+  void setWritten(std::function<std::vector<QRectF>()> written) { m_written = std::move(written); }
+  /// Over a lower view than this, logical pixels, it comes up only where it has room beside that: above it
+  /// would cover what is meant. 0 at first.
   void setLeastHeight(int height) { m_leastHeight = height; }
+  /// Whether it has room.
+  bool hasRoom() const { return m_hasRoom; }
 
   /// How much else covers of the view's lower edge, logical pixels: it stands above that. Nothing at first.
   void setCoveredBelow(std::function<int()> coveredBelow) { m_coveredBelow = std::move(coveredBelow); }
@@ -57,6 +65,7 @@ protected:
 
 private:
   void place();
+  bool placeBeside();
   void follow();
 
   QBoxLayout* m_rows;
@@ -64,8 +73,11 @@ private:
   QLabel* m_text;
   std::function<bool()> m_isDrawing = [] { return false; };
   std::function<int()> m_coveredBelow = [] { return 0; };
-  int m_placedOver = 0; ///< what covered the lower edge then
+  std::function<std::vector<QRectF>()> m_written = [] { return std::vector<QRectF>(); };
+  int m_placedOver = 0;               ///< what covered the lower edge then
+  std::vector<QRectF> m_placedBeside; ///< what was written then
   int m_leastHeight = 0;
+  bool m_hasRoom = true;
   bool m_stays = true;    ///< the text, where there is little room
   bool m_isOut = false;   ///< a tool is in hand
   bool m_isAside = false; ///< hidden until the button is let go

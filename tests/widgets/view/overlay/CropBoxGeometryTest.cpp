@@ -107,6 +107,42 @@ TEST_P(BothProjections, threeFacesAreSeenAndThreeEdgesHidden) {
   EXPECT_FALSE(handleOf(shape, {2, true}).isHidden);
 }
 
+// From near by the middles of the sides lie beyond the picture: there no pointer could take hold of them.
+TEST_P(BothProjections, aFaceWhoseMiddleLiesBeyondThePictureIsHeldWhereItIsSeen) {
+  Camera near = camera;
+  near.position *= GetParam() == Camera::Projection::perspective ? 0.28 : 1.0;
+  near.heightMm *= 0.35;
+  const ViewProjection from = viewProjection(near, picture);
+  int beyond = 0, seen = 0;
+  for (const CropHandle& handle : cropBoxShape({}, grid, from).handles) {
+    const glm::dvec3 middle = faceCentre({}, grid, handle.face);
+    EXPECT_TRUE(picture.adjusted(11.9, 11.9, -11.9, -11.9).contains(handle.centre));
+    if (picture.contains(*pixelOf(from, middle)))
+      continue; // as ever
+    ++beyond;
+    const double place = placeOf({}, handle.face);
+    EXPECT_NEAR(placeUnder({}, grid, handle.face, from, handle.centre), place, 1e-9);
+    // The face follows the pointer: what of it was held, if it is seen, lies where the pointer is.
+    const QPointF to = handle.centre - 9.0 * handle.outward;
+    const double movedMm =
+        (placeUnder({}, grid, handle.face, from, to) - place) * boxSizeMm(grid)[handle.face.axis];
+    const Ray ray = rayThrough(from, handle.centre);
+    const glm::dvec3 axis = grid.direction[handle.face.axis];
+    const double depth = glm::dot(middle - ray.origin, axis) / glm::dot(ray.direction, axis);
+    const std::optional<QPointF> now = pixelOf(from, ray.origin + depth * ray.direction + movedMm * axis);
+    EXPECT_LT(handle.face.isUpper ? movedMm : -movedMm, 0.0) << "inwards";
+    const glm::dvec3 held = worldToIndex(grid, ray.origin + depth * ray.direction);
+    const glm::dvec3 share = (held + 0.5) / glm::dvec3(grid.dims);
+    const bool isOnFace = glm::all(glm::greaterThan(share, glm::dvec3(-1e-6))) &&
+                          glm::all(glm::lessThan(share, glm::dvec3(1.0 + 1e-6)));
+    EXPECT_TRUE(!isOnFace || (now && QLineF(*now, to).length() < 1e-6)) // rounding
+        << handle.face.axis << handle.face.isUpper;
+    seen += isOnFace;
+  }
+  EXPECT_GE(beyond, 2);
+  EXPECT_GE(seen, GetParam() == Camera::Projection::orthographic ? 2 : 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(CropBoxGeometry, BothProjections,
                          testing::Values(Camera::Projection::perspective, Camera::Projection::orthographic));
 

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 // What stands above the pictures, as a value.
 
 namespace limn {
@@ -150,6 +152,24 @@ TEST_F(OverlayAbove, aLabelTellsNothingOfTheLastPictureAtRestWhileAnotherIsSeen)
   EXPECT_EQ(labelsOf(source())[0].label.details, QStringList{QStringLiteral("SP 32")});
 }
 
+// Presets may be called anything, and one of four views has little room.
+TEST_F(OverlayAbove, aTitleThatIsTooLongIsShortenedAndItsToolTipSaysAll) {
+  comparison.layout = CompareLayout::sideBySide;
+  comparison.look.emplace();
+  const std::string name = "Angiography of the head & neck with <thin> bone, second try";
+  comparison.look->names = {name, "Bone"};
+  OverlaySource small = source();
+  small.geometry.size = {420, 260};
+  const std::vector<PlacedLabel> labels = labelsOf(small);
+  const QString seen = fittingTitle(small.font, labels[0].label, labels[0].plate);
+  EXPECT_TRUE(seen.contains(QChar(0x2026))) << seen.toStdString();
+  EXPECT_LE(QFontMetricsF(titleFont(small.font)).horizontalAdvance(seen), labels[0].plate.width());
+  EXPECT_TRUE(
+      toolTipAt(small, labels[0].plate.center()).contains(QStringLiteral("&lt;thin&gt; bone, second try")));
+  EXPECT_EQ(fittingTitle(small.font, labels[1].label, labels[1].plate), labels[1].label.title);
+  EXPECT_EQ(toolTipAt(small, labels[1].plate.center()), QString());
+}
+
 TEST_F(OverlayAbove, noCaptionMovesALetter) {
   comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), 0.5, 0.4);
   const auto places = [&](const OverlaySource& of) {
@@ -200,6 +220,45 @@ TEST_F(OverlayAbove, everyLetterHasAPlaceInSmallPictures) {
     }
 }
 
+// However much of a picture what is shown fills: on plates, of which none is cut.
+TEST_F(OverlayAbove, lettersStandAtTheVeryEdge) {
+  comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), 0.5, 0.4);
+  state.sides.resize(2);
+  for (SideState& one : state.sides) {
+    one.estimate = ErrorEstimate{0.42, 0.1, 1.0};
+    one.isRough = false;
+    one.completeMs = 123.4;
+  }
+  for (const CompareLayout layout : {CompareLayout::single, CompareLayout::sideBySide})
+    for (const QSize size : {QSize(408, 370), QSize(830, 585), QSize(1700, 900)}) {
+      comparison.layout = layout;
+      OverlaySource shown = source();
+      shown.geometry.size = size;
+      const Overlay overlay = overlayOf(shown);
+      for (std::size_t position = 0; position < overlay.letters.size(); ++position) {
+        const LetterMarks& marks = overlay.letters[position];
+        const QRectF side = pictureRect(shown.geometry, static_cast<int>(position));
+        const std::array<std::string, 4> texts{marks.letters.left, marks.letters.right, marks.letters.top,
+                                               marks.letters.bottom};
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+          ASSERT_TRUE(marks.places[i]) << size.width() << " " << i;
+          const double half =
+              QFontMetricsF(titleFont(shown.font)).horizontalAdvance(QString::fromStdString(texts[i])) / 2 +
+              4.0;
+          EXPECT_GE(marks.places[i]->center().x() - half, side.left()) << size.width() << " " << texts[i];
+          EXPECT_LE(marks.places[i]->center().x() + half, side.right()) << size.width() << " " << texts[i];
+        }
+        EXPECT_NEAR(marks.places[3]->bottom(), side.bottom() - 4.0, 1e-9);
+        const QRectF& title = overlay.labels[position].plate;
+        if (side.width() > 800.0)
+          EXPECT_NEAR(marks.places[2]->top(), 4.0, 1e-9) << "beside what the title tells";
+        else
+          EXPECT_LE(marks.places[2]->top(), title.bottom() + 5.0) << "just below it";
+        EXPECT_FALSE(marks.places[2]->intersects(title));
+      }
+    }
+}
+
 TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
   for (const double turn : {0.0, 0.3, 0.8}) {
     comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), turn, turn / 2.0);
@@ -208,7 +267,6 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
     const Overlay overlay = overlayOf(with);
     ASSERT_EQ(overlay.letters.size(), 1u);
     const LetterMarks& marks = overlay.letters[0];
-    EXPECT_TRUE(marks.onPlates) << "they stand out from the box's lines, too";
     for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
       QRectF disc(0, 0, 2 * cropHandleRadius, 2 * cropHandleRadius);
       disc.moveCenter(handle.centre);
