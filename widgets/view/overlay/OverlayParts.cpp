@@ -125,14 +125,6 @@ QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text
   return {side.left() + overlayMargin, side.bottom() - overlayMargin - height, width, height};
 }
 
-QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate) {
-  const QFontMetricsF metrics(titleFont(font));
-  const double room = plate.width() - 4 * unit - (label.leadsToMenu ? arrowWidth : 0.0);
-  return metrics.horizontalAdvance(label.title) <= room
-             ? label.title
-             : metrics.elidedText(label.title, Qt::ElideMiddle, std::max(0.0, room));
-}
-
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

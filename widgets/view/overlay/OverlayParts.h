@@ -38,9 +38,6 @@ QString fittingDetails(const QFont& font, const QStringList& details, double roo
 /// The plate of a label at the upper edge of `side`, logical pixels: left, centred or right.
 QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment);
 
-/// The title of a label as far as its plate has room for it: both ends of one that is too long.
-QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate);
-
 /// A small line of text on a plate of its own.
 struct Note {
   QString text;
