@@ -97,7 +97,7 @@ MakingOptions WindowContext::drawnLikeTheView() const {
 }
 
 void WindowContext::keepClear(HintBar& bar) const {
-  bar.setWritten([&seen = view] {
+  const auto written = [&seen = view] {
     OverlaySource source{seen.order(), seen.pictureState()};
     source.comparison.measures.clear(); // keep clear of it, and not the other way round
     source.cutLine.reset();
@@ -107,6 +107,9 @@ void WindowContext::keepClear(HintBar& bar) const {
     if (source.lowest() < seen.height()) // a panel, such as one that tells how far loading is
       places.emplace_back(0.0, source.lowest(), seen.width(), seen.height() - source.lowest());
     return places;
+  };
+  bar.setWritten(written, [](const QRectF& wished, const QRectF& lane, const std::vector<QRectF>& places) {
+    return clearPlace(wished, lane, Qt::Horizontal, places);
   });
   const std::array<MessageBar*, 6> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages};
   bar.setCoveredBelow([&seen = view, bars] {

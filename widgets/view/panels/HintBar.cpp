@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/HintBar.h"
 
-#include "widgets/view/overlay/OrientationMarks.h"
-
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -94,7 +92,7 @@ bool HintBar::placeBeside() {
   const QRectF lane(view.left() + gapAtSides, view.bottom() - besideEdge - size.height(),
                     view.width() - 2 * gapAtSides, size.height());
   const QRectF wished(QPointF(view.center().x() - size.width() / 2, lane.top()), size);
-  const std::optional<QRectF> place = clearPlace(wished, lane, Qt::Horizontal, m_placedBeside);
+  const std::optional<QRectF> place = m_clear(wished, lane, m_placedBeside);
   if (place)
     setGeometry(place->toRect());
   return place.has_value();

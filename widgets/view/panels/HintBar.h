@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,8 +37,15 @@ public:
   /// While this says so the bar is out of the way: what it lies on may be meant.
   void setDrawing(std::function<bool()> isDrawing) { m_isDrawing = std::move(isDrawing); }
 
-  /// Where something is written over the view at present, logical pixels. Nowhere at first.
-  void setWritten(std::function<std::vector<QRectF>()> written) { m_written = std::move(written); }
+  /// The place in a lane, nearest to a wished one, that lies on none of these; nothing where there is none.
+  using Clear = std::function<std::optional<QRectF>(const QRectF& wished, const QRectF& lane,
+                                                    const std::vector<QRectF>& places)>;
+  /// Where something is written over the view at present, logical pixels, and how to keep clear of it.
+  /// Nowhere at first.
+  void setWritten(std::function<std::vector<QRectF>()> written, Clear clear) {
+    m_written = std::move(written);
+    m_clear = std::move(clear);
+  }
   /// Over a lower view than this, logical pixels, it comes up only where it has room beside that: above it
   /// would cover what is meant. 0 at first.
   void setLeastHeight(int height) { m_leastHeight = height; }
@@ -74,6 +82,7 @@ private:
   std::function<bool()> m_isDrawing = [] { return false; };
   std::function<int()> m_coveredBelow = [] { return 0; };
   std::function<std::vector<QRectF>()> m_written = [] { return std::vector<QRectF>(); };
+  Clear m_clear = [](const QRectF& wished, const QRectF&, const std::vector<QRectF>&) { return wished; };
   int m_placedOver = 0;               ///< what covered the lower edge then
   std::vector<QRectF> m_placedBeside; ///< what was written then
   int m_leastHeight = 0;
