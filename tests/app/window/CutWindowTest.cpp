@@ -321,6 +321,28 @@ TEST_F(CutWindow, theRangeOfAPieceEndsWhereTheValuesDo) {
   EXPECT_TRUE(said.contains(plainNumber(values.highest, 0))) << said.toStdString();
 }
 
+// What it lies on may be what is to be cut.
+TEST_F(CutWindow, theBarIsDraggedAwayAndComesBackToItsPlaceWithTheNextTool) {
+  press(Qt::Key_X);
+  ASSERT_TRUE(bar().isVisible());
+  const QRect home = bar().geometry();
+  const QPoint grip = bar().mapTo(window.get(), QPoint(3, home.height() / 2)); // beside its words
+  QWindow* handle = window->windowHandle();
+  QTest::mousePress(handle, Qt::LeftButton, {}, grip);
+  for (int step = 1; step <= 5; ++step)
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, grip - QPoint(0, 30 * step));
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, grip - QPoint(0, 150));
+  EXPECT_EQ(bar().geometry().top(), home.top() - 150);
+  EXPECT_TRUE(bar().isVisible());
+  EXPECT_TRUE(cuts().empty()) << "no line was drawn";
+  click({0, 0});
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  ASSERT_FALSE(bar().isVisible());
+  press(Qt::Key_X);
+  EXPECT_EQ(bar().geometry(), home);
+}
+
 // A message that waits for an answer would hide what is said of a piece, and the buttons.
 TEST_F(CutWindow, theBarStandsAboveAMessage) {
   const auto bottom = [this] { return bar().mapTo(window.get(), QPoint(0, bar().height())).y(); };

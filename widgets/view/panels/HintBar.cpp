@@ -34,6 +34,7 @@ HintBar::HintBar(const QString& name, QWidget* parent)
   m_groups.back()->addWidget(close);
   connect(close, &QPushButton::clicked, this, &HintBar::closeRequested);
   parent->installEventFilter(this);
+  setCursor(Qt::SizeAllCursor);
   setAccessibleName(name);
   hide();
 }
@@ -53,6 +54,8 @@ QString HintBar::hint() const {
 
 void HintBar::putAway() {
   m_isOut = m_isAside = false;
+  m_grip.reset();
+  m_movedTo.reset();
   hide();
 }
 
@@ -85,6 +88,23 @@ void HintBar::showEvent(QShowEvent* event) {
   place();
 }
 
+// By all of it that is no button: what it lies on may be what the tool is for.
+void HintBar::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton)
+    m_grip = event->position().toPoint();
+}
+
+void HintBar::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_grip || !event->buttons().testFlag(Qt::LeftButton))
+    return;
+  m_movedTo = pos() + event->position().toPoint() - *m_grip;
+  place();
+}
+
+void HintBar::mouseReleaseEvent(QMouseEvent*) {
+  m_grip.reset();
+}
+
 // In the row of scale and notes it lies on least of what is looked at.
 bool HintBar::placeBeside() {
   const QSizeF size = sizeHint();
@@ -115,8 +135,8 @@ void HintBar::place() {
   m_placedBeside = m_written();
   raise();
   const bool fitsInOne = fits(true, QBoxLayout::LeftToRight);
-  const bool isBeside = fitsInOne && placeBeside();
-  m_hasRoom = isBeside || view->height() >= m_leastHeight;
+  const bool isBeside = fitsInOne && !m_movedTo && placeBeside();
+  m_hasRoom = isBeside || m_movedTo || view->height() >= m_leastHeight;
   if (isBeside || !m_hasRoom)
     return;
   if (!fitsInOne && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
@@ -124,8 +144,10 @@ void HintBar::place() {
     fits(false, QBoxLayout::TopToBottom);
   const int below = m_placedOver > 0 ? std::max(aboveEdge, m_placedOver + gapAbove) : aboveEdge;
   const QSize size = sizeHint().boundedTo(view->size());
-  setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - below - size.height()),
-              size.width(), size.height());
+  const QPoint corner =
+      m_movedTo.value_or(QPoint((view->width() - size.width()) / 2, view->height() - below - size.height()));
+  setGeometry(std::clamp(corner.x(), 0, view->width() - size.width()),
+              std::clamp(corner.y(), 0, view->height() - size.height()), size.width(), size.height());
 }
 
 } // namespace limn

@@ -20,7 +20,8 @@ namespace limn {
 
 /// Lies over the lower edge of the pictures while a tool is in hand that takes more than a drag: what to do
 /// next, and a button that lays the tool aside. It stands beside what is written there, as near to the middle
-/// as that leaves room; where there is too little, above that in the middle.
+/// as that leaves room; where there is too little, above that in the middle. Dragged away it stays where it
+/// was let go as long as its tool is in hand.
 class HintBar : public PicturePanel {
   Q_OBJECT
 
@@ -70,6 +71,9 @@ protected:
 
   bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
   void place();
@@ -83,6 +87,8 @@ private:
   std::function<int()> m_coveredBelow = [] { return 0; };
   std::function<std::vector<QRectF>()> m_written = [] { return std::vector<QRectF>(); };
   Clear m_clear = [](const QRectF& wished, const QRectF&, const std::vector<QRectF>&) { return wished; };
+  std::optional<QPoint> m_grip;       ///< while it is dragged, in the bar
+  std::optional<QPoint> m_movedTo;    ///< by hand, its corner in the view
   int m_placedOver = 0;               ///< what covered the lower edge then
   std::vector<QRectF> m_placedBeside; ///< what was written then
   int m_leastHeight = 0;
