@@ -263,9 +263,13 @@ void TurnedBoxController::takeUp(const Scene& scene) {
   std::vector<Cut> before = scene.keep.cuts;
   before.resize(before.size() - found->cuts);
   TurnedBox box = found->box;
-  box.fit = m_fitted && m_fittedTo.lock() == scene.volume && isAlong(m_fitted->grid, box.grid)
-                ? m_fitted->fit
-                : seenIn(box.grid, scene);
+  if (m_fitted && m_fittedTo.lock() == scene.volume && isAlong(m_fitted->grid, box.grid)) {
+    box.fit = m_fitted->fit;
+  } else { // as it was before its own lines
+    Scene uncut = scene;
+    uncut.keep = withoutCuts(scene.keep);
+    box.fit = seenIn(box.grid, uncut);
+  }
   for (const CropFace face : cropFaces) // those that cut nothing stand where something is seen
     if (double& place = (face.isUpper ? box.crop.upper : box.crop.lower)[face.axis];
         place == (face.isUpper ? 1.0 : 0.0))
@@ -310,8 +314,10 @@ void TurnedBoxController::tellWhatStaysCut(bool isShown) {
   const bool isCut =
       scene.volume && (scene.crop != CropBox{} || boxAtTheEnd(scene.keep.cuts, scene.volume->grid()));
   if (!isShown && isCut)
-    m_context.messages.show(MessageBar::Kind::note, sentence, {},
-                            {tr("Close all cuts"), [this] { closeAll(); }});
+    m_context.messages.show(MessageBar::Kind::note, sentence, {}, {tr("Close all cuts"), [this] {
+                                                                     m_context.messages.hide();
+                                                                     closeAll();
+                                                                   }});
   else if (m_context.messages.isNote() && m_context.messages.sentence() == sentence)
     m_context.messages.hide();
 }

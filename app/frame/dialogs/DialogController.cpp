@@ -384,9 +384,10 @@ void DialogController::addHelp() {
                    .place = {Menu::help, 1, 1},
                    .shortcut = QKeySequence::HelpContents,
                    .toolTip = tr("Opens the guide at what it says of the panel with the keyboard.")});
-  QAction* shortcuts = actions.add(QStringLiteral("shortcuts"), {.text = tr("Mouse and &keys"),
-                                                                 .place = {Menu::help, 1, 3},
-                                                                 .shortcut = QKeySequence(Qt::Key_Question)});
+  QAction* shortcuts =
+      actions.add(QStringLiteral("shortcuts"), {.text = tr("Mouse and &keys"), .place = {Menu::help, 1, 3}});
+  // Where it is typed with Shift, a keyboard may tell that as well.
+  shortcuts->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question)});
   const QAction* stability = actions.add(
       QStringLiteral("stability"),
       {.text = tr("&Stability checks…"),

@@ -482,7 +482,7 @@ TEST_F(RegionWindow, aTurnedBoxComesBackAsLongAsItsCutsAreTheLast) {
   ASSERT_TRUE(rest());
   expectBox(twice, "in a session");
   const std::size_t cuts = scene().keep.cuts.size();
-  dragFace({2, true}, {0, 30});
+  dragFace({2, true}, {0, 10});
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.cuts.size(), cuts) << "a drag goes on with its lines";
   EXPECT_LT(turned.value().crop.upper.z, twice.crop.upper.z);
