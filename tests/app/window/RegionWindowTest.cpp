@@ -489,7 +489,14 @@ TEST_F(RegionWindow, aTurnedBoxComesBackAsLongAsItsCutsAreTheLast) {
 
   // Another cut behind it ends it.
   std::vector<Cut> more = scene().keep.cuts;
-  more.push_back({ConnectedPiece{indexToWorld(scene().volume->grid(), {18, 18, 18}), {1000.0, 1300.0}}});
+  std::optional<glm::ivec3> left; // of the bone in the middle
+  for (int z = 12; z < 25; ++z)
+    for (int y = 12; y < 25; ++y)
+      for (int x = 12; x < 25; ++x)
+        if (valueAt(*scene().volume, {x, y, z}) >= 1000.0 && weightAt(scene().keep, {x, y, z}) > 0.0)
+          left = glm::ivec3(x, y, z);
+  ASSERT_TRUE(left);
+  more.push_back({ConnectedPiece{indexToWorld(scene().volume->grid(), glm::dvec3(*left)), {1000.0, 1300.0}}});
   window->findChild<RegionController*>()->setCuts(more, QStringLiteral("piece"));
   ASSERT_TRUE(ready());
   EXPECT_FALSE(turned);
