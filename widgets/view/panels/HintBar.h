@@ -80,7 +80,8 @@ private:
   bool placeBeside();
   void follow();
 
-  QBoxLayout* m_rows;
+  QBoxLayout* m_rows; ///< of the words with the first group, and of the others
+  QBoxLayout* m_others;
   std::array<QHBoxLayout*, 3> m_groups{};
   QLabel* m_text;
   std::function<bool()> m_isDrawing = [] { return false; };
