@@ -6,6 +6,7 @@
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/properties/CropSection.h"
 #include "widgets/properties/CutSection.h"
 #include "widgets/properties/LabelSection.h"
 #include "widgets/properties/MeasureSection.h"
@@ -106,6 +107,10 @@ void MainWindow::connectPictureAndPanels() {
   connectMeasures(m_picture.measures(), *properties->measureSection());
   connect(&m_context.actions.find("cropBox"), &QAction::toggled, &m_picture.turnedBox(),
           &TurnedBoxController::showBox);
+  connect(&m_context.actions.find("cropBox"), &QAction::triggered, &m_picture.turnedBox(),
+          &TurnedBoxController::tellWhatStaysCut);
+  connect(properties->cropSection(), &CropSection::turnRequested, &m_context.actions.find("turnCropBox"),
+          &QAction::trigger);
   connect(planes, &PlaneController::valueMarked, curve, &TransferFunctionEditor::setMark);
   connect(planes, &PlaneController::valuePinned, curve, &TransferFunctionEditor::setPinnedValue);
   connect(&m_panels.ray(), &RayController::placeChosen, planes, &PlaneController::goTo);

@@ -43,8 +43,10 @@ const std::string lookEndingKey = "lookEnding";
 const std::string recentPrefix = "recent/";
 const std::string knownPrefix = "known/";
 const std::string volumePrefix = "volume/";
+const std::string dismissedPrefix = "dismissed/";
 constexpr std::size_t mostRecent = 10;
 constexpr std::size_t mostKnown = 100;
+constexpr std::size_t mostDismissed = 100;
 
 // "41.20 12.70": with OpenGL and with the processor, ms.
 std::optional<EngineTimes> readTimes(const QString& text) {
@@ -53,6 +55,10 @@ std::optional<EngineTimes> readTimes(const QString& text) {
     return std::nullopt;
   const EngineTimes times{parts[0].toDouble(), parts[1].toDouble()};
   return times.openGlMs > 0.0 && times.processorMs > 0.0 ? std::optional(times) : std::nullopt;
+}
+
+std::string dismissedText(const std::string& volumePath, const QString& sentence) {
+  return volumePath + ": " + sentence.toStdString();
 }
 
 QString written(bool flag) {
@@ -158,7 +164,7 @@ void Settings::removeRecentSource(const QString& path) {
 
 void Settings::clearRecentSources() {
   change([](SettingsDocument& values) {
-    for (const std::string& prefix : {recentPrefix, knownPrefix})
+    for (const std::string& prefix : {recentPrefix, knownPrefix, dismissedPrefix})
       for (const DatedEntry& entry : datedEntries(values, prefix))
         forget(values, prefix, entry.name);
     values.erase(folderKey);
@@ -318,6 +324,18 @@ std::optional<Engine> Settings::engine() const {
 
 void Settings::setEngine(std::optional<Engine> engine) {
   set(engineKey, QLatin1String(nameOf(engine)));
+}
+
+bool Settings::isDismissed(const std::string& volumePath, const QString& sentence) {
+  readAgain();
+  return !nameOf(m_values, dismissedPrefix, dismissedText(volumePath, sentence)).empty();
+}
+
+void Settings::setDismissed(const std::string& volumePath, const QString& sentence) {
+  const std::string fresh = newName();
+  change([&](SettingsDocument& values) {
+    putFirst(values, dismissedPrefix, dismissedText(volumePath, sentence), fresh, mostDismissed);
+  });
 }
 
 bool Settings::tourIsKnown() const {

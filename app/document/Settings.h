@@ -120,6 +120,11 @@ public:
   QString pictureOptions() const;
   void setPictureOptions(const QString& options);
 
+  /// Whether somebody has dismissed what is said of a volume, so that it need not be said again; of the last
+  /// hundred that were.
+  bool isDismissed(const std::string& volumePath, const QString& sentence);
+  void setDismissed(const std::string& volumePath, const QString& sentence);
+
   /// Whether the tour of the window was taken or declined; false at first.
   bool tourIsKnown() const;
   void setTourIsKnown(bool isKnown);

@@ -80,12 +80,20 @@ void RemarksController::say() {
   const MessageBar::Action showFigure{tr("Show the figure"),
                                       [this, figure = m_figure] { emit figureAsked(figure); }};
   const VolumeInfo& info = m_volume->info();
-  m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1),
-                          !m_figure.isEmpty()      ? showFigure
-                          : !folder.isEmpty()      ? openFolder
-                          : !info.spacingKnown     ? setSpacing
-                          : !info.orientationKnown ? setOrientation
-                                                   : MessageBar::Action{});
+  const MessageBar::Action action = !m_figure.isEmpty()      ? showFigure
+                                    : !folder.isEmpty()      ? openFolder
+                                    : !info.spacingKnown     ? setSpacing
+                                    : !info.orientationKnown ? setOrientation
+                                                             : MessageBar::Action{};
+  // Where something can be set right it is said each time: what is measured depends on it.
+  const std::string path = m_context.document.volumePath();
+  const QString all = remarks.join(QLatin1Char(' '));
+  if (action.text.isEmpty() && m_context.settings.isDismissed(path, all)) {
+    m_said.clear();
+    return;
+  }
+  m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1), action,
+                          {{}, [this, path, all] { m_context.settings.setDismissed(path, all); }});
 }
 
 // The same voxels, placed otherwise: a person said how they lie.

@@ -73,11 +73,13 @@ void addLanguages(WindowContext& context) {
   for (const Language& language : languagesSpoken())
     add(language.code, language.name);
   checkOnly(*languages, context.settings.language());
-  context.actions.addSetting({.row = 2, .label = Frame::tr("Language"), .choice = languages});
+  context.actions.addSetting(
+      {.row = 2,
+       .label = Frame::tr("Language"),
+       .choice = languages,
+       .consequence = Frame::tr("The window speaks this language when it is opened the next time.")});
   QObject::connect(languages, &QActionGroup::triggered, &context.window, [&context](const QAction* chosen) {
     context.settings.setLanguage(chosen->data().toString());
-    context.window.statusBar()->showMessage(
-        Frame::tr("The window speaks this language when it is opened the next time."), 8000);
   });
 }
 

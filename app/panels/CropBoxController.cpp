@@ -25,6 +25,7 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
            .tool = {6, 1},
            .isCheckable = true,
            .needsVolume = true})) {
+  context.actions.addToolMenu(QStringLiteral("cropBox"), {QStringLiteral("turnCropBox")});
   // A letter belongs to whatever has the focus: this one to picture and slices.
   m_action->setShortcutContext(Qt::WidgetShortcut);
   context.view.addAction(m_action);

@@ -91,6 +91,20 @@ Panel& dockedAtRight(WindowContext& context, const QString& title, const char* n
   return *panel;
 }
 
+// A ramp that ends above the brightest voxel would leave all of a picture dark.
+TransferFunction ofMaximum(const Volume& volume, const Histogram& histogram) {
+  if (!looksLikeHounsfield(volume))
+    return fittedToValues(presetNamed(builtInPresets(), "MR maximum (MIP)"), volume, histogram)
+        .transferFunction;
+  TransferFunction ramp = presetNamed(builtInPresets(), "CT maximum (MIP)").transferFunction;
+  const double black = ramp.points.front().value, white = ramp.points.back().value;
+  const double highest = volume.range().highest;
+  if (highest < white && highest > black)
+    for (ControlPoint& point : ramp.points)
+      point.value = black + (point.value - black) * (highest - black) / (white - black);
+  return ramp;
+}
+
 } // namespace
 
 ProjectionCurves::Kind ProjectionCurves::kindOf(Projection projection) {
@@ -112,13 +126,12 @@ ProjectionCurves::Kind ProjectionCurves::kindOf(Projection projection) {
 }
 
 TransferFunction ProjectionCurves::ownCurve(const Scene& scene, Kind kind, const Histogram& histogram) {
-  const bool isHounsfield = looksLikeHounsfield(*scene.volume);
+  if (kind == Kind::maximum)
+    return ofMaximum(*scene.volume, histogram);
   Preset preset;
   preset.modality = "CT";
   if (kind == Kind::tissue)
     preset = bestFitting(builtInPresets(), *scene.volume);
-  else if (kind == Kind::maximum)
-    preset = presetNamed(builtInPresets(), isHounsfield ? "CT maximum (MIP)" : "MR maximum (MIP)");
   else if (kind == Kind::xray)
     preset = presetNamed(builtInPresets(), "CT X-ray");
   else

@@ -75,11 +75,15 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
 // "226 – 3071 HU · 812 ml · mean 640 HU"
 QString pieceText(const ConnectedPiece& piece, const SetFigures& figures, const Volume& volume) {
   const ValueRange range = foundRange(piece, volume);
+  const QString lowest =
+      valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest));
+  const QString ml = plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0);
+  // The wheel would leave out the place that was clicked.
+  if (isNarrowest(piece, volume))
+    return CutController::tr("%1 – %2 · %3 ml · no narrower by the wheel")
+        .arg(lowest, readingText(range.highest, volume), ml);
   return CutController::tr("%1 – %2 · %3 ml · mean %4")
-      .arg(valueText(range.lowest, {}, decimalsOfSpan(volume.range().highest - volume.range().lowest)),
-           readingText(range.highest, volume),
-           plainNumber(figures.millilitres, figures.millilitres < 10.0 ? 2 : 0),
-           readingText(figures.mean, volume));
+      .arg(lowest, readingText(range.highest, volume), ml, readingText(figures.mean, volume));
 }
 
 } // namespace
@@ -97,6 +101,8 @@ CutController::CutController(WindowContext& context)
   connect(planes, &PlaneDeck::lineClosed, this, &CutController::cutInSlice);
   connect(m_bar, &CutBar::insideChosen, this, &CutController::takeInside);
   connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
+  connect(m_bar, &CutBar::similarRequested, this, &CutController::takeSimilar);
+  connect(m_bar, &CutBar::reachChosen, this, &CutController::takeReach);
   connect(m_bar, &CutBar::hideRequested, this, [this] { finish(ConnectedPiece::Fate::hidden); });
   connect(m_bar, &CutBar::aloneRequested, this, [this] { finish(ConnectedPiece::Fate::alone); });
   connect(m_bar, &CutBar::lookRequested, this, [this] { finish(ConnectedPiece::Fate::ownLook); });
@@ -127,7 +133,9 @@ void CutController::showBar() {
   else if (m_shown)
     m_bar->showPiece(pieceText(*m_piece, m_shown->figures, *m_volume), true);
   else
-    m_bar->showPiece(m_piece ? tr("Looking for what hangs together…") : tr("Click what is meant"), false);
+    m_bar->showPiece(m_piece ? tr("Looking for what hangs together…")
+                             : tr("Click what is meant; the wheel then takes less or more"),
+                     false);
 }
 
 void CutController::cutAlong(const std::vector<glm::dvec2>& polygon, double aspect) {
@@ -186,6 +194,8 @@ void CutController::pickAt(const glm::dvec3& worldMm) {
     return say(tr("Nothing that the curve shows lies there, so there is no piece to pick."));
   m_context.view.setTool(ViewTool::piece);
   m_piece = piece;
+  m_piece->reachMm = m_bar->reachMm();
+  m_pointedMm = worldMm;
   findPiece();
 }
 
@@ -203,10 +213,26 @@ void CutController::findPiece() {
   showBar();
 }
 
-void CutController::narrow(double notches) {
+void CutController::narrow(double notches, bool onlyAbove) {
   if (!m_piece || !m_volume)
     return;
-  m_piece = narrowed(*m_piece, *m_volume, notches);
+  const ConnectedPiece before = *m_piece;
+  m_piece = onlyAbove ? narrowedAbove(before, *m_volume, notches) : narrowed(before, *m_volume, notches);
+  if (m_piece != before)
+    findPiece();
+}
+
+void CutController::takeSimilar() {
+  if (!m_piece || !m_volume)
+    return;
+  m_piece = withValuesAround(*m_piece, *m_volume, m_pointedMm);
+  findPiece();
+}
+
+void CutController::takeReach() {
+  if (!m_piece)
+    return;
+  m_piece->reachMm = m_bar->reachMm();
   findPiece();
 }
 
@@ -282,6 +308,7 @@ void CutController::layDown() {
   if (tool == ViewTool::scissors || tool == ViewTool::piece)
     m_context.view.setTool(ViewTool::rotate);
   m_onlySeen = false;
+  m_bar->forgetReach();
   takeInside(true);
 }
 

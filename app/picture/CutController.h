@@ -58,7 +58,9 @@ private:
   void cut(const Scissors& scissors);
   void cutToSeen(Scissors scissors);
   void findPiece();
-  void narrow(double notches);
+  void narrow(double notches, bool onlyAbove);
+  void takeSimilar();
+  void takeReach();
   void show(const Shown& shown);
   void showBar();
   void finish(ConnectedPiece::Fate fate);
@@ -75,6 +77,7 @@ private:
   bool m_removesInside = true;
   bool m_onlySeen = false;
   std::optional<ConnectedPiece> m_piece; ///< that was pointed at
+  glm::dvec3 m_pointedMm{0.0};           ///< where
   std::optional<Shown> m_shown;          ///< once it is found
   BackgroundWork m_work;
 };

@@ -134,12 +134,15 @@ PictureArea::PictureArea(WindowContext& context)
 // The keys belong to the picture (ViewInput), which is why these only name them.
 void PictureArea::addTools() {
   int row = 0;
+  QStringList measuring;
   QMenu* menu = m_context.actions.addMenu(tr("Left dra&g"), {Menu::view, 2, 4});
   const auto add = [&](ViewTool tool, const char* name, const QString& text, const QString& key,
                        const QString& tip) {
     const QString own = QStringLiteral("tool-") + QLatin1String(name);
-    // Those that measure have their buttons where what they measured is listed; the first leads there.
+    // Those that measure share the button of the first.
     const bool measures = kindOf(tool).has_value();
+    if (measures)
+      measuring << own;
     menu->addAction(m_context.actions.addChoice(
         *m_tools, own, static_cast<int>(tool),
         {.text = QStringLiteral("%1\t%2").arg(text, key),
@@ -162,6 +165,7 @@ void PictureArea::addTools() {
       tr("clicks set an end, the corner and the other end, a drag rotates"));
   add(ViewTool::ellipse, "ellipse", tr("Ellipse"), tr("E"), tr("drawn in a slice; a drag rotates"));
   add(ViewTool::mark, "mark", tr("Mark"), tr("N"), tr("a click marks a place, a drag rotates"));
+  m_context.actions.addToolMenu(measuring.front(), measuring);
   checkOnly(*m_tools, static_cast<int>(ViewTool::rotate));
   connect(m_tools, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     m_context.view.setTool(static_cast<ViewTool>(chosen->data().toInt()));

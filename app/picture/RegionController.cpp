@@ -187,12 +187,16 @@ void RegionController::offerBody() {
     // A remark says that it is doubtful what lies beside the body, and that something does.
     if (found.remark.empty() || found.region.kind != Region::Kind::body)
       return [] {};
-    return [this, volume, found] { askAboutTable(volume, found); };
+    return [this, volume, found] { askAboutTable(volume, found, QDeadlineTimer(m_asksForMs)); };
   });
 }
 
-// What is said of the volume itself goes before, and is dismissed first.
-void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found) {
+// What is said of the volume itself goes before, and is dismissed first. A question that comes long after the
+// volume only interrupts: the View menu has its answer.
+void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found,
+                                     const QDeadlineTimer& end) {
+  if (end.hasExpired())
+    return;
   const auto isAsShown = [this, volume] {
     const Scene& shown = m_context.session.scene();
     return shown.volume == volume && shown.keep.kind == Region::Kind::all;
@@ -202,7 +206,7 @@ void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume
   if (m_context.messages.isWanted()) {
     connect(
         &m_context.messages, &MessageBar::wanted, this,
-        [this, volume, found] { askAboutTable(volume, found); },
+        [this, volume, found, end] { askAboutTable(volume, found, end); },
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
     return;
   }

@@ -7,6 +7,7 @@
 #include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
 
+#include <QDeadlineTimer>
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
@@ -53,6 +54,11 @@ public slots:
   /// Of a CT volume that was opened by itself and is shown wholly, because it is not sure which part is the
   /// body: looks beside the event loop whether something lies beside one, and asks whether to hide that.
   void offerBody();
+  /// How long after it was found that may still be asked, ms, where something else was said meanwhile: a
+  /// minute at first.
+  void setAsksFor(int ms) { m_asksForMs = ms; }
+  /// Whether it is still being found whether there is something to ask.
+  bool isOffering() const { return m_offering.isRunning(); }
   void showScene(const limn::Scene& scene);
 
 signals:
@@ -73,7 +79,8 @@ private:
   void measureLabels(const Scene& scene);
   void hideTableBesideLabels(bool isHidden, const Gesture& gesture);
   void offerCutsOfBefore(const Scene& scene);
-  void askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found);
+  void askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found,
+                     const QDeadlineTimer& end);
   void end();
 
   WindowContext& m_context;
@@ -90,6 +97,7 @@ private:
   std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
   BackgroundWork m_measuring;
   BackgroundWork m_offering; ///< of a body
+  int m_asksForMs = 60000;
 };
 
 /// Whether what is dropped beside an open volume becomes its labels: a file that is named so (LabelNames.h),

@@ -3,6 +3,8 @@
 
 #include "app/window/WindowContext.h"
 #include "planes/PlaneGrid.h"
+#include "scene/framing/VisibleVoxels.h"
+#include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
 
@@ -10,6 +12,7 @@
 #include <QStatusBar>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -41,6 +44,46 @@ Grid gridAround(const Grid& volume, const glm::dmat3& axes) {
   }
   grid.originMm = axes * first;
   return grid;
+}
+
+// The part of a box that holds what is seen of a scene, and a voxel more on each side.
+CropBox seenIn(const Grid& box, const Scene& scene) {
+  const Grid& volume = scene.volume->grid();
+  const auto placeOfIndex = [&](const glm::dvec3& index) {
+    return fractionsIn(box, indexToWorld(volume, index));
+  };
+  const glm::dvec3 first = placeOfIndex(glm::dvec3(0.0));
+  glm::dmat3 step;      // from a voxel to the next along each axis
+  glm::dvec3 half(0.0); // of a voxel, along the axes of the box
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 next(0.0);
+    next[axis] = 1.0;
+    step[axis] = placeOfIndex(next) - first;
+    half += 0.5 * glm::abs(step[axis]);
+  }
+  const VisibleVoxels seen = visibleVoxels(scene);
+  const double unit = seen.unitVoxels;
+  CropBox part{glm::dvec3(1.0), glm::dvec3(0.0)};
+  const auto take = [&](const glm::dvec3& lowest, double voxels) {
+    const glm::dvec3 middle = first + step * (lowest + (voxels - 1.0) / 2.0);
+    const glm::dvec3 reach = (voxels + 2.0) * half;
+    return CropBox{middle - reach, middle + reach};
+  };
+  for (const VisibleBlock& block : seen.blocks) {
+    const glm::dvec3 corner = unit * blockUnits * glm::dvec3(block.place);
+    const CropBox whole = take(corner, unit * blockUnits);
+    if (glm::all(glm::greaterThanEqual(whole.lower, part.lower)) &&
+        glm::all(glm::lessThanEqual(whole.upper, part.upper)))
+      continue;
+    for (int z = 0; z < blockUnits; ++z)
+      for (std::uint64_t left = block.units[static_cast<std::size_t>(z)]; left != 0; left &= left - 1) {
+        const int bit = std::countr_zero(left);
+        const CropBox one = take(corner + unit * glm::dvec3(bit % blockUnits, bit / blockUnits, z), unit);
+        part.lower = glm::min(part.lower, one.lower);
+        part.upper = glm::max(part.upper, one.upper);
+      }
+  }
+  return {glm::max(part.lower, 0.0), glm::min(part.upper, 1.0)};
 }
 
 // The line that says what the rectangle across two axes leaves.
@@ -103,6 +146,14 @@ void setPart(TurnedBox& box, const Side& side, const Scissors& scissors) {
   }
 }
 
+// Whether two boxes around one volume lie alike, but for the rounding of one found again.
+bool isAlong(const Grid& one, const Grid& other) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (glm::distance(one.direction[axis], other.direction[axis]) > roundingOfBox)
+      return false;
+  return glm::distance(boxCentreMm(one), boxCentreMm(other)) <= roundingOfBox * boxDiagonalMm(one);
+}
+
 // Whether two cuts take the same, but for the rounding of a box found again.
 bool takeTheSame(const Cut& a, const Cut& b) {
   const auto* one = std::get_if<Scissors>(&a.how);
@@ -124,29 +175,26 @@ bool takeTheSame(const Cut& a, const Cut& b) {
 } // namespace
 
 TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene) {
-  const Grid& volume = scene.volume->grid();
   const CameraBasis basis = basisOf(camera);
-  TurnedBox turned{gridAround(volume, glm::dmat3(basis.right, basis.forward, basis.up)), {}};
-  const CropBox kept = scene.crop == CropBox{} ? boxAroundBody(scene) : scene.crop;
-  turned.crop = {glm::dvec3(1.0), glm::dvec3(0.0)};
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::bvec3 isUpper(corner & 1, corner & 2, corner & 4);
-    const glm::dvec3 fraction = glm::mix(kept.lower, kept.upper, isUpper);
-    const glm::dvec3 at =
-        fractionsIn(turned.grid, indexToWorld(volume, fraction * glm::dvec3(volume.dims) - 0.5));
-    turned.crop.lower = glm::clamp(glm::min(turned.crop.lower, at), 0.0, 1.0);
-    turned.crop.upper = glm::clamp(glm::max(turned.crop.upper, at), 0.0, 1.0);
-  }
-  return turned;
+  const Grid grid = gridAround(scene.volume->grid(), glm::dmat3(basis.right, basis.forward, basis.up));
+  const CropBox fit = seenIn(grid, scene);
+  return {grid, fit, fit};
 }
 
 std::vector<Cut> cutsOf(const TurnedBox& box) {
-  const auto isCut = [&](int axis) { return box.crop.lower[axis] > 0.0 || box.crop.upper[axis] < 1.0; };
+  // What is not seen now may be seen later: faces that nobody moved inwards leave it.
+  TurnedBox cutting{box.grid, {}};
+  for (const CropFace face : cropFaces)
+    if (cutBy(box, face) > 0.0)
+      (face.isUpper ? cutting.crop.upper : cutting.crop.lower)[face.axis] = placeOf(box.crop, face);
+  const auto isCut = [&](int axis) {
+    return cutting.crop.lower[axis] > 0.0 || cutting.crop.upper[axis] < 1.0;
+  };
   std::vector<Cut> cuts;
   if (isCut(0) || isCut(2))
-    cuts.push_back(sideCut(box, besides));
+    cuts.push_back(sideCut(cutting, besides));
   if (isCut(1))
-    cuts.push_back(sideCut(box, foreAndAft));
+    cuts.push_back(sideCut(cutting, foreAndAft));
   return cuts;
 }
 
@@ -191,6 +239,8 @@ void TurnedBoxController::turn() {
     return;
   m_turned = Turned{scene.volume, boxTurnedTo(scene.camera, scene), scene.keep.cuts, scene.keep.cuts,
                     scene.keep.cuts};
+  m_fitted = m_turned->box;
+  m_fittedTo = scene.volume;
   m_context.view.setTurnedBox(m_turned->box);
   m_context.actions.find("cropBox").setChecked(true);
   m_context.window.statusBar()->showMessage(
@@ -212,7 +262,21 @@ void TurnedBoxController::takeUp(const Scene& scene) {
     return end();
   std::vector<Cut> before = scene.keep.cuts;
   before.resize(before.size() - found->cuts);
-  m_turned = Turned{scene.volume, found->box, before, scene.keep.cuts, scene.keep.cuts};
+  TurnedBox box = found->box;
+  if (m_fitted && m_fittedTo.lock() == scene.volume && isAlong(m_fitted->grid, box.grid)) {
+    box.fit = m_fitted->fit;
+  } else { // as it was before its own lines
+    Scene uncut = scene;
+    uncut.keep = withoutCuts(scene.keep);
+    box.fit = seenIn(box.grid, uncut);
+  }
+  for (const CropFace face : cropFaces) // those that cut nothing stand where something is seen
+    if (double& place = (face.isUpper ? box.crop.upper : box.crop.lower)[face.axis];
+        place == (face.isUpper ? 1.0 : 0.0))
+      place = placeOf(box.fit, face);
+    else if (cutBy(box, face) == 0.0)
+      (face.isUpper ? box.fit.upper : box.fit.lower)[face.axis] = face.isUpper ? 1.0 : 0.0;
+  m_turned = Turned{scene.volume, box, before, scene.keep.cuts, scene.keep.cuts};
   m_context.view.setTurnedBox(m_turned->box);
 }
 
@@ -241,6 +305,35 @@ void TurnedBoxController::showScene(const Scene& scene) {
   if (scene.volume == m_turned->volume && scene.keep.cuts == m_turned->made)
     return;
   takeUp(scene);
+}
+
+// Of both boxes: the crop's lies below the turned one.
+void TurnedBoxController::tellWhatStaysCut(bool isShown) {
+  const QString sentence = tr("The crop box is put away; what its faces cut away stays so.");
+  const Scene& scene = m_context.session.scene();
+  const bool isCut =
+      scene.volume && (scene.crop != CropBox{} || boxAtTheEnd(scene.keep.cuts, scene.volume->grid()));
+  if (!isShown && isCut)
+    m_context.messages.show(MessageBar::Kind::note, sentence, {}, {tr("Close all cuts"), [this] {
+                                                                     m_context.messages.hide();
+                                                                     closeAll();
+                                                                   }});
+  else if (m_context.messages.isNote() && m_context.messages.sentence() == sentence)
+    m_context.messages.hide();
+}
+
+void TurnedBoxController::closeAll() {
+  const Scene& scene = m_context.session.scene();
+  if (!scene.volume)
+    return;
+  const Gesture gesture{nextGestureId(), tr("close all cuts of the crop box")};
+  std::vector<Cut> cuts = scene.keep.cuts;
+  while (const auto found = boxAtTheEnd(cuts, scene.volume->grid()))
+    cuts.resize(cuts.size() - found->cuts);
+  const bool hasLines = cuts != scene.keep.cuts;
+  m_context.session.setCrop({}, gesture);
+  if (hasLines)
+    emit cutsWanted(cuts, gesture);
 }
 
 void TurnedBoxController::end() {

@@ -16,8 +16,8 @@ namespace limn {
 
 struct WindowContext;
 
-/// A box around the volume that lies as a camera looks, with its part that holds what the crop (or, where
-/// nothing is cropped, the body) leaves: it takes nothing away yet.
+/// A box around the volume that lies as a camera looks, with its part that holds what is seen of the scene
+/// and a voxel more: it takes nothing away yet.
 TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene);
 
 /// The scissors that leave what lies in the box; none where it takes nothing away. A scene has no key for a
@@ -49,6 +49,9 @@ public:
   /// The crop box is put over the picture, or put away.
   void showBox(bool isShown);
 
+  /// Says, once the box was put away by hand, that what its faces cut stays so, and offers to close that.
+  void tellWhatStaysCut(bool isShown);
+
 signals:
   /// The list of cuts shall be this.
   void cutsWanted(const std::vector<limn::Cut>& cuts, const limn::Gesture& gesture);
@@ -68,8 +71,11 @@ private:
   void cropTo(const CropBox& crop, const Gesture& gesture);
   void end();
   void showScene(const Scene& scene);
+  void closeAll();
 
   WindowContext& m_context;
+  std::optional<TurnedBox> m_fitted; ///< as it was turned last
+  std::weak_ptr<const Volume> m_fittedTo;
   std::optional<Turned> m_turned;
   std::vector<Cut> m_seen; ///< the list of the scene that was shown last
 };

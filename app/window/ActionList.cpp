@@ -98,6 +98,10 @@ QAction* ActionList::addMenuButton(QToolButton& button, QMenu* menu, const ToolP
   return action;
 }
 
+void ActionList::addToolMenu(const QString& action, const QStringList& entries) {
+  m_toolMenus.emplace_back(action, entries);
+}
+
 void ActionList::addSetting(const Setting& setting) {
   m_settings.push_back(setting);
   std::ranges::stable_sort(m_settings, {}, &Setting::row);
@@ -125,6 +129,28 @@ void ActionList::arrange() {
   for (int number = 1; number < static_cast<int>(m_menus.size()); ++number)
     fill(*m_menus[static_cast<std::size_t>(number)], number);
   fill(*m_bar, toolBar);
+  openToolMenus();
+}
+
+void ActionList::openToolMenus() {
+  for (const auto& [name, entries] : m_toolMenus) {
+    auto* button = qobject_cast<QToolButton*>(m_bar->widgetForAction(&find(name.toLatin1().constData())));
+    assert(button);
+    auto* menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
+    for (const QString& entry : entries) {
+      QAction* one = &find(entry.toLatin1().constData());
+      menu->addAction(one);
+      if (one->isCheckable())
+        connect(one, &QAction::toggled, button, [button, one](bool isOn) {
+          if (isOn)
+            button->setDefaultAction(one);
+        });
+    }
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::MenuButtonPopup);
+    looksIdleAfterMenu(*button);
+  }
 }
 
 void ActionList::fill(QWidget& bar, int menu) {

@@ -5,10 +5,12 @@
 #include <QKeySequence>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QToolButton>
 #include <QVariant>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 class QMainWindow;
@@ -74,12 +76,17 @@ public:
   /// A button for that, with its text beside its icon.
   QToolButton* makeMenuButton(const QString& name, QToolButton::ToolButtonPopupMode mode);
 
+  /// Has the button of an action of the tool bar open a menu of others beside it, which must have been
+  /// registered once `arrange` is called. Of choices it shows the one that was made last.
+  void addToolMenu(const QString& action, const QStringList& entries);
+
   /// Has the settings show a switch, a choice named `label`, or a button; they stand in the order of `row`.
   struct Setting {
     int row = 0;
     QString label = {};             ///< of a choice
     QActionGroup* choice = nullptr; ///< either this
     QAction* action = nullptr;      ///< or this: a switch where it is checkable, otherwise a button
+    QString consequence = {};       ///< said below a choice once another was made; empty: nothing
   };
   void addSetting(const Setting& setting);
   const std::vector<Setting>& settings() const { return m_settings; }
@@ -119,12 +126,14 @@ private:
   void place(QAction& action, const MenuPlace& place);
   void place(QAction& action, const ToolPlace& place);
   void fill(QWidget& bar, int menu);
+  void openToolMenus();
 
   QMainWindow& m_window;
   QToolBar* m_bar;
   std::vector<QMenu*> m_menus; ///< in the order of `Menu`, the first null
   QList<QAction*> m_all;
   std::vector<Entry> m_entries;
+  std::vector<std::pair<QString, QStringList>> m_toolMenus; ///< of actions of the tool bar
   QList<QAction*> m_needingVolume;
   std::vector<Setting> m_settings;
   std::vector<std::function<void()>> m_iconRefreshes;

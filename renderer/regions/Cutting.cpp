@@ -228,6 +228,20 @@ BitGrid keptVoxels(const Region& region, const Volume& volume, const Effort& eff
   return voxelsOf(*region.labels, shownLabels(region), volume.room(), effort);
 }
 
+// The voxels whose centres lie within a distance of a place.
+static BitGrid sphereAbout(const glm::dvec3& placeMm, double radiusMm, const Grid& grid, BitGrid empty) {
+  const glm::dvec3 middle = worldToIndex(grid, placeMm);
+  const glm::dvec3 radius = radiusMm / grid.spacingMm;
+  const glm::ivec3 first = glm::max(glm::ivec3(glm::ceil(middle - radius)), glm::ivec3(0));
+  const glm::ivec3 last = glm::min(glm::ivec3(glm::floor(middle + radius)), grid.dims - 1);
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x)
+        if (glm::length((glm::dvec3(x, y, z) - middle) * grid.spacingMm) <= radiusMm)
+          empty.set({x, y, z});
+  return empty;
+}
+
 BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPiece& piece,
                    const Effort& effort) {
   const Grid& grid = volume.grid();
@@ -236,6 +250,8 @@ BitGrid pieceAmong(const BitGrid& kept, const Volume& volume, const ConnectedPie
   const BitGrid inRange = valuesWithin(volume, piece.range, partOf(effort, 0.0, 0.3));
   BitGrid allowed = inRange;
   allowed &= kept;
+  if (piece.reachMm)
+    allowed &= sphereAbout(piece.seedMm, *piece.reachMm, grid, kept.emptyLike());
   if (!nearest || !allowed.at(*nearest))
     return seed;
   seed.set(*nearest);

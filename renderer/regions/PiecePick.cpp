@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace limn {
@@ -14,7 +16,13 @@ namespace {
 constexpr double leastShown = 0.02; // as for what is visible (DEFINITION section 8)
 constexpr double leastOfSeed = 0.5; // of its opacity, which belongs to a piece
 constexpr int reachVoxels = 2;
-constexpr double notchShare = 0.02; // of the range of values
+constexpr double notchShare = 0.02;      // of the range of values
+constexpr double ownShare = 0.1;         // of a piece's range that has two ends of its own
+constexpr double narrowestShare = 0.002; // of the range of values, from which a range of one value can widen
+constexpr double upperShare = 0.2;       // of what lies above the seed's value
+constexpr double aroundMm = 2.0;
+constexpr double deviations = 2.5;
+constexpr double leastAround = 0.005; // of the range of values
 
 // Ranges in ascending order; those that touch become one.
 class Ranges {
@@ -55,6 +63,10 @@ bool isKept(const Region& keep, const glm::ivec3& voxel) {
   return !keep.labels ||
          keep.weights[keep.labels->placeAt(voxelOffset(keep.labels->dims(), voxel.x, voxel.y, voxel.z))] >
              0.0;
+}
+
+double seedValueOf(const ConnectedPiece& piece, const Volume& volume) {
+  return valueAt(volume, worldToIndex(volume.grid(), piece.seedMm));
 }
 
 struct Sums {
@@ -115,15 +127,72 @@ std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worl
 
 ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches) {
   const ValueRange& values = volume.range();
-  const double seed = valueAt(volume, worldToIndex(volume.grid(), piece.seedMm));
-  const double by = notches * notchShare * (values.highest - values.lowest);
-  ConnectedPiece other = piece;
+  const double seed = seedValueOf(piece, volume);
+  const double span = values.highest - values.lowest;
   const bool hasLow = piece.range.x > values.lowest, hasHigh = piece.range.y < values.highest;
+  const double notch = hasLow && hasHigh ? std::clamp(ownShare * (piece.range.y - piece.range.x),
+                                                      narrowestShare * span, notchShare * span)
+                                         : notchShare * span;
+  const double by = notches * notch;
+  ConnectedPiece other = piece;
   // One that reaches from end to end is narrowed from below: what is bright is meant more often.
   if (hasLow || !hasHigh)
     other.range.x = std::clamp(piece.range.x + by, std::min(values.lowest, seed), seed);
   if (hasHigh)
     other.range.y = std::clamp(piece.range.y - by, seed, std::max(values.highest, seed));
+  return other;
+}
+
+ConnectedPiece narrowedAbove(const ConnectedPiece& piece, const Volume& volume, double notches) {
+  const ValueRange& values = volume.range();
+  const double seed = seedValueOf(piece, volume);
+  const double least = narrowestShare * (values.highest - values.lowest);
+  const double above = std::min(piece.range.y, values.highest) - seed;
+  const double from = notches < 0.0 ? std::max(above, least) : above;
+  ConnectedPiece other = piece;
+  other.range.y =
+      std::clamp(seed + from * std::pow(1.0 - upperShare, notches), seed, std::max(values.highest, seed));
+  if (notches > 0.0 && other.range.y - seed < least)
+    other.range.y = seed;
+  return other;
+}
+
+bool isNarrowest(const ConnectedPiece& piece, const Volume& volume) {
+  return narrowed(piece, volume, 1.0).range == piece.range;
+}
+
+ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volume,
+                                const glm::dvec3& worldMm) {
+  const Grid& grid = volume.grid();
+  const glm::dvec3 middle = worldToIndex(grid, worldMm);
+  const glm::dvec3 reach = aroundMm / grid.spacingMm + 1.0;
+  const glm::ivec3 first = glm::max(glm::ivec3(glm::ceil(middle - reach)), glm::ivec3(0));
+  const glm::ivec3 last = glm::min(glm::ivec3(glm::floor(middle + reach)), grid.dims - 1);
+  std::vector<std::pair<double, glm::ivec3>> found;
+  double sum = 0.0, squares = 0.0;
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x) {
+        const double value = valueAt(volume, glm::dvec3(x, y, z));
+        if (value < piece.range.x || value > piece.range.y ||
+            glm::length((glm::dvec3(x, y, z) - middle) / reach) > 1.0)
+          continue;
+        found.emplace_back(value, glm::ivec3(x, y, z));
+        sum += value;
+        squares += value * value;
+      }
+  if (found.empty())
+    return piece;
+  const auto count = static_cast<double>(found.size());
+  const double mean = sum / count;
+  const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
+  const double beside =
+      std::max(deviations * deviation, leastAround * (volume.range().highest - volume.range().lowest));
+  const auto nearest =
+      std::ranges::min_element(found, {}, [mean](const auto& one) { return std::abs(one.first - mean); });
+  ConnectedPiece other = piece;
+  other.seedMm = indexToWorld(grid, glm::dvec3(nearest->second));
+  other.range = {mean - beside, mean + beside};
   return other;
 }
 

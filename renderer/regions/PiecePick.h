@@ -20,9 +20,22 @@ std::optional<glm::dvec2> rangeAround(const TransferFunction& function, const Va
 std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worldMm);
 
 /// The same piece with a range that is narrower by so many notches, each a fiftieth of the volume's range, or
-/// wider (negative): the end that does not lie at an end of the volume's values moves, or both do. The value
-/// at the seed stays within it.
+/// wider (negative): the end that does not lie at an end of the volume's values moves, or both do, by no more
+/// than a tenth of the range. The value at the seed stays within it.
 ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches);
+
+/// The same piece with an upper end that is lower by so many notches, or higher (negative), each a fifth of
+/// what lies between it and the value at the seed, which stays within the range.
+ConnectedPiece narrowedAbove(const ConnectedPiece& piece, const Volume& volume, double notches);
+
+/// Whether the range can get no narrower by `narrowed`, because it would leave out the value at the seed.
+bool isNarrowest(const ConnectedPiece& piece, const Volume& volume);
+
+/// The same piece with the values that lie around a place, mm of the world: of the voxels of its range within
+/// 2 mm and a voxel the mean ± 2.5 standard deviations (99 % of a normal distribution), at least ± 0.5 % of
+/// the volume's range; its seed is the voxel among them that is nearest to the mean. As it was where none of
+/// its range lies there.
+ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volume, const glm::dvec3& worldMm);
 
 /// How large a set of voxels is, and which values they have.
 struct SetFigures {

@@ -424,6 +424,74 @@ TEST(PiecePick, narrowsTheEndThatIsNotTheVolumesAndKeepsTheSeed) {
   EXPECT_DOUBLE_EQ(narrowed(piece, *volume, -1000.0).range.x, values.lowest);
 }
 
+TEST(PiecePick, narrowsTheUpperEndAloneByAFifthOfWhatLiesAboveTheSeed) {
+  const auto volume = cloudy({10, 10, 10});
+  const glm::dvec3 seed = indexToWorld(volume->grid(), {3, 4, 5});
+  const double value = valueAt(*volume, {3, 4, 5});
+  const ValueRange& values = volume->range();
+  ASSERT_LT(value, values.highest);
+  const ConnectedPiece piece{seed, {values.lowest, values.highest + 100.0}, 1, ConnectedPiece::Fate::hidden};
+  const ConnectedPiece less = narrowedAbove(piece, *volume, 1.0);
+  EXPECT_EQ(less.range.x, piece.range.x);
+  // The seed's own value is read back through its place in the world.
+  EXPECT_NEAR(less.range.y, value + 0.8 * (values.highest - value), 1e-9);
+  EXPECT_NEAR(narrowedAbove(less, *volume, -1.0).range.y, values.highest, 1e-9);
+  const ConnectedPiece least = narrowedAbove(piece, *volume, 100.0);
+  EXPECT_NEAR(least.range.y, value, 1e-9);
+  EXPECT_GT(narrowedAbove(least, *volume, -1.0).range.y, value) << "and widens again";
+  EXPECT_FALSE(isNarrowest(piece, *volume));
+  EXPECT_TRUE(
+      isNarrowest({seed, {valueAt(*volume, worldToIndex(volume->grid(), seed)), values.highest}}, *volume));
+}
+
+// A ball of 30 ± 4 in a block of 60, both of which a curve shows alike.
+TEST(PiecePick, takesValuesLikeThoseAroundThePlace) {
+  Grid grid;
+  grid.dims = {31, 31, 31};
+  std::vector<std::int16_t> stored;
+  for (int z = 0; z < 31; ++z)
+    for (int y = 0; y < 31; ++y)
+      for (int x = 0; x < 31; ++x) {
+        const bool isBall = glm::length(glm::dvec3(x - 15, y - 15, z - 15)) <= 10.0;
+        stored.push_back(static_cast<std::int16_t>(isBall ? 30 + 4 * ((x + y + z) % 2 == 0 ? 1 : -1) : 60));
+      }
+  const Volume volume(grid, std::move(stored), Rescale{}, std::nullopt, VolumeInfo{});
+  const glm::dvec3 middle(15.0);
+  const ConnectedPiece all{middle, {-100.0, 100.0}};
+  const ConnectedPiece ball = withValuesAround(all, volume, middle);
+  // Mean 30 and deviation 4 but for the one voxel in the middle of an odd count.
+  EXPECT_NEAR(ball.range.x, 20.0, 0.5);
+  EXPECT_NEAR(ball.range.y, 40.0, 0.5);
+  const BitGrid found = pieceAmong(BitGrid(grid.dims).complement(), volume, {ball.seedMm, ball.range, 0});
+  for (int z = 0; z < 31; ++z)
+    for (int y = 0; y < 31; ++y)
+      for (int x = 0; x < 31; ++x)
+        EXPECT_EQ(found.at({x, y, z}), glm::length(glm::dvec3(x - 15, y - 15, z - 15)) <= 10.0);
+  EXPECT_EQ(withValuesAround({middle, {500.0, 600.0}}, volume, middle).range, glm::dvec2(500.0, 600.0))
+      << "nothing of the piece lies there";
+}
+
+TEST(Pieces, reachNoFartherThanIsAskedFor) {
+  const glm::ivec3 dims(24, 20, 16);
+  const Grid grid = obliqueGrid(dims);
+  const Volume volume(grid, std::vector<std::int16_t>(24 * 20 * 16, 7), Rescale{}, std::nullopt,
+                      VolumeInfo{});
+  ConnectedPiece piece{indexToWorld(grid, {4, 9, 8}), {0.0, 10.0}, 1, ConnectedPiece::Fate::hidden};
+  piece.reachMm = 6.0;
+  const BitGrid found = pieceAmong(BitGrid(dims).complement(), volume, piece);
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x) {
+        const double mm = glm::distance(indexToWorld(grid, {x, y, z}), piece.seedMm);
+        if (std::abs(mm - 6.0) > 1e-9) { // on the border rounding decides
+          EXPECT_EQ(found.at({x, y, z}), mm < 6.0) << x << " " << y << " " << z;
+        }
+      }
+  EXPECT_GT(found.count(), 100u);
+  piece.reachMm.reset();
+  EXPECT_EQ(pieceAmong(BitGrid(dims).complement(), volume, piece).count(), 24u * 20u * 16u);
+}
+
 TEST(PiecePick, tellsHowLargeASetIs) {
   const auto volume = cloudy({70, 9, 8});
   const BitGrid set = valuesFrom(*volume, 30.0, 60.0);

@@ -358,6 +358,18 @@ TEST(SceneFile, keepsTheBodyBesideASegmentationAndNamesOfCuts) {
   EXPECT_EQ(parseScene(sceneToJson(documentOf(scene, "v.nrrd")), "t").keep, keptPartOf(scene.keep));
 }
 
+TEST(SceneFile, keepsHowFarAPieceReaches) {
+  const KeptPart kept =
+      parseScene(withKeep(R"([{"piece": {"seed_mm": [1, 2, 3], "range": [5, 9], "reach_mm": 14}}])"), "t")
+          .keep;
+  ConnectedPiece piece{{1, 2, 3}, {5, 9}};
+  piece.reachMm = 14.0;
+  ASSERT_EQ(kept.cuts, std::vector<Cut>{{piece}});
+  Scene scene;
+  scene.keep.cuts = kept.cuts;
+  EXPECT_EQ(parseScene(sceneToJson(documentOf(scene, "v.nrrd")), "t").keep.cuts, kept.cuts);
+}
+
 TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
   for (const auto& [keep, named] : std::map<std::string, std::string>{
            {R"("head")", "\"body\""},
@@ -388,6 +400,7 @@ TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
            {R"(["body", {"piece": {"range": [0, 1]}}])", "keep[1].piece.seed_mm"},
            {R"([{"piece": {"seed_mm": [0,0,0]}}])", "keep[0].piece.range"},
            {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "do": "eat"}}])", "hide, only"},
+           {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "reach_mm": 0}}])", "keep[0].piece.reach_mm"},
            {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "do": "look"}}])", "keep[0].piece.look"},
            {R"([{"piece": {"seed_mm": [0,0,0], "range": [0,1], "look": {"points": []}}}])",
             "keep[0].piece.look"},

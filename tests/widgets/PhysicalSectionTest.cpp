@@ -113,6 +113,7 @@ TEST_F(PhysicalSectionTest, aSwitchFiltersTheNoiseOfSavedPictures) {
   PhysicalLight expected;
   expected.filtersNoise = true;
   EXPECT_EQ(m_shading.physical, expected);
+  EXPECT_EQ(m_gestures.back().text, QStringLiteral("noise filter on"));
   m_section.setShading(Shading{});
   EXPECT_FALSE(filter->isChecked());
   m_section.setModelsShown({ShadingModel::classic});

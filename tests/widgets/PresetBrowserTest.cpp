@@ -320,6 +320,28 @@ TEST_F(PresetBrowserTest, whatTheNameSaysComesBeforeWhatTheNoteSays) {
   EXPECT_EQ(presetNames(m_browser), inOrder) << "without a search they stand as they did";
 }
 
+// "skin" on an MR head: one for CT could not show it, whatever it is called.
+TEST_F(PresetBrowserTest, aSearchHasFirstWhatSuitsTheVolume) {
+  Preset ct = samplePresets()[1], mr = ct, any = ct;
+  ct.name = "CT skin";
+  ct.modality = "CT";
+  mr.name = "MR head";
+  mr.modality = "MR";
+  mr.note = "The skin of a head";
+  any.name = "Surface";
+  any.modality = "";
+  any.note = "Skin or what is outermost";
+  m_browser.setPresets({ct, mr, any}, {});
+  search()->setText(QStringLiteral("skin"));
+  EXPECT_EQ(presetNames(m_browser).front(), QStringLiteral("CT skin")) << "without a volume by the name";
+  PresetStanding standing;
+  standing.fit = {"MR", "", false};
+  m_browser.setStanding(standing);
+  EXPECT_EQ(presetNames(m_browser), (QStringList{"MR head", "Surface", "CT skin"}));
+  QTest::keyClick(search(), Qt::Key_Return);
+  EXPECT_EQ(m_chosen, QStringList{"MR head"});
+}
+
 TEST_F(PresetBrowserTest, searchTakesSignsLiterally) {
   QTest::keyClicks(search(), QStringLiteral("(.*"));
   EXPECT_TRUE(presetNames(m_browser).isEmpty());
@@ -366,6 +388,23 @@ TEST_F(PresetBrowserTest, aNoteTakesMoreLinesWhereTheListIsHigh) {
   const int low = heightOf(300);
   EXPECT_GT(heightOf(900), low);
   EXPECT_EQ(heightOf(300), low);
+}
+
+// Its note has several lines: a name need not be cut after one.
+TEST_F(PresetBrowserTest, aLongNameTakesASecondLine) {
+  std::vector<Preset> presets = samplePresets();
+  presets[1] = presets[0];
+  presets[0].name = "MR brain";
+  presets[1].name = "MR brain without its skull, of a child";
+  presets[0].modality = presets[1].modality = "MR";
+  m_browser.setPresets({presets[0], presets[1]}, {});
+  m_browser.resize(230, 600);
+  for (int round = 0; round < 3; ++round)
+    QCoreApplication::processEvents();
+  const auto heightOf = [&](int row) {
+    return rowOf(m_browser, QString::fromStdString(presets[static_cast<std::size_t>(row)].name)).height();
+  };
+  EXPECT_GE(heightOf(1), heightOf(0) + m_browser.fontMetrics().height() / 2);
 }
 
 TEST_F(PresetBrowserTest, noLineOfTextIsCutByTheEdgeOfTheList) {

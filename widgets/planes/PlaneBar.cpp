@@ -27,6 +27,7 @@ namespace {
 constexpr int fieldWidth = 64; // pixels
 constexpr int betweenGroups = 12;
 constexpr double anyNumber = 1e9;
+constexpr double widestTyped = 100.0; // of the range of the values
 
 // Of PlaneTool.
 constexpr std::array toolIcons{"crosshair", "tool-window-level", "tool-scissors", "tool-piece", "distance",
@@ -267,8 +268,10 @@ void PlaneBar::setContent(const PlaneContent& content) {
   const ValueRange range = content.volume->range();
   const double span = range.highest > range.lowest ? range.highest - range.lowest : window.width;
   const int decimals = decimalsFor(std::min(window.width, span) / 500.0);
-  m_width->setLimits(std::pow(10.0, -decimals), anyNumber, decimals); // 0 is no width
-  m_centre->setLimits(-anyNumber, anyNumber, decimals);
+  // Beyond these slices would be all black, white or grey; a window that lies there already is shown.
+  m_width->setLimits(std::pow(10.0, -decimals), std::max(widestTyped * span, window.width), decimals);
+  m_centre->setLimits(std::min(range.lowest, window.centre), std::max(range.highest, window.centre),
+                      decimals);
   m_width->setNumber(window.width);
   m_centre->setNumber(window.centre);
   m_thickness->setNumber(content.settings.slab.thicknessMm);

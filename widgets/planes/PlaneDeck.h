@@ -47,7 +47,7 @@ signals:
   void toolChanged(limn::PlaneTool tool);
   // As PlaneView says it, of the slice in a plane:
   void pieceRequested(const glm::dvec3& worldMm);
-  void pieceNarrowed(double notches);
+  void pieceNarrowed(double notches, bool onlyAbove);
   void lineClosed(limn::PatientPlane plane, const limn::Scissors& scissors);
   void menuRequested(limn::PatientPlane plane, const glm::dvec3& worldMm, const QPoint& globalAt);
 

@@ -310,7 +310,8 @@ void PlaneView::wheelEvent(QWheelEvent* event) {
   if (event->modifiers() & Qt::ControlModifier)
     return zoom(event->position(), std::pow(zoomStep, event->angleDelta().y() / static_cast<double>(notch)));
   if (m_wheelIsForPiece) {
-    emit pieceNarrowed(event->angleDelta().y() / static_cast<double>(notch));
+    emit pieceNarrowed(event->angleDelta().y() / static_cast<double>(notch),
+                       event->modifiers() & Qt::ShiftModifier);
     return;
   }
   // Touch pads turn by less than a notch at a time.

@@ -60,7 +60,7 @@ signals:
   /// The connected piece that holds this place shall be picked.
   void pieceRequested(const glm::dvec3& worldMm);
   /// The range of the picked piece shall be narrower by so many notches, or wider.
-  void pieceNarrowed(double notches);
+  void pieceNarrowed(double notches, bool onlyAbove);
   /// A line was closed that goes around something; these scissors cut through everything.
   void lineClosed(const limn::Scissors& scissors);
   /// What can be done with a place of the slice, by a right click on it or the key for menus at the

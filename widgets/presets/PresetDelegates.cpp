@@ -177,15 +177,6 @@ void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QSt
     painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, title);
 }
 
-void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line,
-               const QString& name) {
-  painter.setFont(option.font);
-  const ThemeColors colors = themeColors(option.palette);
-  painter.setPen(option.state & QStyle::State_Enabled ? colors.text : colors.disabledText);
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetrics(option.font).elidedText(name, Qt::ElideRight, line.width()));
-}
-
 // "CT bone" below "CT" is "Bone".
 QString nameUnderHeading(const QModelIndex& index) {
   QString name = presetWords(index.data(Qt::DisplayRole).toString());
@@ -197,17 +188,27 @@ QString nameUnderHeading(const QModelIndex& index) {
   return name;
 }
 
+// One line, or two of a name that has no room in one.
+QStringList linesOfName(const QStyleOptionViewItem& option, const QModelIndex& index, int width) {
+  return inTwoLines(nameUnderHeading(index), QFontMetrics(option.font), width);
+}
+
 void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRect& room,
                 const QModelIndex& index) {
   const QFont small = smallFont(option.font);
+  const QStringList name = linesOfName(option, index, room.width());
   const QStringList note = noteLines(option, index, room.width());
-  const int height =
-      QFontMetrics(option.font).height() + static_cast<int>(note.size()) * QFontMetrics(small).height();
+  const int height = static_cast<int>(name.size()) * QFontMetrics(option.font).height() +
+                     static_cast<int>(note.size()) * QFontMetrics(small).height();
   WholeLines lines(option, {room.left(), room.center().y() - height / 2, room.width(), height});
-  if (const std::optional<QRect> line = lines.next(option.font))
-    paintName(painter, option, *line, nameUnderHeading(index));
+  const ThemeColors colors = themeColors(option.palette);
+  painter.setFont(option.font);
+  painter.setPen(option.state & QStyle::State_Enabled ? colors.text : colors.disabledText);
+  for (const QString& text : name)
+    if (const std::optional<QRect> line = lines.next(option.font))
+      painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, text);
   painter.setFont(small);
-  painter.setPen(themeColors(option.palette).secondaryText);
+  painter.setPen(colors.secondaryText);
   for (const QString& text : note)
     if (const std::optional<QRect> line = lines.next(small))
       painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, text);
@@ -297,8 +298,9 @@ QSize PresetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelI
   const QAbstractItemView* view = viewOf(option);
   const int width = textWidth(view ? view->viewport()->width() : option.rect.width());
   const int lines = std::max(2, static_cast<int>(noteLines(option, index, width).size()));
+  const int names = static_cast<int>(linesOfName(option, index, width).size());
   const int texts =
-      QFontMetrics(option.font).height() + lines * QFontMetrics(smallFont(option.font)).height();
+      names * QFontMetrics(option.font).height() + lines * QFontMetrics(smallFont(option.font)).height();
   return {180, std::max(texts, thumbnailHeight) + rowSpace};
 }
 

@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <limits>
 
 namespace limn {
 
@@ -113,9 +114,12 @@ bool PresetFilter::lessThan(const QModelIndex& left, const QModelIndex& right) c
 
 // A group is as good as the best of its presets that is found.
 int PresetFilter::rankOf(const QModelIndex& index) const {
-  if (!index.data(presetRole::isGroup).toBool())
-    return static_cast<int>(presetHit(index.data().toString(), m_words));
-  int best = static_cast<int>(PresetHit::elsewhere) + 1;
+  constexpr int hits = static_cast<int>(PresetHit::elsewhere) + 1;
+  if (!index.data(presetRole::isGroup).toBool()) {
+    const int besideVolume = std::max(0, index.data(presetRole::standing).toInt() - 1);
+    return hits * besideVolume + static_cast<int>(presetHit(index.data().toString(), m_words));
+  }
+  int best = std::numeric_limits<int>::max();
   for (int row = 0; row < sourceModel()->rowCount(index); ++row)
     if (filterAcceptsRow(row, index))
       best = std::min(best, rankOf(sourceModel()->index(row, 0, index)));

@@ -34,8 +34,8 @@ private:
 /// out: "bone" is the name of "CT bone".
 enum class PresetHit { isName, nameBegins, wordBegins, inName, elsewhere };
 
-/// The presets that a search finds, best first, and their groups by the best in each; without a search all of
-/// them in the order of the list.
+/// The presets that a search finds, those first that suit the volume (ListedPreset::standing, 0 and 1), then
+/// the best hit, and their groups by the best in each; without a search all of them in the order of the list.
 class PresetFilter : public QSortFilterProxyModel {
 public:
   explicit PresetFilter(QObject* parent = nullptr);

@@ -80,6 +80,7 @@ QStandardItem* presetItem(const ListedPreset& listed, const QImage& curve) {
   item->setData(false, presetRole::isGroup);
   item->setData(listed.isOwn, presetRole::isOwn);
   item->setData(listed.isFavourite, presetRole::isFavourite);
+  item->setData(listed.standing, presetRole::standing);
   item->setData(listed.isOwn && note.isEmpty() ? modality : note, presetRole::note);
   item->setData(curve, presetRole::curve);
   item->setData(QStringList{name, shownName, modality, folder, note}.join(QLatin1Char(' ')),
@@ -137,14 +138,14 @@ std::vector<PresetGroup> groupedPresets(const std::vector<Preset>& builtIn, cons
   for (const auto& [presets, areOwn] : {std::pair(&filed, true), std::pair(&ranked, false)})
     for (const Preset& preset : *presets)
       if (isFavourite(preset))
-        groups.add(QObject::tr("Favourites"), {preset, areOwn, true});
+        groups.add(QObject::tr("Favourites"), {preset, areOwn, true, rankOf(preset, standing)});
   for (const Preset& preset : filed)
     if (!isFavourite(preset))
       groups.add(preset.folder.empty() ? QObject::tr("My presets") : QString::fromStdString(preset.folder),
-                 {preset, true, false});
+                 {preset, true, false, rankOf(preset, standing)});
   for (const Preset& preset : ranked)
     if (!isFavourite(preset))
-      groups.add(titleOf(preset, standing), {preset, false, false});
+      groups.add(titleOf(preset, standing), {preset, false, false, rankOf(preset, standing)});
   return groups.all();
 }
 

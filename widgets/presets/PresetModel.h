@@ -38,6 +38,8 @@ struct ListedPreset {
   Preset preset;
   bool isOwn = false;
   bool isFavourite = false;
+  int standing =
+      0; ///< how well it suits the volume that is open: 0 its modality, 1 any, 2 another, 3 other units
 };
 
 /// Presets under one heading.
@@ -82,6 +84,7 @@ enum {
   use,
   showsNothing,
   isFavourite,
+  standing,
   isBestHit
 };
 }

@@ -3,6 +3,7 @@
 
 #include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/Orientation.h"
+#include "widgets/Translated.h"
 
 #include <QObject>
 
@@ -50,6 +51,22 @@ QString cropFaceName(const Volume& volume, CropFace face) {
   const AxisName name = axisNames(volume.grid(), isKnown)[static_cast<std::size_t>(face.axis)];
   const QString end = face.isUpper ? name.highEnd : name.lowEnd;
   return isKnown ? end : name.axis + QLatin1Char(' ') + end;
+}
+
+QString turnedFaceName(const TurnedBox& box, const Volume& volume, CropFace face) {
+  if (volume.info().orientationKnown) {
+    const AxisName name = axisNames(box.grid, true)[static_cast<std::size_t>(face.axis)];
+    return inSentence(face.isUpper ? name.highEnd : name.lowEnd);
+  }
+  const std::array<std::array<QString, 2>, 3> ends{{{QObject::tr("left-hand"), QObject::tr("right-hand")},
+                                                    {QObject::tr("near"), QObject::tr("far")},
+                                                    {QObject::tr("lower"), QObject::tr("upper")}}};
+  return ends[static_cast<std::size_t>(face.axis)][face.isUpper ? 1 : 0];
+}
+
+double cutBy(const TurnedBox& box, CropFace face) {
+  const double inwards = placeOf(box.crop, face) - placeOf(box.fit, face);
+  return std::max(0.0, face.isUpper ? -inwards : inwards);
 }
 
 double placeOf(const CropBox& crop, CropFace face) {

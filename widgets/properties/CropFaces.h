@@ -47,8 +47,12 @@ VoxelSpan voxelsInside(const CropBox& crop, const Grid& grid, int axis);
 struct TurnedBox {
   Grid grid;
   CropBox crop;
+  CropBox fit{}; ///< of the whole what is seen fills: a face there, or farther out, cuts nothing
   bool operator==(const TurnedBox&) const = default;
 };
+
+/// How much of what is seen a face takes away, as a fraction along its axis of the whole box, >= 0.
+double cutBy(const TurnedBox& box, CropFace face);
 
 /// What a clinician calls an axis of the voxel grid: by the patient's directions where they are known, by
 /// what is stacked along it where not.
@@ -65,5 +69,9 @@ std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown);
 /// What a face of the crop box is called: an anatomical side, or an end of a voxel axis where the orientation
 /// is unknown.
 QString cropFaceName(const Volume& volume, CropFace face);
+
+/// What a face of a box that is turned is called, within a sentence: by the side of the patient that it
+/// follows best or, where the orientation is unknown, by where it lay as the box was turned to the view.
+QString turnedFaceName(const TurnedBox& box, const Volume& volume, CropFace face);
 
 } // namespace limn

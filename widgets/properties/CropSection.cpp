@@ -46,7 +46,7 @@ QString extentText(const CropBox& crop, const Volume& volume, int axis) {
 
 CropSection::CropSection(QWidget* parent)
     : FoldingSection(tr("Crop"), parent), m_toVisible(new QPushButton(tr("Crop to what is seen"))),
-      m_reset(new QPushButton(tr("Reset crop"))) {
+      m_turn(new QPushButton(tr("Turn to this view"))), m_reset(new QPushButton(tr("Reset crop"))) {
   const std::array<AxisName, 3> names = axisNames({}, false);
   for (int axis = 0; axis < 3; ++axis) {
     Row& row = m_rows[static_cast<std::size_t>(axis)];
@@ -69,9 +69,12 @@ CropSection::CropSection(QWidget* parent)
   m_toVisible->setToolTip(tr("<p>Draws the box close around what the curve, Body only and labels leave to be "
                              "seen, so that its handles lie there and not around air and table.</p>"));
   // Below each other: beside each other long words would make the panel wider.
-  for (QPushButton* button : {m_toVisible, m_reset})
+  m_turn->setAccessibleName(m_turn->text());
+  m_turn->setToolTip(tr("Puts a box over the picture that lies as the picture is seen now."));
+  for (QPushButton* button : {m_toVisible, m_turn, m_reset})
     contents()->addWidget(button, 0, Qt::AlignLeft);
   connect(m_toVisible, &QAbstractButton::clicked, this, &CropSection::cropToVisible);
+  connect(m_turn, &QAbstractButton::clicked, this, &CropSection::turnRequested);
   connect(m_reset, &QAbstractButton::clicked, this, [this] {
     m_crop = {};
     showCrop();
@@ -134,6 +137,7 @@ void CropSection::showCrop() {
   const bool cuts = m_crop != CropBox{};
   m_reset->setEnabled(cuts);
   m_toVisible->setEnabled(m_volume != nullptr);
+  m_turn->setEnabled(m_volume != nullptr);
   setSummary(cuts ? tr("%1 % kept").arg(plainNumber(100.0 * shareLeft(m_crop), 1)) : tr("off"));
 }
 

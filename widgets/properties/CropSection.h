@@ -27,6 +27,7 @@ public:
 
 signals:
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
+  void turnRequested(); ///< the box shall lie as the picture is seen
 
 private:
   struct Row {
@@ -45,6 +46,7 @@ private:
   Scene m_scene; ///< tells what is visible
   std::array<Row, 3> m_rows;
   QPushButton* m_toVisible;
+  QPushButton* m_turn;
   QPushButton* m_reset;
 };
 

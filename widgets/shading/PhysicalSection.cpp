@@ -202,7 +202,8 @@ void PhysicalSection::addUntil() {
   connect(m_filter, &QAbstractButton::clicked, this, [this](bool checked) {
     PhysicalLight changed = shading().physical;
     changed.filtersNoise = checked;
-    edit(&Shading::physical, changed, {nextGestureId(), changeText(m_filter->text())});
+    edit(&Shading::physical, changed,
+         {nextGestureId(), checked ? tr("noise filter on") : tr("noise filter off")});
   });
 }
 

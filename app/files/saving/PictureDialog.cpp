@@ -127,6 +127,7 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(buttons);
+  column->setSizeConstraint(QLayout::SetFixedSize); // no gap where a row goes
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   const auto show = [this, form] {

@@ -4,8 +4,6 @@
 #include "app/guide/GuideWindow.h"
 #include "app/window/WindowContext.h"
 #include "widgets/theme/Icons.h"
-#include "widgets/view/CompareView.h"
-#include "widgets/view/gestures/ViewInput.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -318,6 +316,8 @@ SettingsDialog::SettingsDialog(const ActionList& actions, QWidget* parent) : QDi
       label->setBuddy(box);
       rows->addWidget(label, rows->rowCount(), 0);
       rows->addWidget(box, rows->rowCount() - 1, 1);
+      if (!setting.consequence.isEmpty())
+        rows->addWidget(consequenceOf(setting), rows->rowCount(), 1);
     } else if (setting.action->isCheckable()) {
       addWhole(switchOf(*setting.action));
     } else {
@@ -340,6 +340,14 @@ QComboBox* SettingsDialog::choiceOf(QActionGroup& group, const QString& name) {
     connect(action, &QAction::changed, box, [box, &group] { showChoice(*box, group); });
   connect(box, &QComboBox::activated, this, [&group](int index) { group.actions()[index]->trigger(); });
   return box;
+}
+
+QLabel* SettingsDialog::consequenceOf(const ActionList::Setting& setting) {
+  auto* label = new QLabel(setting.consequence);
+  label->setWordWrap(true);
+  label->hide();
+  connect(setting.choice, &QActionGroup::triggered, label, &QWidget::show);
+  return label;
 }
 
 QPushButton* SettingsDialog::buttonOf(QAction& action) {
@@ -376,9 +384,10 @@ void DialogController::addHelp() {
                    .place = {Menu::help, 1, 1},
                    .shortcut = QKeySequence::HelpContents,
                    .toolTip = tr("Opens the guide at what it says of the panel with the keyboard.")});
-  QAction* shortcuts = actions.add(
-      QStringLiteral("shortcuts"),
-      {.text = QStringLiteral("%1\t%2").arg(tr("Mouse and &keys"), tr("?")), .place = {Menu::help, 1, 3}});
+  QAction* shortcuts =
+      actions.add(QStringLiteral("shortcuts"), {.text = tr("Mouse and &keys"), .place = {Menu::help, 1, 3}});
+  // Where it is typed with Shift, a keyboard may tell that as well.
+  shortcuts->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question)});
   const QAction* stability = actions.add(
       QStringLiteral("stability"),
       {.text = tr("&Stability checks…"),
@@ -389,7 +398,6 @@ void DialogController::addHelp() {
   connect(guide, &QAction::triggered, this, &DialogController::showGuide);
   connect(shortcuts, &QAction::triggered, this,
           [this] { showShortcuts(m_context.actions, &m_context.window); });
-  connect(&m_context.view.input(), &ViewInput::shortcutListRequested, shortcuts, &QAction::trigger);
   connect(stability, &QAction::triggered, this, &DialogController::showStability);
   connect(about, &QAction::triggered, this, [this] { showAbout(&m_context.window); });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/ActionList.h"
+
 #include <QDialog>
 #include <QList>
 #include <QObject>
@@ -19,7 +21,6 @@ class QWidget;
 
 namespace limn {
 
-class ActionList;
 class GuideWindow;
 struct WindowContext;
 
@@ -82,6 +83,7 @@ public:
 private:
   QComboBox* choiceOf(QActionGroup& group, const QString& name);
   QCheckBox* switchOf(QAction& action);
+  QLabel* consequenceOf(const ActionList::Setting& setting);
   QPushButton* buttonOf(QAction& action);
 };
 

@@ -9,6 +9,7 @@
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/presets/PresetBrowser.h"
 #include "widgets/presets/PresetModel.h"
 
 #include <QApplication>
@@ -250,6 +251,8 @@ void LookController::importFiles(const QStringList& paths) {
 
 void LookController::show(const LookImport& import) {
   m_presets.refresh();
+  if (!import.presets.isEmpty())
+    m_presets.browser().reveal(import.presets.front());
   if (import.files.size() == 1 && import.presets.size() == 1)
     m_presets.use(import.presets.front());
   tell(import);

@@ -144,6 +144,8 @@ ConnectedPiece readPiece(JsonFields fields) {
   if (fields.pair("range", piece.range.x, piece.range.y, anyNumber) && piece.range.x > piece.range.y)
     fields.fail("range", Message::tr("must name the smaller number first"));
   fields.integer("grow_voxels", piece.growVoxels, 0, mostGrown);
+  if (double reach = 0.0; fields.number("reach_mm", reach, positive))
+    piece.reachMm = reach;
   fields.choice("do", piece.fate, pieceWords);
   const bool hasLook = fields.has("look");
   if (hasLook != (piece.fate == ConnectedPiece::Fate::ownLook))
@@ -221,6 +223,8 @@ nlohmann::ordered_json cutJson(const Cut& cut) {
                      {"range", {piece.range.x, piece.range.y}},
                      {"grow_voxels", piece.growVoxels},
                      {"do", pieceWords.of(piece.fate)}};
+    if (piece.reachMm)
+      json["piece"]["reach_mm"] = *piece.reachMm;
     if (piece.fate == ConnectedPiece::Fate::ownLook)
       json["piece"]["look"] = functionJson(piece.look);
   }

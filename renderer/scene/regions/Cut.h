@@ -31,7 +31,8 @@ struct ConnectedPiece {
   glm::dvec2 range{0.0, 0.0};                 ///< of scalars, both ends included
   int growVoxels = 1;                         ///< ≥ 0, into what is outside the range
   Fate fate = Fate::hidden;
-  TransferFunction look{}; ///< of fate ownLook
+  TransferFunction look{};         ///< of fate ownLook
+  std::optional<double> reachMm{}; ///< > 0: what lies farther from the seed is no part of it; absent: any is
   bool operator==(const ConnectedPiece&) const = default;
 };
 

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStatusBar>
@@ -62,10 +63,10 @@ protected:
     QTest::keyClick(&view(), key);
     QCoreApplication::processEvents();
   }
-  void turnWheel(int notches) {
+  void turnWheel(int notches, Qt::KeyboardModifiers keys = {}) {
     const QPointF at = view().logicalRect(0).center();
-    QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, keys,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view(), &event);
   }
 
@@ -273,6 +274,43 @@ TEST_F(CutWindow, aPieceLightsUpIsNarrowedByTheWheelAndHidden) {
   EXPECT_NE(scene().camera, before) << "the wheel zooms again";
 }
 
+// Not all that hangs together: the values around the place, no farther than is chosen.
+TEST_F(CutWindow, aPieceIsHeldToSimilarValuesAndToAReach) {
+  press(Qt::Key_K);
+  EXPECT_TRUE(bar().hint().contains(QStringLiteral("wheel"))) << bar().hint().toStdString();
+  click({0, 0});
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(cutting().hasPiece());
+  EXPECT_FALSE(bar().reachMm());
+  const QPushButton& less = button(QStringLiteral("Less"));
+  ASSERT_TRUE(less.isVisible() && less.menu());
+  const auto choose = [&](const QString& text) {
+    for (QAction* entry : less.menu()->actions())
+      if (entry->text().replace(QChar(0xa0), QLatin1Char(' ')).startsWith(text))
+        return entry->trigger();
+    ADD_FAILURE() << "no entry " << text.toStdString();
+  };
+  choose(QStringLiteral("Within 5 mm"));
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(bar().reachMm(), 5.0);
+  turnWheel(1, Qt::ShiftModifier);
+  ASSERT_TRUE(ready());
+  choose(QStringLiteral("Values like"));
+  ASSERT_TRUE(ready());
+  // On and on: then it says why it goes no further.
+  for (int turn = 0; turn < 12; ++turn) {
+    turnWheel(10);
+    ASSERT_TRUE(ready());
+  }
+  EXPECT_TRUE(bar().hint().contains(QStringLiteral("no narrower"))) << bar().hint().toStdString();
+  QTest::mouseClick(&button(QStringLiteral("Hide")), Qt::LeftButton);
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+  const auto& piece = std::get<ConnectedPiece>(cuts().front().how);
+  EXPECT_EQ(piece.reachMm, 5.0);
+  EXPECT_LT(piece.range.y, scene().volume->range().highest) << "it has an upper end of its own";
+}
+
 // A curve may go on beyond the values there are; a piece does not.
 TEST_F(CutWindow, theRangeOfAPieceEndsWhereTheValuesDo) {
   const ValueRange values = scene().volume->range();
@@ -281,6 +319,28 @@ TEST_F(CutWindow, theRangeOfAPieceEndsWhereTheValuesDo) {
   EXPECT_EQ(foundRange(piece, *scene().volume), (ValueRange{values.highest - 10.0, values.highest}));
   const QString said = cutText({piece}, *scene().volume);
   EXPECT_TRUE(said.contains(plainNumber(values.highest, 0))) << said.toStdString();
+}
+
+// What it lies on may be what is to be cut.
+TEST_F(CutWindow, theBarIsDraggedAwayAndComesBackToItsPlaceWithTheNextTool) {
+  press(Qt::Key_X);
+  ASSERT_TRUE(bar().isVisible());
+  const QRect home = bar().geometry();
+  const QPoint grip = bar().mapTo(window.get(), QPoint(3, home.height() / 2)); // beside its words
+  QWindow* handle = window->windowHandle();
+  QTest::mousePress(handle, Qt::LeftButton, {}, grip);
+  for (int step = 1; step <= 5; ++step)
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, grip - QPoint(0, 30 * step));
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, grip - QPoint(0, 150));
+  EXPECT_EQ(bar().geometry().top(), home.top() - 150);
+  EXPECT_TRUE(bar().isVisible());
+  EXPECT_TRUE(cuts().empty()) << "no line was drawn";
+  click({0, 0});
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  ASSERT_FALSE(bar().isVisible());
+  press(Qt::Key_X);
+  EXPECT_EQ(bar().geometry(), home);
 }
 
 // A message that waits for an answer would hide what is said of a piece, and the buttons.

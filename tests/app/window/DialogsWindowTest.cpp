@@ -43,6 +43,25 @@ TEST_F(DialogsWindow, theSettingsShowAndChangeWhatStays) {
   EXPECT_TRUE(named("patientInTitle")->isChecked());
 }
 
+TEST_F(DialogsWindow, thatALanguageComesWithTheNextStartIsSaidBesideTheChoice) {
+  named("settings")->trigger();
+  auto* dialog = window->findChild<SettingsDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  const auto said = [&]() -> const QLabel* {
+    for (const QLabel* label : dialog->findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QStringLiteral("the next time")))
+        return label;
+    return nullptr;
+  };
+  EXPECT_EQ(said(), nullptr);
+  auto* language = widgetNamed<QComboBox>(*dialog, "Language");
+  language->setFocus();
+  QTest::keyClick(language, Qt::Key_Down);
+  ASSERT_NE(said(), nullptr);
+  QCoreApplication::processEvents(); // lays it out
+  EXPECT_LT(said()->y() - language->geometry().bottom(), 30) << "right below";
+}
+
 TEST_F(DialogsWindow, whatWasOpenedBeforeIsForgottenFromTheSettings) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_FALSE(settings().recentSources().isEmpty());

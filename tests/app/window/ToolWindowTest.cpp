@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "scene/view/PlaneSettings.h"
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/planes/PlaneBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/gestures/ViewDrag.h"
 
 #include <QDialog>
@@ -30,6 +32,13 @@ protected:
       if (one->isChecked() && one->objectName().startsWith(QStringLiteral("tool-")))
         checked << one->objectName().mid(5);
     return checked.join(QLatin1Char(' '));
+  }
+
+  QDialog* listOfKeys() const {
+    for (QDialog* one : window->findChildren<QDialog*>())
+      if (one->windowTitle() == QStringLiteral("Mouse and keys"))
+        return one;
+    return nullptr;
   }
 
   QWidget* button(const char* tool) const {
@@ -227,11 +236,9 @@ TEST_F(ToolWindow, theWindowsOfTheSlicesDoNotLookHoveredOnceTheirMenuIsLeft) {
 TEST_F(ToolWindow, theListOfKeysNamesThem) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
   view().setFocus();
-  QTest::keyClick(window->windowHandle(), Qt::Key_Question);
-  QDialog* dialog = nullptr;
-  for (QDialog* one : window->findChildren<QDialog*>())
-    if (one->windowTitle() == QStringLiteral("Mouse and keys"))
-      dialog = one;
+  EXPECT_EQ(listOfKeys(), nullptr);
+  QTest::keyClick(window->windowHandle(), Qt::Key_Question, Qt::ShiftModifier);
+  QDialog* dialog = listOfKeys();
   ASSERT_NE(dialog, nullptr);
   EXPECT_TRUE(QRect(0, 0, 1280, 800).contains(QRect({}, dialog->sizeHint()))) << "on a small screen";
   QString text;
@@ -240,6 +247,45 @@ TEST_F(ToolWindow, theListOfKeysNamesThem) {
   for (const char* key : {"[ · M · Z · W", "Esc", "PgUp PgDn", "Del", "Ctrl+Shift+S"})
     EXPECT_TRUE(text.contains(QString::fromUtf8(key))) << key;
   dialog->close();
+}
+
+TEST_F(ToolWindow, oneButtonOffersAllThatMeasures) {
+  auto* measure = qobject_cast<QToolButton*>(button("distance"));
+  ASSERT_TRUE(measure && measure->menu());
+  QStringList offered;
+  for (const QAction* one : measure->menu()->actions())
+    offered << one->objectName();
+  for (const char* tool : {"tool-distance", "tool-angle", "tool-mark"})
+    EXPECT_TRUE(offered.contains(QLatin1String(tool))) << tool;
+  measure->menu()->actions()[1]->trigger();
+  EXPECT_EQ(view().tool(), ViewTool::angle);
+  EXPECT_EQ(measure->defaultAction()->objectName(), QStringLiteral("tool-angle"));
+  EXPECT_TRUE(measure->isChecked());
+  // By a key, too; and it leads back to the one used last.
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_N);
+  EXPECT_EQ(measure->defaultAction()->objectName(), QStringLiteral("tool-mark"));
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_FALSE(measure->isChecked());
+  QTest::mouseClick(measure, Qt::LeftButton, {}, QPoint(8, measure->height() / 2));
+  EXPECT_EQ(view().tool(), ViewTool::mark);
+}
+
+TEST_F(ToolWindow, theListOfKeysComesWhereverTheKeyboardIs) {
+  auto* header = window->findChild<PropertiesPanel*>()->findChild<FoldingHeader*>();
+  ASSERT_NE(header, nullptr);
+  header->setFocus();
+  ASSERT_TRUE(header->hasFocus());
+  QTest::keyClick(window->windowHandle(), Qt::Key_Question, Qt::ShiftModifier);
+  ASSERT_NE(listOfKeys(), nullptr);
+  listOfKeys()->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  window->activateWindow();
+  ASSERT_TRUE(test::waitUntil([&] { return window->isActiveWindow(); }));
+  auto* search = window->findChild<PresetBrowser*>()->findChild<QLineEdit*>();
+  search->setFocus();
+  QTest::keyClick(window->windowHandle(), Qt::Key_Question, Qt::ShiftModifier);
+  EXPECT_EQ(listOfKeys(), nullptr) << "where text is written it is a letter";
 }
 
 } // namespace

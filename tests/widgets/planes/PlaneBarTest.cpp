@@ -71,6 +71,24 @@ TEST_F(PlaneBarTest, windowsAreTyped) {
   EXPECT_FALSE(named<NumberField>(host.widget, QStringLiteral("Window width"))->refusal().isEmpty());
 }
 
+TEST_F(PlaneBarTest, aWindowThatShowsNothingIsRefusedWithWhatFits) {
+  type(QStringLiteral("Window level"), QStringLiteral("40"));
+  const PlaneSettings before = host.settings();
+  type(QStringLiteral("Window level"), QStringLiteral("9999999"));
+  EXPECT_EQ(host.settings().window, before.window) << "the phantom ends below 1000 HU";
+  auto* level = named<NumberField>(host.widget, QStringLiteral("Window level"));
+  const ValueRange values = host.content.volume->range();
+  EXPECT_TRUE(level->refusal().contains(level->textFromValue(values.highest)))
+      << level->refusal().toStdString();
+  type(QStringLiteral("Window width"), QStringLiteral("9999999"));
+  EXPECT_EQ(host.settings().window, before.window);
+  // A window from elsewhere that lies outside is shown as it is.
+  host.content.settings.window = GreyWindow{5000.0, 80.0};
+  host.widget.setContent(host.content);
+  EXPECT_EQ(level->number(), 5000.0);
+  EXPECT_EQ(level->value(), 5000.0);
+}
+
 // Of values between 0 and 1, whatever width was typed.
 TEST_F(PlaneBarTest, theLevelIsSaidAsExactlyAsTheValuesNeed) {
   Grid grid;

@@ -208,12 +208,9 @@ TEST_F(ViewInput, doubleClickAsksToMaximise) {
 
 TEST_F(ViewInput, programKeysAreAskedFor) {
   QSignalSpy presets(&host.view.input(), &limn::ViewInput::windowPresetRequested);
-  QSignalSpy shortcuts(&host.view.input(), &limn::ViewInput::shortcutListRequested);
   QTest::keyClick(&host.view, Qt::Key_3);
   ASSERT_EQ(presets.count(), 1);
   EXPECT_EQ(presets[0][0].toInt(), 3);
-  QTest::keyClick(&host.view, Qt::Key_Question, Qt::ShiftModifier);
-  EXPECT_EQ(shortcuts.count(), 1);
   QTest::keyClick(&host.view, Qt::Key_W);
   host.drag({200, 120}, {240, 120});
   EXPECT_FALSE(host.gestures.empty()) << "the left button now changes the window";

@@ -51,19 +51,11 @@ const KeyCommand letterCommands[] = {{Qt::Key_A, LookFrom{StandardView::anterior
                                      {Qt::Key_BracketLeft, UseTool{ViewTool::rotate}},
                                      {Qt::Key_Space, Swap{}}};
 
-const KeyCommand symbolCommands[] = {{Qt::Key_Left, Rotate{-1, 0}},
-                                     {Qt::Key_Right, Rotate{1, 0}},
-                                     {Qt::Key_Up, Rotate{0, -1}},
-                                     {Qt::Key_Down, Rotate{0, 1}},
-                                     {Qt::Key_Plus, Zoom{1}},
-                                     {Qt::Key_Equal, Zoom{1}},
-                                     {Qt::Key_Minus, Zoom{-1}},
-                                     {Qt::Key_Question, ListShortcuts{}},
-                                     {Qt::Key_Return, CloseLine{}},
-                                     {Qt::Key_Enter, CloseLine{}},
-                                     {Qt::Key_Backspace, ShortenLine{}},
-                                     {Qt::Key_Delete, Remove{}},
-                                     {Qt::Key_Escape, Cancel{}}};
+const KeyCommand symbolCommands[] = {
+    {Qt::Key_Left, Rotate{-1, 0}},      {Qt::Key_Right, Rotate{1, 0}}, {Qt::Key_Up, Rotate{0, -1}},
+    {Qt::Key_Down, Rotate{0, 1}},       {Qt::Key_Plus, Zoom{1}},       {Qt::Key_Equal, Zoom{1}},
+    {Qt::Key_Minus, Zoom{-1}},          {Qt::Key_Return, CloseLine{}}, {Qt::Key_Enter, CloseLine{}},
+    {Qt::Key_Backspace, ShortenLine{}}, {Qt::Key_Delete, Remove{}},    {Qt::Key_Escape, Cancel{}}};
 
 ViewCommand commandIn(std::span<const KeyCommand> commands, int key) {
   const auto found = std::ranges::find(commands, key, &KeyCommand::first);

@@ -65,16 +65,13 @@ struct Remove { ///< the measurement in hand
 struct Cancel {
   bool operator==(const Cancel&) const = default;
 };
-struct ListShortcuts {
-  bool operator==(const ListShortcuts&) const = default;
-};
 } // namespace viewcommand
 
-using ViewCommand = std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookAlong,
-                                 viewcommand::LookFromNearest, viewcommand::Reset, viewcommand::Rotate,
-                                 viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
-                                 viewcommand::Swap, viewcommand::CloseLine, viewcommand::ShortenLine,
-                                 viewcommand::Remove, viewcommand::Cancel, viewcommand::ListShortcuts>;
+using ViewCommand =
+    std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookAlong, viewcommand::LookFromNearest,
+                 viewcommand::Reset, viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool,
+                 viewcommand::WindowPreset, viewcommand::Swap, viewcommand::CloseLine,
+                 viewcommand::ShortenLine, viewcommand::Remove, viewcommand::Cancel>;
 
 /// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
 /// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;

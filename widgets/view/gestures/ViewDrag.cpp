@@ -62,7 +62,8 @@ ViewClick clickOf(const Press& press, ViewTool tool) {
 
 QString textOf(const ViewDrag& drag) {
   if (drag.kind == DragKind::cropFace && drag.box.grid != drag.before.volume->grid())
-    return QObject::tr("move a face of the turned box");
+    return QObject::tr("turned box: move %1 face")
+        .arg(turnedFaceName(drag.box, *drag.before.volume, drag.face));
   if (drag.kind == DragKind::cropFace)
     return QObject::tr("move crop face: %1").arg(cropFaceName(*drag.before.volume, drag.face));
   return drag.kind == DragKind::opacity ? QObject::tr("change opacity")
@@ -76,7 +77,8 @@ ViewEdit unlessShown(const Value& wanted, const Value& shown) {
 }
 
 CropBox croppedTo(const ViewDrag& drag, const Scene& shown, const QPointF& point) {
-  const auto& [grid, crop] = drag.box;
+  const Grid& grid = drag.box.grid;
+  const CropBox& crop = drag.box.crop;
   const ViewProjection projection = viewProjection(shown.camera, drag.picture);
   const double place = placeUnder(crop, grid, drag.face, projection, point - drag.grip);
   return withFaceAt(crop, grid, drag.face, place);

@@ -311,10 +311,10 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
 
 void ViewInput::uncut(const Comparison& shown, CropFace face) {
   const TurnedBox box = boxOver(shown);
-  const CropBox crop = withFaceAt(box.crop, box.grid, face, face.isUpper ? 1.0 : 0.0);
-  const QString text = shown.turnedBox
-                           ? tr("reset a face of the turned box")
-                           : tr("reset crop face: %1").arg(cropFaceName(*shown.scene.volume, face));
+  const CropBox crop = withFaceAt(box.crop, box.grid, face, placeOf(box.fit, face));
+  const QString text =
+      shown.turnedBox ? tr("turned box: reset %1 face").arg(turnedFaceName(box, *shown.scene.volume, face))
+                      : tr("reset crop face: %1").arg(cropFaceName(*shown.scene.volume, face));
   if (crop != box.crop)
     askForCrop(crop, {nextGestureId(), text});
 }
@@ -326,8 +326,9 @@ void ViewInput::turnWheel(QWheelEvent& event) {
   event.setAccepted(shown.volume && turn != 0);
   if (!event.isAccepted())
     return;
-  if (m_wheelIsForPiece && event.modifiers() == Qt::NoModifier) {
-    emit pieceNarrowed(static_cast<double>(turn) / wheelNotch);
+  const bool isShifted = event.modifiers() == Qt::ShiftModifier;
+  if (m_wheelIsForPiece && (isShifted || event.modifiers() == Qt::NoModifier)) {
+    emit pieceNarrowed(static_cast<double>(turn) / wheelNotch, isShifted);
     return;
   }
   const QRectF side = pictureRect(source.geometry, positionAt(source.geometry, event.position()));
@@ -433,8 +434,6 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
     cancelDrag(shown);
   else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)
     setTool(ViewTool::rotate);
-  else if (std::holds_alternative<ListShortcuts>(command))
-    emit shortcutListRequested();
   else
     return false;
   return true;

@@ -100,7 +100,7 @@ signals:
   /// The connected piece that is seen along this ray of the picture of a side shall be picked.
   void pieceRequested(const limn::Ray& ray, int side);
   /// The range of the picked piece shall be narrower by so many notches, or wider.
-  void pieceNarrowed(double notches);
+  void pieceNarrowed(double notches, bool onlyAbove);
   /// A place of the measurement of the tool in hand shall be what is seen along this ray of the picture of a
   /// side.
   void measureRequested(const limn::Ray& ray, int side);
@@ -120,7 +120,6 @@ signals:
   void everythingRequested();         ///< the note was clicked that tells what a region hides
   void maximiseRequested();
   void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
-  void shortcutListRequested();
   void swapRequested();
   void toolChanged(limn::ViewTool tool);
 

@@ -184,11 +184,14 @@ Note cropNote(const OverlaySource& source, const QRectF& picture, const CropHand
   const Volume& volume = source.volume();
   const CropFace face = handle.face;
   const TurnedBox box = boxOver(source.comparison);
-  const double place = placeOf(box.crop, face);
-  const double cut = face.isUpper ? 1.0 - place : place;
-  // A side of the patient is none of a box that is turned.
-  QString text = source.comparison.turnedBox ? QObject::tr("Turned box") : cropFaceName(volume, face);
-  if (cut > 0.0)
+  const double cut = cutBy(box, face);
+  const bool isTurned = source.comparison.turnedBox.has_value();
+  QString text = isTurned ? QObject::tr("Turned box, %1").arg(turnedFaceName(box, volume, face))
+                          : cropFaceName(volume, face);
+  if (cut > 0.0 && isTurned) { // a share of what is around it would say nothing
+    const double shown = placeOf(box.fit, {face.axis, true}) - placeOf(box.fit, {face.axis, false});
+    text = QObject::tr("%1: %2 % cut").arg(text, plainNumber(100.0 * cut / shown, 1));
+  } else if (cut > 0.0)
     text = QObject::tr("%1: %2 % cut").arg(text, plainNumber(100.0 * cut, 1));
   if (cut > 0.0 && volume.info().spacingKnown)
     text += QObject::tr(" · %1 mm").arg(plainNumber(cut * boxSizeMm(box.grid)[face.axis], 1));

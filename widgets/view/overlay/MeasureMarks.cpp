@@ -23,6 +23,7 @@ const QColor measureInHand(255, 196, 64);
 
 constexpr double hiddenOpacity = 0.4; // of what lies behind what is seen: there, and plainly behind
 constexpr double handleRadius = 4.0;  // logical pixels
+constexpr double leastHandleRadius = 1.5;
 constexpr double widestAcross = 60.0; // of what a distance spans, to each side
 constexpr double aroundMark = 8.0;
 constexpr double gapAround = 3.0;
@@ -197,6 +198,15 @@ void strokeTwice(QPainter& painter, const QPainterPath& path, const QColor& colo
   }
 }
 
+// Of something small they would hide what was measured.
+double radiusOfHandles(const MeasureShape& shape) {
+  double nearest = std::numeric_limits<double>::max();
+  for (std::size_t n = 0; n < shape.places.size(); ++n)
+    for (std::size_t other = 0; other < n; ++other)
+      nearest = std::min(nearest, QLineF(shape.places[n], shape.places[other]).length());
+  return std::clamp(nearest / 4.0, leastHandleRadius, handleRadius);
+}
+
 void paintShape(QPainter& painter, const MeasureShape& shape) {
   const QColor& color = shape.isInHand ? measureInHand : measureColor;
   strokeTwice(painter, linesOf(shape), color, shape.isInHand ? 1.75 : 1.25);
@@ -205,7 +215,7 @@ void paintShape(QPainter& painter, const MeasureShape& shape) {
   // Of an ellipse the handles show while it is in hand: they lie on what is looked at.
   if (shape.kind != Measurement::Kind::ellipse || shape.isInHand)
     for (const QPointF& place : shape.places)
-      painter.drawEllipse(place, handleRadius, handleRadius);
+      painter.drawEllipse(place, radiusOfHandles(shape), radiusOfHandles(shape));
 }
 
 } // namespace
@@ -281,6 +291,7 @@ void paintMeasures(QPainter& painter, const std::vector<MeasureMark>& marks) {
   for (const MeasureMark& mark : marks)
     if (mark.note) {
       painter.setOpacity(mark.shape.isHidden ? hiddenOpacity : 1.0);
+      paintPlate(painter, mark.note->plate); // and its own: numbers are read on white bone, too
       paintNote(painter, *mark.note);
     }
   painter.setOpacity(1.0);

@@ -353,7 +353,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   for (const QPointF& centre : overlay.centres)
     paintTurnMark(painter, centre);
   if (overlay.border)
-    paintWipeBorder(painter, overlay.border->x, overlay.view, overlay.border->isHovered);
+    paintWipeBorder(painter, overlay.border->x, overlay.view,
+                    {overlay.border->isHovered, overlay.border->hasKnob});
   paintTitles(painter, overlay);
   for (const Note& note : overlay.notes)
     paintNote(painter, note);

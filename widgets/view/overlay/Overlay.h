@@ -20,6 +20,7 @@ struct Overlay {
   struct Border {
     double x = 0.0;
     bool isHovered = false;
+    bool hasKnob = true; ///< by which it is dragged
   };
   /// A value beside the point at which it was read.
   struct Reading {

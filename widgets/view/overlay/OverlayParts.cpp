@@ -125,14 +125,6 @@ QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text
   return {side.left() + overlayMargin, side.bottom() - overlayMargin - height, width, height};
 }
 
-QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate) {
-  const QFontMetricsF metrics(titleFont(font));
-  const double room = plate.width() - 4 * unit - (label.leadsToMenu ? arrowWidth : 0.0);
-  return metrics.horizontalAdvance(label.title) <= room
-             ? label.title
-             : metrics.elidedText(label.title, Qt::ElideMiddle, std::max(0.0, room));
-}
-
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -217,12 +209,14 @@ void paintProgress(QPainter& painter, double fraction, const QRectF& view) {
   painter.fillRect(QRectF(line.topLeft(), QSizeF(line.width() * fraction, line.height())), markColor);
 }
 
-void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered) {
+void paintWipeBorder(QPainter& painter, double x, const QRectF& view, const WipeBorderLook& look) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = hovered ? markColor : QColor(255, 255, 255, 220);
+  const QColor color = look.isHovered ? markColor : QColor(255, 255, 255, 220);
   painter.fillRect(QRectF(x - 1.5, view.top(), 3.0, view.height()), QColor(0, 0, 0, 140));
   painter.fillRect(QRectF(x - 0.5, view.top(), 1.0, view.height()), color);
+  if (!look.hasKnob)
+    return painter.restore();
   const QPointF centre(x, view.center().y());
   painter.setPen(QPen(color, 1.5));
   painter.setBrush(QColor(20, 22, 28, 230));

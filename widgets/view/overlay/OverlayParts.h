@@ -38,9 +38,6 @@ QString fittingDetails(const QFont& font, const QStringList& details, double roo
 /// The plate of a label at the upper edge of `side`, logical pixels: left, centred or right.
 QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment);
 
-/// The title of a label as far as its plate has room for it: both ends of one that is too long.
-QString fittingTitle(const QFont& font, const SideLabel& label, const QRectF& plate);
-
 /// A small line of text on a plate of its own.
 struct Note {
   QString text;
@@ -81,7 +78,12 @@ QFont titleFont(const QFont& font);
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
 void paintScaleBar(QPainter& painter, const ScaleMark& mark);
 void paintProgress(QPainter& painter, double fraction, const QRectF& view);
-void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
+/// How the border of a wipe is drawn: its knob belongs to who can drag it.
+struct WipeBorderLook {
+  bool isHovered = false;
+  bool hasKnob = true;
+};
+void paintWipeBorder(QPainter& painter, double x, const QRectF& view, const WipeBorderLook& look);
 /// Marks a place that slices show, too.
 void paintMark(QPainter& painter, const QPointF& point);
 /// The same where what is seen lies before the place: a ring of dashes.

@@ -58,6 +58,8 @@ Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks) {
               .plate.width());
   overlay.notes = std::move(notes);
   overlay.gap.reset(); // pictures stand without one in a file
+  if (overlay.border)
+    overlay.border->hasKnob = false; // nobody drags it there
   // No menu opens in a file.
   for (PlacedLabel& label : overlay.labels) {
     label.label.leadsToMenu = false;

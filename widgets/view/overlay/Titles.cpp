@@ -204,10 +204,6 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
                : QObject::tr(
                      "A part of the volume is hidden. A click shows everything again; View ▸ Body only "
                      "hides the table and what else lies beside the body.");
-  for (const PlacedLabel& label : labelsOf(source))
-    if (label.plate.contains(point) &&
-        fittingTitle(source.font, label.label, label.plate) != label.label.title)
-      return label.label.title;
   if (const std::optional<std::size_t> face = cubeFaceAt(source, point))
     return cubeFaces(source.volume())[cubeFaceLedTo(source, *face)].meaning;
   if (source.comparison.scene.camera.projection == Camera::Projection::perspective)

@@ -20,20 +20,24 @@ constexpr int gapAtSides = 8;
 } // namespace
 
 HintBar::HintBar(const QString& name, QWidget* parent)
-    : PicturePanel(parent), m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this)), m_text(new QLabel(this)) {
+    : PicturePanel(parent), m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this)),
+      m_others(new QBoxLayout(QBoxLayout::LeftToRight)), m_text(new QLabel(this)) {
   auto* close = panelButton(tr("Done"), QStringLiteral("choice"), this);
   close->setToolTip(tr("Lays the tool aside (Esc)."));
   m_rows->setSpacing(6);
+  m_others->setSpacing(6);
   for (QHBoxLayout*& group : m_groups) {
     group = new QHBoxLayout;
     group->setSpacing(6);
-    m_rows->addLayout(group);
+    (&group == &m_groups.front() ? m_rows : m_others)->addLayout(group);
   }
+  m_rows->addLayout(m_others);
   m_groups.front()->addWidget(m_text);
   m_text->setContentsMargins(0, 0, 6, 0);
   m_groups.back()->addWidget(close);
   connect(close, &QPushButton::clicked, this, &HintBar::closeRequested);
   parent->installEventFilter(this);
+  setCursor(Qt::SizeAllCursor);
   setAccessibleName(name);
   hide();
 }
@@ -53,6 +57,8 @@ QString HintBar::hint() const {
 
 void HintBar::putAway() {
   m_isOut = m_isAside = false;
+  m_grip.reset();
+  m_movedTo.reset();
   hide();
 }
 
@@ -85,6 +91,23 @@ void HintBar::showEvent(QShowEvent* event) {
   place();
 }
 
+// By all of it that is no button: what it lies on may be what the tool is for.
+void HintBar::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton)
+    m_grip = event->position().toPoint();
+}
+
+void HintBar::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_grip || !event->buttons().testFlag(Qt::LeftButton))
+    return;
+  m_movedTo = pos() + event->position().toPoint() - *m_grip;
+  place();
+}
+
+void HintBar::mouseReleaseEvent(QMouseEvent*) {
+  m_grip.reset();
+}
+
 // In the row of scale and notes it lies on least of what is looked at.
 bool HintBar::placeBeside() {
   const QSizeF size = sizeHint();
@@ -102,30 +125,34 @@ bool HintBar::placeBeside() {
 // the view may have no room for all buttons either: then they stand in three rows.
 void HintBar::place() {
   const QWidget* view = parentWidget();
-  const auto fits = [&](bool hasText, QBoxLayout::Direction direction) {
+  constexpr auto inOne = QBoxLayout::LeftToRight, inRows = QBoxLayout::TopToBottom;
+  const auto fits = [&](bool hasText, QBoxLayout::Direction all, QBoxLayout::Direction others) {
     m_text->setVisible(hasText);
     m_rows->setContentsMargins(hasText ? 12 : 6, 6, 6, 6);
-    m_rows->setDirection(direction);
+    m_rows->setDirection(all);
+    m_others->setDirection(others);
     layout()->activate();
     return sizeHint().width() <= view->width() - 2 * gapAtSides;
   };
-  const auto fitsInRows = [&] { return fits(true, QBoxLayout::TopToBottom); };
-  const auto fitsWithoutText = [&] { return fits(false, QBoxLayout::LeftToRight); };
+  const auto fitsInRows = [&] { return fits(true, inRows, inOne) || fits(true, inRows, inRows); };
+  const auto fitsWithoutText = [&] { return fits(false, inOne, inOne); };
   m_placedOver = m_coveredBelow();
   m_placedBeside = m_written();
   raise();
-  const bool fitsInOne = fits(true, QBoxLayout::LeftToRight);
-  const bool isBeside = fitsInOne && placeBeside();
-  m_hasRoom = isBeside || view->height() >= m_leastHeight;
+  const bool fitsInOne = fits(true, inOne, inOne);
+  const bool isBeside = fitsInOne && !m_movedTo && placeBeside();
+  m_hasRoom = isBeside || m_movedTo || view->height() >= m_leastHeight;
   if (isBeside || !m_hasRoom)
     return;
   if (!fitsInOne && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
       !(m_stays ? fitsWithoutText() : fitsInRows()))
-    fits(false, QBoxLayout::TopToBottom);
+    fits(false, inRows, inRows);
   const int below = m_placedOver > 0 ? std::max(aboveEdge, m_placedOver + gapAbove) : aboveEdge;
   const QSize size = sizeHint().boundedTo(view->size());
-  setGeometry((view->width() - size.width()) / 2, std::max(0, view->height() - below - size.height()),
-              size.width(), size.height());
+  const QPoint corner =
+      m_movedTo.value_or(QPoint((view->width() - size.width()) / 2, view->height() - below - size.height()));
+  setGeometry(std::clamp(corner.x(), 0, view->width() - size.width()),
+              std::clamp(corner.y(), 0, view->height() - size.height()), size.width(), size.height());
 }
 
 } // namespace limn

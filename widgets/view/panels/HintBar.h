@@ -20,7 +20,8 @@ namespace limn {
 
 /// Lies over the lower edge of the pictures while a tool is in hand that takes more than a drag: what to do
 /// next, and a button that lays the tool aside. It stands beside what is written there, as near to the middle
-/// as that leaves room; where there is too little, above that in the middle.
+/// as that leaves room; where there is too little, above that in the middle. Dragged away it stays where it
+/// was let go as long as its tool is in hand.
 class HintBar : public PicturePanel {
   Q_OBJECT
 
@@ -70,19 +71,25 @@ protected:
 
   bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
   void place();
   bool placeBeside();
   void follow();
 
-  QBoxLayout* m_rows;
+  QBoxLayout* m_rows; ///< of the words with the first group, and of the others
+  QBoxLayout* m_others;
   std::array<QHBoxLayout*, 3> m_groups{};
   QLabel* m_text;
   std::function<bool()> m_isDrawing = [] { return false; };
   std::function<int()> m_coveredBelow = [] { return 0; };
   std::function<std::vector<QRectF>()> m_written = [] { return std::vector<QRectF>(); };
   Clear m_clear = [](const QRectF& wished, const QRectF&, const std::vector<QRectF>&) { return wished; };
+  std::optional<QPoint> m_grip;       ///< while it is dragged, in the bar
+  std::optional<QPoint> m_movedTo;    ///< by hand, its corner in the view
   int m_placedOver = 0;               ///< what covered the lower edge then
   std::vector<QRectF> m_placedBeside; ///< what was written then
   int m_leastHeight = 0;

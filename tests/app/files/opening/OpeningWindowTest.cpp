@@ -3,6 +3,7 @@
 #include "app/core/sources/SceneSource.h"
 #include "app/files/saving/PictureDialog.h"
 #include "support/FileBytes.h"
+#include "support/ShortVolume.h"
 
 #include <QPushButton>
 #include <QTreeView>
@@ -59,6 +60,38 @@ TEST_F(OpeningWindow, aPictureFindsTheVolumeThatWasOpenedBefore) {
   ASSERT_TRUE(open(picture));
   EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
   EXPECT_EQ(scene().volume->range().highest, volume->range().highest);
+}
+
+// Once it is read nobody needs it again; of another volume it is news.
+TEST_F(OpeningWindow, whatWasDismissedOfAVolumeIsNotSaidAgain) {
+  const auto ball = [](const glm::ivec3& v) { return glm::length(glm::dvec3(v) - 6.0) < 5.0 ? 900 : 0; };
+  for (const char* name : {"thick.nrrd", "other.nrrd"})
+    test::writeShorts(folder.path() / name, 12, ball, 4.0);
+  const auto isSaid = [this] {
+    return messages().isVisible() && messages().sentence().contains(QStringLiteral("mm apart"));
+  };
+  ASSERT_TRUE(open(pathTo("thick.nrrd")));
+  ASSERT_TRUE(test::waitUntil(isSaid));
+  for (QToolButton* button : messages().findChildren<QToolButton*>())
+    if (button->isVisible() && button->text() == QStringLiteral("Dismiss"))
+      QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_FALSE(messages().isVisible());
+  ASSERT_TRUE(open(pathTo("thick.nrrd")));
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(isSaid());
+  ASSERT_TRUE(open(pathTo("other.nrrd")));
+  EXPECT_TRUE(test::waitUntil(isSaid));
+  // Where something can be set right it is said each time.
+  const QString unknown = smallVolume("unknown");
+  test::writeBytes(folder.path() / "unknown" / "small.nrrd",
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 1 2 3 4 5 6 7\n");
+  for (int opening = 0; opening < 2; ++opening) {
+    ASSERT_TRUE(open(unknown));
+    ASSERT_TRUE(messages().isVisible());
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == QStringLiteral("Dismiss"))
+        QTest::mouseClick(button, Qt::LeftButton);
+  }
 }
 
 TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {

@@ -149,6 +149,26 @@ TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
   EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
 }
 
+TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {
+  int plain = 0, print = 0, again = 0;
+  onceAsked<PictureDialog>([&](PictureDialog& dialog) {
+    auto* size = dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"));
+    const auto heightAt = [&](int index) {
+      size->setCurrentIndex(index);
+      QCoreApplication::processEvents();
+      return dialog.height();
+    };
+    plain = heightAt(0);
+    print = heightAt(3);
+    again = heightAt(0);
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  ASSERT_GT(plain, 0);
+  EXPECT_GT(print, plain) << "a row for the width on paper";
+  EXPECT_EQ(again, plain) << "no gap stays above the buttons";
+}
+
 TEST_F(SavedPicture, theAnswersAreRemembered) {
   const auto answer = [this] {
     onceAsked<PictureDialog>([](PictureDialog& dialog) {

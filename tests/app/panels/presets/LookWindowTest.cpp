@@ -83,6 +83,18 @@ TEST_F(LookWindow, theLookOfOneFileIsAPresetAndIsShown) {
   EXPECT_EQ(scene().transferFunction, before);
 }
 
+TEST_F(LookWindow, whatWasImportedIsListedThoughAnOldSearchWouldHideIt) {
+  write("CT Bones.clut", bones);
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  auto* search = browser().findChild<QLineEdit*>();
+  search->setText(QStringLiteral("skin"));
+  ASSERT_FALSE(own().contains(QStringLiteral("CT Bones")));
+  controller().importFiles({pathTo("CT Bones.clut")});
+  ASSERT_TRUE(imported());
+  EXPECT_TRUE(own().contains(QStringLiteral("CT Bones")));
+  EXPECT_TRUE(search->text().isEmpty());
+}
+
 TEST_F(LookWindow, severalAtOnceAreToldOfFileByFile) {
   write("CT Bones.clut", bones);
   write("ramp.niivue.json", relative);

@@ -74,6 +74,29 @@ TEST(ProjectionCurves, inDataWithoutHounsfieldUnitsAreFittedToThem) {
   }
 }
 
+std::shared_ptr<const Volume> airAnd(std::int16_t value) {
+  Grid grid;
+  grid.dims = {10, 10, 10};
+  std::vector<std::int16_t> voxels(1000, -1000);
+  std::fill(voxels.begin() + 600, voxels.end(), value);
+  return std::make_shared<const Volume>(grid, voxels, Rescale{}, std::nullopt, VolumeInfo{});
+}
+
+// As of a phantom without dense bone, whose values end far below where the preset is white.
+TEST(ProjectionCurves, theMaximumIsWhiteAtTheBrightestVoxelAtTheLatest) {
+  const double highest = 792.0;
+  Shown shown(airAnd(792));
+  shown.change(Projection::mip);
+  EXPECT_EQ(classify(shown.scene.transferFunction, highest).color, glm::dvec3(1.0));
+  EXPECT_EQ(shown.scene.transferFunction.points.front().value, -150.0) << "fat and air stay black";
+}
+
+TEST(ProjectionCurves, theMaximumOfDenseBoneAndMetalIsThatOfThePreset) {
+  Shown shown(airAnd(3071));
+  shown.change(Projection::mip);
+  EXPECT_EQ(shown.scene.transferFunction.points.back().value, 2600.0);
+}
+
 TEST(ProjectionCurves, ofAnotherVolumeAreForgotten) {
   Shown shown(phantomVolume({.spacingMm = 8.0}));
   const TransferFunction tissue = shown.scene.transferFunction;

@@ -49,7 +49,6 @@ TEST(ViewKeys, theRestOfTheTable) {
   EXPECT_EQ(press(Qt::Key_M), ViewCommand(UseTool{ViewTool::pan}));
   EXPECT_EQ(press(Qt::Key_Z), ViewCommand(UseTool{ViewTool::zoom}));
   EXPECT_EQ(press(Qt::Key_BracketLeft), ViewCommand(UseTool{ViewTool::rotate}));
-  EXPECT_EQ(press(Qt::Key_Question, Qt::ShiftModifier), ViewCommand(ListShortcuts{}));
   EXPECT_EQ(press(Qt::Key_Left), ViewCommand(Rotate{-1, 0}));
   EXPECT_EQ(press(Qt::Key_Down), ViewCommand(Rotate{0, 1}));
   EXPECT_EQ(press(Qt::Key_Plus, Qt::ShiftModifier), ViewCommand(Zoom{1}));

@@ -6,6 +6,9 @@
 #include "widgets/view/overlay/OverlayParts.h"
 #include "widgets/view/overlay/SavedOverlay.h"
 
+#include <QImage>
+#include <QPainter>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -161,6 +164,24 @@ TEST_F(HiddenNotes, standInEachOfTwoPicturesAndTellThemApart) {
   under.hovered.hidden = {1, HiddenBy::region};
   EXPECT_EQ(hiddenNotesOf(under, 0)[0].note.text, QStringLiteral("Body only: table hidden"));
   EXPECT_EQ(hiddenNotesOf(under, 1)[0].note.text, QStringLiteral("Show everything"));
+}
+
+TEST_F(HiddenNotes, theBorderOfAWipeHasNoKnobInAFile) {
+  comparison.layout = CompareLayout::wipe;
+  ASSERT_TRUE(overlayOf(source()).border);
+  EXPECT_TRUE(overlayOf(source()).border->hasKnob);
+  const Overlay saved = savedOverlay(source(), {});
+  ASSERT_TRUE(saved.border);
+  EXPECT_FALSE(saved.border->hasKnob);
+  // The line is one colour from end to end where a knob would stand.
+  QImage image(source().geometry.size, QImage::Format_RGB32);
+  image.fill(Qt::gray);
+  QPainter painter(&image);
+  paintWipeBorder(painter, saved.border->x, QRectF(image.rect()), {false, false});
+  painter.end();
+  const int beside = static_cast<int>(saved.border->x) + 6;
+  for (int y = 0; y < image.height(); ++y)
+    ASSERT_EQ(image.pixelColor(beside, y), QColor(Qt::gray)) << y;
 }
 
 } // namespace

@@ -217,5 +217,26 @@ TEST(SavedMarks, showNoMeasurementAsInHand) {
   EXPECT_EQ(saved.places.size(), 2u) << "but it is there";
 }
 
+// Handles of the usual size would cover all of an ellipse of a few pixels.
+TEST(MeasureMarks, theHandlesOfSomethingSmallLeaveItSeen) {
+  for (const double radius : {8.0, 60.0}) {
+    QImage image(shownIn.size().toSize(), QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    MeasureShape shape = ellipseShape({320, 240}, radius, radius);
+    shape.isInHand = true;
+    paintMeasures(painter, placedMeasures({shape}, {}, shownIn, {}));
+    painter.end();
+    int free = 0, inside = 0;
+    for (int y = 240 - static_cast<int>(radius) + 2; y < 240 + radius - 2; ++y)
+      for (int x = 320 - static_cast<int>(radius) + 2; x < 320 + radius - 2; ++x)
+        if (QLineF(QPointF(x, y), QPointF(320, 240)).length() < radius - 2.0) {
+          ++inside;
+          free += image.pixelColor(x, y) == QColor(Qt::black);
+        }
+    EXPECT_GT(free, inside / 2) << radius;
+  }
+}
+
 } // namespace
 } // namespace limn

@@ -140,7 +140,7 @@ TEST_F(OverlayAbove, aNameThatIsTooLongShowsBothEndsAndIsWholeInItsToolTip) {
   EXPECT_TRUE(fitting(labels[0]).endsWith(QStringLiteral("Classic"))) << fitting(labels[0]).toStdString();
   EXPECT_LE(QFontMetricsF(titleFont(source().font)).horizontalAdvance(fitting(labels[0])),
             labels[0].plate.width());
-  EXPECT_EQ(toolTipAt(source(), labels[0].plate.center()), title);
+  EXPECT_EQ(toolTipAt(source(), labels[0].plate.center()), QStringLiteral("<p>%1</p>").arg(title));
   EXPECT_EQ(fitting(labels[1]), labels[1].label.title);
   EXPECT_TRUE(toolTipAt(source(), labels[1].plate.center()).isEmpty()) << "it is all there";
 }
