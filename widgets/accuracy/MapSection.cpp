@@ -69,6 +69,17 @@ void MapSection::setUnavailable(const QString& reason) {
           : reason);
 }
 
+void MapSection::setComparing(bool isComparing) {
+  m_check->setChecked(isComparing);
+  if (isComparing)
+    m_sentence->hide();
+}
+
+void MapSection::sayEnded(const QString& sentence) {
+  m_sentence->setText(sentence);
+  m_sentence->show();
+}
+
 void MapSection::setCompared(const ComparedPicture* compared) {
   m_check->setChecked(compared && compared->error);
   m_sentence->setText(compared ? sentenceOf(*compared) : QString());
