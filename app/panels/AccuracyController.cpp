@@ -331,10 +331,10 @@ void AccuracyController::showScene() {
   const Scene scene = m_context.view.sceneOfSide(measuredSide());
   const CompareLayout layout = m_context.view.compareLayout();
   const bool liesOver = layout == CompareLayout::wipe || layout == CompareLayout::difference;
-  if (m_compared.volume && (scene != m_compared || liesOver || shownSize() != m_comparedSize))
-    endMap();
   m_measurer.forgetOthersThan(scene.volume);
   m_panel.setScene(scene);
+  if (m_compared.volume && (scene != m_compared || liesOver || shownSize() != m_comparedSize))
+    endMap();
   m_panel.setMapUnavailable(
       liesOver ? tr("Choose one picture or side by side: here two pictures lie over each other.")
                : QString());

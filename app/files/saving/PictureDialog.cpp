@@ -177,11 +177,11 @@ PictureOptions PictureDialog::options() const {
 void PictureDialog::tellSize() {
   const double scale = scaleOf(options(), m_screen.width());
   const QSize size = m_screen * scale;
-  const std::optional<double> seconds = m_told.seconds ? m_told.seconds(scale) : std::nullopt;
+  const double seconds = m_told.seconds ? m_told.seconds(scale).value_or(0.0) : 0.0;
   const bool fits = std::max(size.width(), size.height()) <= longestSide;
   const QString pixels = tr("%1 × %2 pixels").arg(size.width()).arg(size.height());
-  m_pixels->setText(fits && seconds && *seconds >= longSeconds
-                        ? tr("%1, %2 to draw", "pixels, a time").arg(pixels, aboutText(*seconds))
+  m_pixels->setText(fits && seconds >= longSeconds
+                        ? tr("%1, %2 to draw", "pixels, a time").arg(pixels, aboutText(seconds))
                     : fits ? pixels
                            : tr("%1 × %2 pixels: more than %3 a side cannot be drawn")
                                  .arg(size.width())

@@ -28,7 +28,7 @@ QString timeText(const std::filesystem::path& file) {
 // Of which volume a session is; empty where it cannot be read.
 std::string volumeOf(const std::filesystem::path& file) {
   try {
-    return readSessionFile(file).scene.volume;
+    return parseSession(readTextFile(file), "session").scene.volume; // kept with its whole path
   } catch (const Error&) {
     return {};
   }

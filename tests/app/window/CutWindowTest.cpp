@@ -327,12 +327,12 @@ TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
   // Behind its curve stand its own values, not those into which it is grown.
   const glm::dvec2 range = std::get<ConnectedPiece>(cuts().front().how).range;
   const ValueRange all = scene().volume->range();
-  ASSERT_LT(all.lowest + 20.0, range.x) << "there are others";
-  const auto plotted = [&](double value) { // a little above the axis, and where no histogram reaches
+  ASSERT_LT(all.lowest + 60.0, range.x) << "there are others";
+  const auto plotted = [&](double value) { // above the points on the axis, and where no histogram reaches
     const PlotTransform plot = canvas.transform();
     const QImage picture = canvas.grab().toImage();
     const int x = qRound(xOfValue(plot, value));
-    return std::pair(picture.pixelColor(x, qRound(plot.plot.bottom()) - 6),
+    return std::pair(picture.pixelColor(x, qRound(plot.plot.bottom()) - 14),
                      picture.pixelColor(x, qRound(plot.plot.top()) + 30));
   };
   TransferFunction clear = edited;
@@ -340,10 +340,10 @@ TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
     point.opacity = 0.0;
   canvas.edit(clear, {nextGestureId(), QStringLiteral("clear it")});
   EXPECT_TRUE(test::waitUntil([&] {
-    const auto [below, above] = plotted(range.x - 15.0);
+    const auto [below, above] = plotted(range.x - 60.0);
     return below == above;
   }));
-  const auto [below, above] = plotted(range.x + 15.0);
+  const auto [below, above] = plotted(range.x + 300.0);
   EXPECT_NE(below, above) << "it has some";
   undo().undo();
   // Sessions keep it, and a click in the list takes it in hand again.

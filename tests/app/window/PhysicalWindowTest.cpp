@@ -258,7 +258,7 @@ TEST_F(PhysicalWindow, theDialogSaysHowFarItIsDrawnAndLeadsToWhereThatIsSet) {
   action(QStringLiteral("Save &picture…"))->trigger();
   EXPECT_TRUE(said.startsWith(QStringLiteral("256 paths a pixel, noise filtered"))) << said.toStdString();
   EXPECT_FALSE(section.isFolded());
-  EXPECT_TRUE(test::waitUntil([&] { return section.until()->box()->hasFocus(); }));
+  EXPECT_EQ(window->focusWidget(), section.until()->box()) << "it has the keyboard once the window has";
   EXPECT_FALSE(section.until()->visibleRegion().isEmpty());
 }
 
