@@ -153,7 +153,8 @@ DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
     if (isPhysical(scene))
       told.paths = savedPathsText(scene.shading.physical);
   told.changePaths = [this] { emit pathsWanted(); };
-  told.seconds = [asked, sides = m_context.view.pictureState().sides](double scale) -> std::optional<double> {
+  told.seconds = [this, asked](double scale) -> std::optional<double> {
+    const std::vector<SideState> sides = m_context.view.pictureState().sides; // of now: they go on
     double all = 0.0;
     bool isOnScreen = scale == 1.0;
     for (std::size_t side = 0; side < asked.size() && side < sides.size(); ++side) {
