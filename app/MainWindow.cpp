@@ -135,6 +135,7 @@ void MainWindow::connectFiles() {
   connect(&m_picture.comparison(), &ComparisonController::layoutChosen, opening,
           &OpeningController::leaveFailure);
   connect(&m_files.saving(), &SavingController::sessionSaved, &m_frame.title(), &TitleController::show);
+  connect(&m_files, &Files::savedPathsWanted, &m_panels, &Panels::showSavedPaths);
   connect(&m_files, &Files::closeRequested, this, &MainWindow::closeVolume);
 }
 
@@ -181,7 +182,7 @@ void MainWindow::closeVolume() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!m_files.safety().mayLeave()) {
+  if (!m_files.mayQuit() || !m_files.safety().mayLeave()) {
     event->ignore();
     return;
   }

@@ -28,6 +28,12 @@ public:
     m_files.opening().open(source, options);
   }
 
+  /// The same of what is named before anything is shown: what was left unsaved is then offered beside it.
+  void openNamed(const QString& source, const SourceOptions& options = {}) {
+    m_files.safety().sayWithFirst();
+    openSource(source, options);
+  }
+
   /// From now on the session is autosaved, and what an earlier window left behind is offered.
   void keepSessions() { m_files.safety().begin(); }
 

@@ -127,7 +127,7 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
     window.offerTour();
   }
   if (!arguments.path.empty())
-    window.openSource(QString::fromStdString(arguments.path), arguments.options);
+    window.openNamed(QString::fromStdString(arguments.path), arguments.options);
   if (!arguments.screenshot.empty())
     saveScreenshotAtRest(window, QString::fromStdString(arguments.screenshot));
   return QApplication::exec();

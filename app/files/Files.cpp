@@ -12,8 +12,10 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QFontMetricsF>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QString>
 #include <QUrl>
 #include <QWidget>
@@ -248,6 +250,7 @@ Files::Files(WindowContext& context, FileSources sources)
   offerExport<DicomDialog>(context, QStringLiteral("saveDicom"), DicomDialog::look());
   connect(close, &QAction::triggered, this, &Files::closeRequested);
   connect(&m_pictures, &PictureSaving::complete, &m_saving, &SavingController::writePicture);
+  connect(&m_pictures, &PictureSaving::pathsWanted, this, &Files::savedPathsWanted);
   connect(&m_pictures, &PictureSaving::cancelled, &m_saving, &SavingController::cancelPicture);
   connect(&m_saving, &SavingController::drawing, &m_pictures, &PictureSaving::sayDrawing);
   connect(&m_safety, &SessionSafety::saveRequested, &m_saving, &SavingController::saveSession);
@@ -257,6 +260,27 @@ Files::Files(WindowContext& context, FileSources sources)
     const OpenDocument& document = m_context.document;
     m_opening.remember(document.sessionFile(), labelOf(document), document.volumePath());
   });
+}
+
+bool Files::mayQuit() {
+  QStringList underWay;
+  if (const QString picture = m_pictures.underWay(); !picture.isEmpty())
+    underWay << picture;
+  for (const ExportDialog* dialog : m_context.window.findChildren<ExportDialog*>())
+    if (dialog->isWorking())
+      underWay << dialog->windowTitle() + QStringLiteral(": ") + dialog->said();
+  if (underWay.isEmpty())
+    return true;
+  QMessageBox box(QMessageBox::Warning, tr("Still drawing"),
+                  tr("A file is not finished yet. If Limn ends now, it will not be."), QMessageBox::NoButton,
+                  &m_context.window);
+  box.setObjectName(QStringLiteral("stillDrawing"));
+  box.setInformativeText(underWay.join(QLatin1Char('\n')));
+  QPushButton* stay = box.addButton(tr("Let it finish"), QMessageBox::RejectRole);
+  const QPushButton* quit = box.addButton(tr("End all the same"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(stay);
+  box.exec();
+  return box.clickedButton() == quit;
 }
 
 void Files::noteOpened(const LoadedScene& loaded, const Request& request) {

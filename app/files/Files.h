@@ -110,11 +110,17 @@ public:
   SliceSaving& slices() { return m_slices; }
   SessionSafety& safety() { return m_safety; }
 
+  /// Whether the program may end: nothing is being drawn into a file, or somebody says to end it all the
+  /// same.
+  bool mayQuit();
+
   /// Says what there is to say of what was opened, keeps it from being lost, and remembers where it lies.
   void noteOpened(const LoadedScene& loaded, const Request& request);
 
 signals:
   void closeRequested();
+  /// Somebody wants to set how far saved pictures of physical light are drawn.
+  void savedPathsWanted();
 
 private:
   WindowContext& m_context;

@@ -201,7 +201,7 @@ AccuracyController::AccuracyController(WindowContext& context)
   addRefinement();
   connectPanel();
   connectMeasurer();
-  connect(m_map, &ErrorMapOverlay::outgrown, this, &AccuracyController::takeMapBack);
+  connect(m_map, &ErrorMapOverlay::outgrown, this, &AccuracyController::endMap);
   connect(&context.view, &CompareView::told, this,
           [this](const ViewNews& news) { showOnScreen(news.state); });
 }
@@ -270,7 +270,7 @@ void AccuracyController::measure() {
 }
 
 void AccuracyController::findSteps(const Quality& quality, const Gesture& gesture) {
-  takeMapBack();
+  endMap();
   std::vector<Scene> scenes;
   for (int side = 0; side < pictureCount(m_context.view.compareLayout()); ++side) {
     scenes.push_back(m_context.view.sceneOfSide(side));
@@ -297,7 +297,8 @@ void AccuracyController::showMap(bool shown) {
   if (!shown)
     return;
   m_compared = m_context.view.sceneOfSide(measuredSide());
-  measurer().compare(m_context.view.sceneOfRestingImage(measuredSide()), shownSize());
+  m_comparedSize = shownSize();
+  measurer().compare(m_context.view.sceneOfRestingImage(measuredSide()), m_comparedSize);
   setWork(AccuracyWork::comparing);
 }
 
@@ -311,6 +312,14 @@ void AccuracyController::takeMapBack() {
   m_panel.setCompared(std::nullopt);
 }
 
+void AccuracyController::endMap() {
+  const bool wasComparing = m_panel.work() == AccuracyWork::comparing;
+  takeMapBack();
+  if (wasComparing)
+    m_panel.sayComparisonEnded(
+        tr("The picture changed before it was compared with the exact one; tick the box to begin again."));
+}
+
 void AccuracyController::showCompared(const ComparedPicture& picture) {
   setWork(AccuracyWork::none);
   m_panel.setCompared(picture);
@@ -322,10 +331,10 @@ void AccuracyController::showScene() {
   const Scene scene = m_context.view.sceneOfSide(measuredSide());
   const CompareLayout layout = m_context.view.compareLayout();
   const bool liesOver = layout == CompareLayout::wipe || layout == CompareLayout::difference;
-  if (m_compared.volume && (scene != m_compared || liesOver))
-    takeMapBack();
   m_measurer.forgetOthersThan(scene.volume);
   m_panel.setScene(scene);
+  if (m_compared.volume && (scene != m_compared || liesOver || shownSize() != m_comparedSize))
+    endMap();
   m_panel.setMapUnavailable(
       liesOver ? tr("Choose one picture or side by side: here two pictures lie over each other.")
                : QString());

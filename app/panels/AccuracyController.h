@@ -99,6 +99,8 @@ private:
   void useSteps(const WithinTolerance& found);
   void showMap(bool shown);
   void takeMapBack();
+  /// The same where nobody asked for that: what was under way is said to have ended.
+  void endMap();
   void showCompared(const ComparedPicture& picture);
   void setWork(AccuracyWork work);
   void save();
@@ -115,6 +117,7 @@ private:
   QString m_warned;                         ///< that a tolerance cannot be kept
   Gesture m_toleranceGesture;               ///< for which steps are looked for
   Scene m_compared;                         ///< of which the map is shown or under way
+  glm::ivec2 m_comparedSize{0};             ///< pixels, of its picture
 };
 
 } // namespace limn

@@ -372,6 +372,11 @@ void Panels::takeLabel(std::size_t place) {
   m_curves.takeInHand(lookOfLabel(keep, place) > 0 ? std::optional(place) : std::nullopt);
 }
 
+void Panels::showSavedPaths() {
+  m_context.docks.show(SessionDocument::Panel::properties);
+  m_properties.showSavedPaths();
+}
+
 void Panels::describe(SessionDocument& session) const {
   session.panel = m_context.docks.panel();
   session.cropBoxIsShown = m_cropBox.isShown();

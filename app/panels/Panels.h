@@ -119,6 +119,9 @@ public:
   /// Selects a label in the list, which comes to the front, and shows the curve that it has.
   void takeLabel(std::size_t place);
 
+  /// Brings to the front how far saved pictures of physical light are drawn.
+  void showSavedPaths();
+
   /// What a session file says of them.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);

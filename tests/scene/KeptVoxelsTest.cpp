@@ -76,6 +76,13 @@ TEST(KeptVoxels, whatACurveShowsOfThemHasOpacity) {
   EXPECT_EQ(sumOf(shownBy({}, whole)), 0u);
 }
 
+TEST(KeptVoxels, ofARangeBinsAreEmptyThatLieOutside) {
+  const Histogram whole = histogramOf(*steps());
+  const Histogram held = heldWithin(whole, 3.0, 5.2);
+  for (std::size_t value = 0; value < 10; ++value) // a bin reaches half a value to both sides
+    EXPECT_EQ(held.counts[value], value >= 3 && value <= 5 ? whole.counts[value] : 0u) << value;
+}
+
 // A ball of 1000 beside a plate of 3000, in 0.
 std::shared_ptr<const Volume> ballAndPlate(const glm::ivec3& dims) {
   Grid grid;

@@ -103,6 +103,8 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
 }
 
 void AccuracyPanel::setWork(AccuracyWork work) {
+  if (work == AccuracyWork::comparing || m_work == AccuracyWork::comparing)
+    m_map->setComparing(work == AccuracyWork::comparing);
   m_work = work;
   if (work != AccuracyWork::measuring && work != AccuracyWork::none)
     m_wanted = nullptr; // something else takes its place
@@ -134,6 +136,10 @@ void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) 
   m_map->setCompared(compared ? &*compared : nullptr);
   if (compared)
     bringIntoView(m_map);
+}
+
+void AccuracyPanel::sayComparisonEnded(const QString& sentence) {
+  m_map->sayEnded(sentence);
 }
 
 void AccuracyPanel::resizeEvent(QResizeEvent* event) {

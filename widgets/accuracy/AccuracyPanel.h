@@ -45,6 +45,8 @@ public:
   /// Why a map cannot be shown, or an empty text.
   void setMapUnavailable(const QString& reason);
   void setCompared(const std::optional<ComparedPicture>& compared);
+  /// Says why a comparison ended before there was a map.
+  void sayComparisonEnded(const QString& sentence);
 
   QSize sizeHint() const override { return {320, 600}; }
 

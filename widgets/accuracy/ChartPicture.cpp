@@ -96,6 +96,13 @@ ChartLayout layoutOf(const ChartPicture& picture) {
   rest.setLeft(layout.errorTitleX + 0.5 * metrics.height() + widest + text);
   rest.setBottom(layout.numbersTop - 0.3 * text);
   layout.plot.plot = rest;
+  if (!picture.legendAtRight && !layout.times.empty()) { // the last number stands below its line, whole
+    const AxisTick& last = layout.times.back();
+    const double share = (xOfValue(layout.plot, last.value) - rest.left()) / rest.width();
+    const double most = picture.size.width() - 0.5 * metrics.horizontalAdvance(last.text) - 1.0;
+    rest.setRight(std::min(rest.right(), rest.left() + (most - rest.left()) / share));
+    layout.plot.plot = rest;
+  }
   layout.legendCorner =
       picture.legendAtRight
           ? QPointF(rest.right() + text, rest.center().y() - 0.5 * layout.legend.height)

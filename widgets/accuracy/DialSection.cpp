@@ -44,6 +44,11 @@ double placeOf(const Quality& quality, const std::vector<OperatingPoint>& stops)
   return std::clamp(place, 0.0, hasExact ? last - 0.5 : last);
 }
 
+// How a picture was drawn: a tolerance is what its steps are meant for, and not what came of them.
+QString drawnText(const OperatingPoint& point) {
+  return point.toleranceLevels ? DialSection::tr("steps by error") : pointText(point);
+}
+
 // A picture that is closer to the exact one than it was asked to be; the status bar has the same number. What
 // was measured is of one direction.
 QString onScreenText(const OperatingPoint& onScreen, const OperatingPoint& asked,
@@ -54,13 +59,28 @@ QString onScreenText(const OperatingPoint& onScreen, const OperatingPoint& asked
     return {};
   if (index)
     return DialSection::tr("Refined on screen to %1, within %2.")
-        .arg(pointText(onScreen),
+        .arg(drawnText(onScreen),
              pointErrorText(measured->report.points[*index], measured->report.reference));
   const QString picture = onScreen == asked
                               ? DialSection::tr("The picture on screen")
-                              : DialSection::tr("Refined on screen to %1").arg(pointText(onScreen));
+                              : DialSection::tr("Refined on screen to %1").arg(drawnText(onScreen));
   return told.isEmpty() ? (onScreen == asked ? QString() : picture + QLatin1Char('.'))
                         : DialSection::tr("%1: %2.", "a picture: how far it is off").arg(picture, told);
+}
+
+// Whether another position is sooner there and closer to the exact picture.
+bool isBeaten(const OperatingPoint& point, const std::vector<OperatingPoint>& stops,
+              const AccuracyReport& report) {
+  const std::optional<std::size_t> own = indexOf(point, report.points);
+  if (!own || !report.reference.converged)
+    return false;
+  const double least = leastP99_9(report.reference);
+  const MeasuredPoint& measured = report.points[*own];
+  return std::ranges::any_of(stops, [&](const OperatingPoint& stop) {
+    const std::optional<std::size_t> index = indexOf(stop, report.points);
+    return index && report.points[*index].ms.median < measured.ms.median &&
+           std::max(least, report.points[*index].error.p99_9) < std::max(least, measured.error.p99_9);
+  });
 }
 
 QLabel* endLabel(const QString& text) {
@@ -97,6 +117,7 @@ DialSection::DialSection(QWidget* parent)
   auto* text = new QVBoxLayout;
   text->setSpacing(4);
   text->addWidget(m_sentence);
+  m_note->setObjectName(QStringLiteral("note"));
   m_note->setWordWrap(true);
   m_note->setForegroundRole(QPalette::PlaceholderText);
   text->addWidget(m_note);
@@ -121,7 +142,6 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
                        const std::optional<OperatingPoint>& onScreen, const QString& told) {
   const double steepest = measured ? measured->steepestPerMm : 0.0;
   m_points = dialPoints(scene, steepest);
-  showStops(measured);
   m_dial->setPlace(placeOf(scene.quality, m_points));
   m_dial->setEnabled(scene.volume != nullptr);
   m_scale->setVisible(!m_points.empty());
@@ -136,21 +156,46 @@ void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
     sentence += QLatin1Char(' ') + text;
   m_sentence->setText(sentence);
   m_dial->setAccessibleDescription(m_sentence->text());
-  // The chart has the same steps taken otherwise, under the same numbers.
-  const bool averages = !m_points.empty() && m_points.front().preintegrated;
-  m_note->setText(
-      (averages ? tr("The dial's steps average the curve between samples; the chart has them without, too. ")
-                : QString()) +
-      (scene.quality.toleranceLevels || m_points.empty()
-           ? QString()
-           : tr("From there it refines while nothing moves. ")) +
-      tr("A level is the smallest step of brightness on a screen, of 255."));
+  showStops(measured, isSameView);
+  m_note->setText(noteFor(scene, measured));
 }
 
-void DialSection::showStops(const MeasuredAccuracy* measured) {
+// Each position is what would be drawn there: where that averages the curve between samples the chart has the
+// same step without, under the same number.
+QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measured) const {
+  QStringList averaged, beaten, parts;
+  qsizetype steps = 0;
+  for (const OperatingPoint& point : m_points) {
+    steps += point.toleranceLevels ? 0 : 1;
+    if (point.preintegrated)
+      averaged << stopName(point);
+    if (measured && isBeaten(point, m_points, measured->report))
+      beaten << stopName(point);
+  }
+  if (!averaged.isEmpty())
+    parts
+        << (averaged.size() == steps
+                ? tr("The dial's steps average the curve between samples; the chart has them without, too.")
+                : tr("Of the dial's steps these average the curve between samples, so that they miss none of "
+                     "it: %1. The chart has each step both ways.")
+                      .arg(averaged.join(QStringLiteral(", "))));
+  if (!beaten.isEmpty())
+    parts << tr("Slower and farther off than another position: %1.").arg(beaten.join(QStringLiteral(", ")));
+  const bool refines = !scene.quality.toleranceLevels && !m_points.empty();
+  if (refines && hasTravellingLight(scene))
+    parts << tr("From there it refines while nothing moves, but shadows and occlusion come from a grid of "
+                "light, which smaller steps do not make finer: where they show, the picture may stay \"not "
+                "exact\". With \"exact\" the processor finds them for each sample, in minutes.");
+  else if (refines)
+    parts << tr("From there it refines while nothing moves.");
+  parts << tr("A level is the smallest step of brightness on a screen, of 255.");
+  return parts.join(QLatin1Char(' '));
+}
+
+void DialSection::showStops(const MeasuredAccuracy* measured, bool isSameView) {
   std::vector<SliderStop> stops;
   for (const OperatingPoint& point : m_points) {
-    SliderStop stop{stopName(point), {}};
+    SliderStop stop{stopName(point), {}, false};
     const std::optional<std::size_t> index =
         measured ? indexOf(point, measured->report.points) : std::nullopt;
     if (index) {
@@ -159,6 +204,7 @@ void DialSection::showStops(const MeasuredAccuracy* measured) {
       const bool isKnown = reference.converged;
       stop.figures = {isKnown ? promisedLevels(std::max(found.error.p99_9, leastP99_9(reference))) : tr("?"),
                       plainNumber(found.ms.median, found.ms.median < 10.0 ? 1 : 0)};
+      stop.isDim = !isSameView || isBeaten(point, m_points, measured->report);
     }
     stops.push_back(stop);
   }
@@ -182,7 +228,8 @@ QString DialSection::sentenceFor(const Scene& scene, const MeasuredAccuracy* mea
   OperatingPoint plain;
   plain.stepVoxels = point->stepVoxels;
   plain.toleranceLevels = point->toleranceLevels;
-  const QString name = pointText(plain);
+  const QString name =
+      plain.toleranceLevels ? tr("Steps meant to be %1").arg(pointText(plain)) : pointText(plain);
   return tr("%1: not measured for this picture.").arg(name.left(1).toUpper() + name.mid(1));
 }
 

@@ -39,7 +39,8 @@ signals:
   void movingMsPicked(double ms);
 
 private:
-  void showStops(const MeasuredAccuracy* measured);
+  void showStops(const MeasuredAccuracy* measured, bool isSameView);
+  QString noteFor(const Scene& scene, const MeasuredAccuracy* measured) const;
   QString sentenceFor(const Scene& scene, const MeasuredAccuracy* measured) const;
 
   std::vector<OperatingPoint> m_points; ///< one per stop

@@ -64,9 +64,21 @@ void MapSection::setUnavailable(const QString& reason) {
   m_check->setEnabled(reason.isEmpty());
   m_check->setToolTip(
       reason.isEmpty()
-          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of 255. The next "
-               "change of the picture takes it away.</p>")
+          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of 255. That one is "
+               "drawn first, which takes from seconds to some minutes and says how long as it goes on. The "
+               "next change of the picture takes the map away.</p>")
           : reason);
+}
+
+void MapSection::setComparing(bool isComparing) {
+  m_check->setChecked(isComparing);
+  if (isComparing)
+    m_sentence->hide();
+}
+
+void MapSection::sayEnded(const QString& sentence) {
+  m_sentence->setText(sentence);
+  m_sentence->show();
 }
 
 void MapSection::setCompared(const ComparedPicture* compared) {

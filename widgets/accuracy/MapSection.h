@@ -24,6 +24,12 @@ public:
   /// What was compared; null takes the map back.
   void setCompared(const ComparedPicture* compared);
 
+  /// While it is compared the box stays ticked.
+  void setComparing(bool isComparing);
+
+  /// Says why a comparison ended before there was a map.
+  void sayEnded(const QString& sentence);
+
   /// How far the comparison is.
   WorkRow* work() const { return m_work; }
 

@@ -98,7 +98,9 @@ void StopSlider::paintTexts(QPainter& painter) const {
     const bool isChosen = stop == m_place;
     painter.setPen(isEnabled() ? colors.text : colors.disabledText);
     painter.drawText(cell(centreAt(stop).x(), 0), Qt::AlignCenter, shown.name);
-    painter.setPen(!isEnabled() ? colors.disabledText : isChosen ? colors.text : colors.secondaryText);
+    painter.setPen(!isEnabled() || shown.isDim ? colors.disabledText
+                   : isChosen                  ? colors.text
+                                               : colors.secondaryText);
     for (int row = 0; row < shown.figures.size(); ++row)
       painter.drawText(cell(centreAt(stop).x(), row + 1), Qt::AlignCenter, shown.figures[row]);
   }

@@ -12,6 +12,7 @@ namespace limn {
 struct SliderStop {
   QString name;
   QStringList figures; ///< as many as there are rows, or none where there is nothing to say
+  bool isDim = false;  ///< its figures count for little here
   bool operator==(const SliderStop&) const = default;
 };
 

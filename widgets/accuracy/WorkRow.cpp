@@ -33,9 +33,11 @@ WorkRow::WorkRow(const QString& name, QWidget* parent)
 }
 
 void WorkRow::showProgress(std::optional<double> fraction, const QString& doing) {
+  if (fraction && isHidden())
+    m_left.begin();
   setVisible(fraction.has_value());
   m_bar->setValue(qRound(1000.0 * fraction.value_or(0.0)));
-  m_doing->setText(doing);
+  m_doing->setText(doing + m_left.text(fraction.value_or(0.0)));
 }
 
 } // namespace limn

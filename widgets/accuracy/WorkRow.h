@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/controls/TimeLeft.h"
+
 #include <QWidget>
 
 #include <optional>
@@ -27,6 +29,7 @@ signals:
 private:
   QProgressBar* m_bar;
   QLabel* m_doing;
+  TimeLeft m_left;
 };
 
 } // namespace limn

@@ -14,6 +14,7 @@
 #include "widgets/shading/PhysicalSection.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QVBoxLayout>
 
 namespace limn {
@@ -97,8 +98,9 @@ ValueSlider* QualitySection::addNumber(ValueSlider* slider, double Quality::*mem
 
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : SectionPanel(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
-      m_light(new LightSection), m_sections({m_model, new GradientSection, m_light, new PhysicalSection}),
-      m_use(m_sections.size()), m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection),
+      m_light(new LightSection), m_physical(new PhysicalSection),
+      m_sections({m_model, new GradientSection, m_light, m_physical}), m_use(m_sections.size()),
+      m_crop(new CropSection), m_cuts(new CutSection), m_labels(new LabelSection),
       m_measures(new MeasureSection), m_fog(new FogSection), m_quality(new QualitySection) {
   stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_sections[3], m_crop, m_cuts, m_labels,
          m_measures, m_fog, m_quality});
@@ -129,6 +131,12 @@ void PropertiesPanel::connectSections() {
       m_measures, &MeasureSection::begun, this, [this] { ensureWidgetVisible(m_measures); },
       Qt::QueuedConnection);
   connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);
+}
+
+void PropertiesPanel::showSavedPaths() {
+  m_physical->setFolded(false);
+  scrollTo(*m_physical->until());
+  m_physical->until()->box()->setFocus(Qt::OtherFocusReason);
 }
 
 void PropertiesPanel::setScene(const Scene& scene) {

@@ -18,6 +18,7 @@ class LabelSection;
 class LightSection;
 class MeasureSection;
 class ModelSection;
+class PhysicalSection;
 class ProjectionSection;
 class ShadingSection;
 class ValueSlider;
@@ -66,6 +67,9 @@ public:
   /// The models in the pictures on screen: one, or the two that are compared.
   void setModelsShown(const std::vector<ShadingModel>& models);
 
+  /// Scrolls to how far saved pictures of physical light are drawn, which gets the keyboard.
+  void showSavedPaths();
+
   CropSection* cropSection() const { return m_crop; }
   CutSection* cutSection() const { return m_cuts; }
   LabelSection* labelSection() const { return m_labels; }
@@ -95,6 +99,7 @@ private:
   ProjectionSection* m_projection;
   ModelSection* m_model;
   LightSection* m_light;
+  PhysicalSection* m_physical;
   std::vector<ShadingSection*> m_sections; ///< the model's first
   /// Of a section of light.
   struct Use {

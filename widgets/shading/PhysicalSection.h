@@ -20,6 +20,9 @@ public:
 
   QString unusedBecause() const override;
 
+  /// How far saved pictures are drawn.
+  ChoiceRow* until() const { return m_until; }
+
 protected:
   void showShading() override;
 

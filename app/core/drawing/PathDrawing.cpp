@@ -15,6 +15,9 @@ namespace {
 
 constexpr int pathsAtFirst = 4;
 
+// On the way to a number of paths so much of it is followed at once: between passes it is told how far it is.
+constexpr int mostOfAll = 16;
+
 // Of the way to a picture whose noise is filtered.
 constexpr double shareOfPaths = 0.8;
 
@@ -46,7 +49,10 @@ Message levelsOfError(double levels) {
 int nextPaths(const Until& until, const PathFigures& figures, double seconds) {
   const int paths = figures.paths;
   if (const auto* wanted = std::get_if<UntilPaths>(&until))
-    return paths >= wanted->paths ? paths : std::min(wanted->paths, std::max(pathsAtFirst, 2 * paths));
+    return paths >= wanted->paths
+               ? paths
+               : std::min(wanted->paths,
+                          paths + std::max(pathsAtFirst, std::min(paths, wanted->paths / mostOfAll)));
   if (paths == 0)
     return pathsAtFirst;
   if (const auto* time = std::get_if<UntilSeconds>(&until)) {

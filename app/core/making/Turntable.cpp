@@ -170,6 +170,18 @@ std::vector<Scene> framesOf(const Turntable& turntable, const Effort& effort) {
   return scenes;
 }
 
+double sizeAtFirst(const Turntable& turntable, const Effort& effort) {
+  const double aspect = 1.0 * turntable.size.x / turntable.size.y;
+  const Turn turn(turntable.scene, turntable.frames, aspect, turntable.cameraAspect.value_or(aspect), effort,
+                  turntable.angleDeg);
+  const auto extent = [](const Camera& camera) {
+    return camera.projection == Camera::Projection::orthographic
+               ? camera.heightMm
+               : glm::distance(camera.position, camera.target);
+  };
+  return std::min(1.0, extent(turntable.scene.camera) / extent(turn.view(0)));
+}
+
 bool isVideo(const fs::path& path) {
   return endingOf(path) == ".mp4";
 }

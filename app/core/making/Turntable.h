@@ -55,6 +55,11 @@ private:
 /// The scene of each frame; of a camera that is not framed the first is the scene itself. Throws Cancelled.
 std::vector<Scene> framesOf(const Turntable& turntable, const Effort& effort = {});
 
+/// As large as the picture that its camera stands for shows things, 1, or smaller, the first frame shows
+/// them: where that is framed its camera steps back so far that nothing is cut off on the way. Throws
+/// Cancelled.
+double sizeAtFirst(const Turntable& turntable, const Effort& effort = {});
+
 /// What a frame's file says of its scene (io/scenefile).
 using DescribeScene = std::function<std::string(const Scene& scene)>;
 

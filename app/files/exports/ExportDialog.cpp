@@ -91,11 +91,13 @@ void ExportDialog::showProgress(double fraction) {
   const bool wasWorking = isWorking();
   m_bar->setValue(static_cast<int>(1000.0 * fraction));
   m_bar->show();
-  if (!wasWorking)
+  if (!wasWorking) {
     m_before = focusWidget();
+    m_left.begin();
+  }
   setStartable(false);
   m_close->setText(tr("Cancel"));
-  say(doing(fraction));
+  say(doing(fraction) + m_left.text(fraction));
   if (!wasWorking)
     emit workingChanged(true);
 }
@@ -115,6 +117,10 @@ void ExportDialog::end(const QString& sentence) {
 
 bool ExportDialog::isWorking() const {
   return !m_bar->isHidden();
+}
+
+QString ExportDialog::said() const {
+  return m_text->text();
 }
 
 void ExportDialog::say(const QString& text) {

@@ -4,6 +4,7 @@
 #include "app/asking/FileDialogs.h"
 #include "app/window/WindowContext.h"
 #include "widgets/controls/BackgroundWork.h"
+#include "widgets/controls/TimeLeft.h"
 
 #include <QDialog>
 #include <QPointer>
@@ -34,6 +35,8 @@ public:
   void follow(const Scene& scene, bool isSuited);
 
   bool isWorking() const;
+  /// What it says below its fields.
+  QString said() const;
 
 signals:
   void workingChanged(bool isWorking);
@@ -89,6 +92,7 @@ private:
   QLabel* m_text;
   QProgressBar* m_bar;
   QPushButton* m_close;
+  TimeLeft m_left;
   QPointer<QWidget> m_before; ///< what had the keyboard when work began
   std::vector<QPushButton*> m_starts;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/exports/TurntableDialog.h"
 
-#include "app/core/making/Turntable.h"
 #include "app/document/DocumentText.h"
 #include "app/files/saving/ComparedPicture.h"
+#include "app/files/saving/DrawingTime.h"
 #include "app/files/saving/SavingController.h"
 #include "io/scenefile/SceneFile.h"
 #include "widgets/controls/NumberField.h"
@@ -18,6 +18,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,6 +29,8 @@ namespace {
 
 // A driver's and a video's frames are no larger.
 constexpr double mostSide = 8192.0;
+
+constexpr double noticed = 0.98; // what begins smaller than that is seen to
 
 // Most players need them (app/core/making/Turntable).
 double evenSide(double pixels) {
@@ -92,7 +95,8 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
   connect(&context.session, &Session::viewsChanged, this, &TurntableDialog::setStarts);
   for (NumberField* field : {m_frames, m_perSecond, m_width, m_height, m_angle})
     connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
-  connect(m_kind, &QComboBox::activated, this, &TurntableDialog::showLength);
+  for (const QComboBox* box : {m_kind, m_picture, m_start})
+    connect(box, &QComboBox::activated, this, &TurntableDialog::showLength);
   connect(m_turn, &QComboBox::activated, this, &TurntableDialog::takeTurn);
   connect(m_angle, &NumberField::numberEdited, this, &TurntableDialog::showTurn);
   showLength();
@@ -140,16 +144,51 @@ void TurntableDialog::layOut(bool hasVideo) {
   connect(save, &QPushButton::clicked, this, &TurntableDialog::save);
 }
 
+// What was asked before is ended.
 void TurntableDialog::showLength() {
+  m_sizeAtFirst.reset();
+  sayLength();
+  if (!isVisible() || !m_context.session.scene().volume)
+    return;
+  m_fitting.start([this, turntable = wanted()](const Effort& effort) -> BackgroundWork::Deliver {
+    return [this, size = sizeAtFirst(turntable, effort)] {
+      m_sizeAtFirst = size;
+      if (text()->text() == m_length) // and not what came of drawing
+        sayLength();
+    };
+  });
+}
+
+void TurntableDialog::sayLength() {
   const double angle = m_angle->number();
   const double step = angle < 360.0 ? angle / (frames() - 1) : angle / frames();
-  QString text = tr("%1° about the patient's upright axis: a frame each %2°, %3 s.")
-                     .arg(m_angle->textFromValue(angle), QLocale().toString(step, 'f', 1),
-                          QLocale().toString(frames() / framesPerSecond(), 'f', 1));
+  QStringList parts{tr("%1° about the patient's upright axis: a frame each %2°, %3 s.")
+                        .arg(m_angle->textFromValue(angle), QLocale().toString(step, 'f', 1),
+                             QLocale().toString(frames() / framesPerSecond(), 'f', 1))};
   if (const glm::ivec2 its = size(); its.x != m_width->number() || its.y != m_height->number())
-    text += QLatin1Char(' ') +
-            tr("A video has even sides: %1 × %2 pixels.").arg(QString::number(its.x), QString::number(its.y));
-  say(text);
+    parts
+        << tr("A video has even sides: %1 × %2 pixels.").arg(QString::number(its.x), QString::number(its.y));
+  if (m_sizeAtFirst && *m_sizeAtFirst < noticed)
+    parts << tr("It begins at %1 % of the size on screen, so that nothing is cut off while it turns.")
+                 .arg(qRound(100.0 * *m_sizeAtFirst));
+  if (const std::optional<double> seconds = drawingSeconds(); seconds && *seconds >= longSeconds)
+    parts << tr("Drawing takes %1.", "a time").arg(aboutText(*seconds));
+  m_length = parts.join(QLatin1Char(' '));
+  say(m_length);
+}
+
+// By what the picture on screen took.
+std::optional<double> TurntableDialog::drawingSeconds() const {
+  const PictureState shown = m_context.view.pictureState();
+  const auto side = static_cast<std::size_t>(std::max(0, m_picture->currentIndex()));
+  const std::vector<PixelRect> places = pictureRects(m_context.view.order().geometry);
+  if (side >= shown.sides.size() || places.empty() || !m_context.session.scene().volume)
+    return std::nullopt;
+  const glm::dvec2 onScreen = places.front().size, its = size();
+  const double timesThePixels = its.x * its.y / std::max(1.0, onScreen.x * onScreen.y);
+  const std::optional<double> one =
+      secondsToDraw(m_context.view.sceneOfSide(static_cast<int>(side)), shown.sides[side], timesThePixels);
+  return one ? std::optional(frames() * *one) : std::nullopt;
 }
 
 void TurntableDialog::takeTurn(int choice) {
@@ -205,20 +244,23 @@ double TurntableDialog::framesPerSecond() const {
   return m_perSecond->number();
 }
 
-void TurntableDialog::begin(bool) {
+void TurntableDialog::begin(bool isNew) {
   const std::vector<Scene> scenes = m_context.view.scenesOfSides();
   setPictures(scenes.size() < 2 ? QStringList{sideTitle(scenes.front())}
                                 : QStringList{tr("Left: %1").arg(sideTitle(scenes[0])),
                                               tr("Right: %1").arg(sideTitle(scenes[1]))},
               m_context.view.ownSide());
   setStarts(m_context.session.views());
+  if (isNew && !isWorking())
+    QTimer::singleShot(0, this, [this] { // once it is seen
+      if (!isWorking())
+        showLength();
+    });
 }
 
-void TurntableDialog::save() {
-  const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
-  const bool isVideo = this->isVideo();
+Turntable TurntableDialog::wanted() const {
   Turntable turntable;
-  turntable.scene = m_context.view.sceneOfSide(m_picture->currentIndex());
+  turntable.scene = m_context.view.sceneOfSide(std::max(0, m_picture->currentIndex()));
   if (const auto& views = m_context.session.views(); m_start->currentIndex() > 0)
     turntable.scene.camera = views.at(static_cast<std::size_t>(m_start->currentIndex()) - 1).camera;
   turntable.scene.keep.source = m_saving.labelsInPicture();
@@ -227,6 +269,13 @@ void TurntableDialog::save() {
   turntable.angleDeg = m_angle->number();
   turntable.cameraAspect = m_context.view.pictureAspect();
   turntable.framesPerSecond = framesPerSecond();
+  return turntable;
+}
+
+void TurntableDialog::save() {
+  const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
+  const bool isVideo = this->isVideo();
+  const Turntable turntable = wanted();
   exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
             .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
             .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},

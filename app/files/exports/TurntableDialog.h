@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/core/making/Turntable.h"
 #include "app/files/exports/ExportDialog.h"
 
 #include <QStringList>
+
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -43,7 +46,11 @@ private:
   void takeTurn(int choice);
   void showTurn();
   void save();
+  Turntable wanted() const;
+  /// Says how long it is; finds out beside the event loop whether it begins smaller than what is shown.
   void showLength();
+  void sayLength();
+  std::optional<double> drawingSeconds() const; ///< absent where nobody knows
 
   const SavingController& m_saving;
   NumberField* m_width;
@@ -57,6 +64,9 @@ private:
   QComboBox* m_picture;
   QComboBox* m_start;
   QFormLayout* m_form;
+  BackgroundWork m_fitting;
+  std::optional<double> m_sizeAtFirst; ///< of what is shown; absent until it is known
+  QString m_length;                    ///< what is said of it
 };
 
 } // namespace limn

@@ -2,7 +2,9 @@
 #include "app/files/saving/PictureDialog.h"
 
 #include "app/document/Settings.h"
+#include "app/files/saving/DrawingTime.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/controls/TimeLeft.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -81,8 +83,8 @@ QString groundRemark(const QString& path, const PictureOptions& options) {
 }
 
 PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,
-                             PictureKind kind)
-    : QDialog(parent), m_screen(screen), m_size(new QComboBox(this)),
+                             PictureKind kind, const DrawingTold& told)
+    : QDialog(parent), m_screen(screen), m_told(told), m_size(new QComboBox(this)),
       m_cm(new NumberField(narrowestCm, widestCm, 1, this)), m_ground(new QComboBox(this)),
       m_pixels(new QLabel(this)) {
   setObjectName(QStringLiteral("pictureDialog"));
@@ -105,6 +107,8 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   form->addRow(tr("Si&ze"), m_size);
   form->addRow(tr("&Width"), m_cm);
   form->addRow(QString(), m_pixels);
+  if (!told.paths.isEmpty())
+    addPaths(*form);
   form->addRow(tr("&Ground"), m_ground);
   form->setRowVisible(m_ground, kind == PictureKind::view);
   auto* marks = new QVBoxLayout;
@@ -139,6 +143,21 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   show();
 }
 
+// They stand among the properties of light, which the dialog is in the way of.
+void PictureDialog::addPaths(QFormLayout& form) {
+  auto* paths =
+      new QLabel(QStringLiteral("%1 · <a href=\"#\">%2</a>").arg(m_told.paths, tr("Change…")), this);
+  paths->setObjectName(QStringLiteral("picturePaths"));
+  paths->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  paths->setToolTip(
+      tr("How far pictures of physical light that are saved are drawn; it is set in Properties."));
+  form.addRow(tr("Physical light"), paths);
+  connect(paths, &QLabel::linkActivated, this, [this] {
+    connect(this, &QDialog::finished, this, m_told.changePaths);
+    reject();
+  });
+}
+
 void PictureDialog::addMark(const char* name, const QString& text, bool isOn) {
   auto* mark = new QCheckBox(text, this);
   mark->setObjectName(QLatin1String(name));
@@ -157,20 +176,25 @@ PictureOptions PictureDialog::options() const {
 }
 
 void PictureDialog::tellSize() {
-  const QSize size = m_screen * scaleOf(options(), m_screen.width());
+  const double scale = scaleOf(options(), m_screen.width());
+  const QSize size = m_screen * scale;
+  const double seconds = m_told.seconds ? m_told.seconds(scale).value_or(0.0) : 0.0;
   const bool fits = std::max(size.width(), size.height()) <= longestSide;
-  m_pixels->setText(fits ? tr("%1 × %2 pixels").arg(size.width()).arg(size.height())
-                         : tr("%1 × %2 pixels: more than %3 a side cannot be drawn")
-                               .arg(size.width())
-                               .arg(size.height())
-                               .arg(longestSide));
+  const QString pixels = tr("%1 × %2 pixels").arg(size.width()).arg(size.height());
+  m_pixels->setText(fits && seconds >= longSeconds
+                        ? tr("%1, %2 to draw", "pixels, a time").arg(pixels, aboutText(seconds))
+                    : fits ? pixels
+                           : tr("%1 × %2 pixels: more than %3 a side cannot be drawn")
+                                 .arg(size.width())
+                                 .arg(size.height())
+                                 .arg(longestSide));
   if (auto* save = findChild<QPushButton*>(QStringLiteral("pictureSave")))
     save->setEnabled(fits);
 }
 
 std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent,
-                                           PictureKind kind) {
-  PictureDialog dialog(readOptions(settings.pictureOptions()), screen, parent, kind);
+                                           PictureKind kind, const DrawingTold& told) {
+  PictureDialog dialog(readOptions(settings.pictureOptions()), screen, parent, kind, told);
   if (dialog.exec() != QDialog::Accepted)
     return std::nullopt;
   settings.setPictureOptions(writtenOptions(dialog.options()));

@@ -6,11 +6,13 @@
 #include <QDialog>
 #include <QSize>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 
 namespace limn {
@@ -47,22 +49,33 @@ QString groundRemark(const QString& path, const PictureOptions& options);
 /// Of the 3D view, or a slice, which has no ground of its own.
 enum class PictureKind { view, slice };
 
-/// Asks how large a picture is saved, on which ground, and which marks go with it; remembers the answer.
+/// What is told of drawing a picture beside what is asked of it.
+struct DrawingTold {
+  /// How long one takes that is larger by `scale`, s; absent where nobody knows. Empty: it takes no time.
+  std::function<std::optional<double>(double scale)> seconds = {};
+  QString paths = {};                     ///< of physical light: how far it is drawn; empty: there is none
+  std::function<void()> changePaths = {}; ///< leads to where that is set, once the dialog is closed
+};
+
+/// Asks how large a picture is saved, on which ground, and which marks go with it; tells how long it will be
+/// drawn where that is long.
 class PictureDialog : public QDialog {
   Q_OBJECT
 
 public:
   /// `screen` is the size of the picture on screen, device pixels.
   PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,
-                PictureKind kind = PictureKind::view);
+                PictureKind kind = PictureKind::view, const DrawingTold& told = {});
 
   PictureOptions options() const;
 
 private:
+  void addPaths(QFormLayout& form);
   void addMark(const char* name, const QString& text, bool isOn);
   void tellSize();
 
   QSize m_screen;
+  DrawingTold m_told;
   QComboBox* m_size;
   NumberField* m_cm;
   QComboBox* m_ground;
@@ -72,6 +85,7 @@ private:
 
 /// Asks so; nothing where it is cancelled.
 std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent,
-                                           PictureKind kind = PictureKind::view);
+                                           PictureKind kind = PictureKind::view,
+                                           const DrawingTold& told = {});
 
 } // namespace limn

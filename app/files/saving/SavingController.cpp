@@ -7,6 +7,7 @@
 #include "app/document/DocumentText.h"
 #include "app/document/PrivateNames.h"
 #include "app/files/saving/ComparedPicture.h"
+#include "app/files/saving/DrawingTime.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
@@ -128,8 +129,8 @@ void PictureSaving::ask() {
                                          "there, or cancel it in the status bar."));
   const PictureContent asked = content();
   const glm::ivec2 screen = savedSize(m_context.view.order().geometry);
-  const std::optional<PictureOptions> options =
-      askHowToSave({screen.x, screen.y}, m_context.settings, &m_context.window);
+  const std::optional<PictureOptions> options = askHowToSave(
+      {screen.x, screen.y}, m_context.settings, &m_context.window, PictureKind::view, told(asked.scenes));
   if (!options)
     return;
   const QString path =
@@ -143,6 +144,29 @@ void PictureSaving::ask() {
     return;
   m_awaited.await(path, asked, *options);
   look();
+}
+
+// By what the screen's pictures took; what is as it stands there takes no time.
+DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
+  DrawingTold told;
+  for (const Scene& scene : asked)
+    if (isPhysical(scene))
+      told.paths = savedPathsText(scene.shading.physical);
+  told.changePaths = [this] { emit pathsWanted(); };
+  told.seconds = [this, asked](double scale) -> std::optional<double> {
+    const std::vector<SideState> sides = m_context.view.pictureState().sides; // of now: they go on
+    double all = 0.0;
+    bool isOnScreen = scale == 1.0;
+    for (std::size_t side = 0; side < asked.size() && side < sides.size(); ++side) {
+      const std::optional<double> seconds = secondsToDraw(asked[side], sides[side], scale * scale);
+      if (!seconds)
+        return std::nullopt;
+      all += *seconds;
+      isOnScreen = isOnScreen && isAsSaved(asked[side], sides[side]);
+    }
+    return isOnScreen ? 0.0 : all;
+  };
+  return told;
 }
 
 void PictureSaving::look() {
@@ -175,6 +199,10 @@ void PictureSaving::sayDrawing(const QString& text) {
   say(text);
 }
 
+QString PictureSaving::underWay() const {
+  return m_isDrawing || !m_awaited.path().isEmpty() ? m_text->text() : QString();
+}
+
 void PictureSaving::say(const QString& text) {
   m_text->setText(text);
   m_text->setVisible(!text.isEmpty());
@@ -205,7 +233,8 @@ SavingController::SavingController(WindowContext& context, std::function<Session
   connect(saveAs, &QAction::triggered, this, &SavingController::saveSessionAs);
   connect(scene, &QAction::triggered, this, &SavingController::saveScene);
   connect(&m_drawing, &BackgroundWork::progressed, this, [this](double fraction) {
-    emit drawing(tr("%1: %2 %").arg(m_drawn, QString::number(static_cast<int>(100.0 * fraction))));
+    emit drawing(tr("%1: %2 %").arg(m_drawn, QString::number(static_cast<int>(100.0 * fraction))) +
+                 m_left.text(fraction));
   });
   connect(&m_drawing, &BackgroundWork::failed, this, [this](const QString& sentence) {
     emit drawing({});
@@ -303,30 +332,33 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
       return m_context.notes.sayFailure(tr("The picture is not complete yet; save it again once it is."));
     sides.push_back(*picture);
   }
-  Scene scene = view.sceneOfRestingImage(view.ownSide());
+  const double scale = scaleOf(options, savedSize(view.order().geometry).x);
+  bool isOnScreen = scale == 1.0;
+  std::vector<Scene> scenes;
+  const PictureState shown = view.pictureState();
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    scenes.push_back(view.sceneOfRestingImage(static_cast<int>(side)));
+    isOnScreen = isOnScreen && isAsSaved(scenes.back(), shown.sides.at(side));
+  }
+  if (!isOnScreen)
+    for (Scene& drawn : scenes)
+      drawn.quality.paths.reset(); // as many as are asked for, and not those on screen
+  Scene scene = scenes.at(static_cast<std::size_t>(view.ownSide()));
   scene.keep.source = labelsInPicture();
   scene.image.background = groundOf(options.ground, m_context.document.scene().image.background);
-  const double scale = scaleOf(options, savedSize(view.order().geometry).x);
   PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
-                   scene.image.background, 0.0,     {},     {view.order(), view.pictureState()}};
-  // What the view shows is not filtered.
-  const bool filters = isPhysical(scene) && scene.shading.physical.filtersNoise;
-  const bool isOnScreen = scale == 1.0 && !filters;
+                   scene.image.background, 0.0,     {},     {view.order(), shown}};
   if (options.size == PictureOptions::Size::print)
     file.dotsPerInch = printDotsPerInch;
   else if (!isOnScreen) // on paper it is as large as on screen
     file.dotsPerInch = scale * view.logicalDpiX() * view.devicePixelRatioF();
-  file.description =
-      sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(view.pictureState()) : std::nullopt,
-                  m_context.session.measurements());
+  file.description = sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(shown) : std::nullopt,
+                                 m_context.session.measurements());
   if (isOnScreen) {
     if (m_context.notes.attempt([&] { file.write(sides); }, path))
       sayGround(path, options);
     return;
   }
-  std::vector<Scene> scenes;
-  for (int side = 0; side < pictureCount(layout); ++side)
-    scenes.push_back(view.sceneOfRestingImage(side));
   const glm::dvec2 size = glm::dvec2(sides.front().size) * scale;
   drawPicture(file, scenes, glm::max(glm::ivec2(1), glm::ivec2(glm::round(size))));
 }
@@ -336,6 +368,7 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
   const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
   m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name, QString::number(columns), QString::number(size.y));
+  m_left.begin();
   emit drawing(m_drawn);
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {

@@ -6,6 +6,7 @@
 #include "scene/basics/Image.h"
 #include "scene/view/CompareLayout.h"
 #include "widgets/controls/BackgroundWork.h"
+#include "widgets/controls/TimeLeft.h"
 
 #include <QObject>
 #include <QString>
@@ -75,7 +76,12 @@ public:
   /// is.
   void sayDrawing(const QString& text);
 
+  /// What is waited for or being drawn, as the row says it; empty where nothing is.
+  QString underWay() const;
+
 signals:
+  /// Somebody wants to set how far saved pictures of physical light are drawn.
+  void pathsWanted();
   /// The picture at rest is the one that was asked for.
   void complete(const QString& path, const limn::PictureOptions& options);
   void cancelled();
@@ -86,6 +92,7 @@ private:
   void forget();
   void say(const QString& text);
   PictureContent content() const;
+  DrawingTold told(const std::vector<Scene>& asked);
 
   WindowContext& m_context;
   AwaitedPicture m_awaited;
@@ -137,6 +144,7 @@ private:
   std::function<SessionDocument()> m_session;
   BackgroundWork m_drawing; ///< of a picture that is larger than the one on screen
   QString m_drawn;          ///< what is said of it
+  TimeLeft m_left;          ///< of it
 };
 
 } // namespace limn

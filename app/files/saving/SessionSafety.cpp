@@ -15,12 +15,23 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
 QString timeText(const std::filesystem::path& file) {
   const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
   return QLocale().toString(time, QLocale::ShortFormat);
+}
+
+// Of which volume a session is; empty where it cannot be read.
+std::string volumeOf(const std::filesystem::path& file) {
+  try {
+    return parseSession(readTextFile(file), "session").scene.volume; // kept with its whole path
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 // "CT 512×512×120, 21.11.26 14:03". What cannot be read still has a time.
@@ -94,18 +105,37 @@ bool SessionSafety::mayLeave() {
   }
 }
 
+std::filesystem::path SessionSafety::keptOfEarlier() const {
+  // One offer at a time: what a crash left behind goes before what was closed.
+  const auto kept =
+      m_keeper && !m_keeper->abandoned() ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  if (kept.empty())
+    return {};
+  const auto found = std::ranges::find_if(kept, [this](const std::filesystem::path& file) {
+    return volumeOf(file) == m_context.document.volumePath();
+  });
+  return found == kept.end() ? kept.front() : *found;
+}
+
 // The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
   const std::optional<std::string> left = std::exchange(m_left, std::nullopt);
-  const auto kept = left && m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
-  if (kept.empty() || !m_context.document.scene().volume)
+  const bool isFirst = std::exchange(m_saysWithFirst, false);
+  std::filesystem::path file;
+  if (!left && isFirst)
+    file = keptOfEarlier();
+  else if (const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+           left && !kept.empty())
+    file = kept.front();
+  if (file.empty() || !m_context.document.scene().volume)
     return m_context.kept.hide();
-  m_context.kept.show(MessageBar::Kind::note,
-                      tr("Your work on %1 is kept.").arg(QString::fromStdString(*left)), {},
-                      {tr("Bring back"), [this, file = QString::fromStdString(kept.front().string())] {
-                         m_context.kept.hide();
-                         emit restoreRequested(file);
-                       }});
+  m_context.kept.show(
+      MessageBar::Kind::note,
+      tr("Your work on %1 is kept.").arg(left ? QString::fromStdString(*left) : described(file)), {},
+      {tr("Bring back"), [this, file = QString::fromStdString(file.string())] {
+         m_context.kept.hide();
+         emit restoreRequested(file);
+       }});
 }
 
 bool SessionSafety::askBeforeLosing(const QString& why) {

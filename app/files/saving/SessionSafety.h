@@ -30,6 +30,10 @@ public:
   /// Whether the scene may be left: it is kept, or the user says what becomes of it.
   bool mayLeave();
 
+  /// The page without a volume, which offers what was left with changes, will not be seen: that is said once
+  /// the first volume is shown.
+  void sayWithFirst() { m_saysWithFirst = true; }
+
   /// Says that what was left with changes is kept, and offers it: once something else is shown.
   void sayWhatIsKept();
 
@@ -52,13 +56,16 @@ private:
   void sayUnsafe(const QString& why);
   void offerAbandoned();
   void tellUnfinished();
+  /// What an earlier window left: of the volume that is open, or else the latest; empty where nothing is.
+  std::filesystem::path keptOfEarlier() const;
 
   WindowContext& m_context;
   QMenu* m_unsaved; ///< of sessions that were left unsaved
   std::function<SessionDocument()> m_session;
   std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
   QString m_notKept;                       ///< why they are not, though they should be
-  std::optional<std::string> m_left;       ///< what was left with changes and is kept, until that is said
+  bool m_saysWithFirst = false;
+  std::optional<std::string> m_left; ///< what was left with changes and is kept, until that is said
 };
 
 } // namespace limn

@@ -28,6 +28,14 @@ QString nameOf(const Region& region, std::size_t label) {
                      : CurveController::tr("Piece %1").arg(label - own + 1);
 }
 
+// The values in which the piece hangs together that has a label; absent where none has.
+std::optional<glm::dvec2> rangeOfPiece(const Region& keep, std::optional<std::size_t> label) {
+  for (std::size_t n = 0; label && n < keep.cuts.size(); ++n)
+    if (labelOfCut(keep, n) == label)
+      return pieceWithLook(keep.cuts[n])->range;
+  return std::nullopt;
+}
+
 const TransferFunction& curveOf(const Scene& scene, std::optional<std::size_t> label) {
   const std::size_t look = label ? lookOfLabel(scene.keep, *label) : 0;
   return look > 0 ? scene.keep.looks[look - 1] : scene.transferFunction;
@@ -66,6 +74,7 @@ void HistogramController::showVolume(const std::shared_ptr<const Volume>& volume
 void HistogramController::showScene(const Scene& scene, std::optional<std::size_t> label) {
   m_function = curveOf(scene, label);
   m_isOfLabel = label.has_value();
+  m_ofPiece = rangeOfPiece(scene.keep, label);
   m_wanted.keep = scene.keep;
   if (label) {
     std::fill(m_wanted.keep.weights.begin(), m_wanted.keep.weights.end(), 0.0);
@@ -86,6 +95,8 @@ void HistogramController::show() {
   if (!isOfAll && m_known != m_wanted)
     return count();
   Histogram shown = isOfAll ? m_whole : m_kept;
+  if (m_ofPiece) // it is grown into what surrounds it, so that its surface is drawn whole
+    shown = heldWithin(std::move(shown), m_ofPiece->x, m_ofPiece->y);
   if (m_view.part == HistogramPart::visible)
     shown = shownBy(m_function, std::move(shown));
   if (shown == m_shown)

@@ -60,6 +60,7 @@ private:
   Histogram m_whole;
   TransferFunction m_function;
   bool m_isOfLabel = false;
+  std::optional<glm::dvec2> m_ofPiece; ///< of a label that is a piece: the values that it hangs together by
   Kept m_wanted;
   Kept m_known; ///< of which `m_kept` is
   Histogram m_kept;

@@ -58,6 +58,16 @@ Histogram histogramOfKept(const Volume& volume, const KeptVoxels& kept, int most
   return histogram;
 }
 
+Histogram heldWithin(Histogram histogram, double lowest, double highest) {
+  const double half = binWidth(histogram) / 2.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    const double value = valueOfBin(histogram, bin);
+    if (value + half < lowest || value - half > highest)
+      histogram.counts[bin] = 0;
+  }
+  return histogram;
+}
+
 Histogram shownBy(const TransferFunction& function, Histogram histogram) {
   const double half = binWidth(histogram) / 2.0;
   for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {

@@ -41,6 +41,9 @@ private:
 Histogram histogramOfKept(const Volume& volume, const KeptVoxels& kept, int mostBins = 1024,
                           const Effort& effort = {});
 
+/// What of a histogram lies in a range of values, both ends included: other bins are empty.
+Histogram heldWithin(Histogram histogram, double lowest, double highest);
+
 /// What of a histogram a curve shows: bins none of whose values have opacity are empty.
 Histogram shownBy(const TransferFunction& function, Histogram histogram);
 

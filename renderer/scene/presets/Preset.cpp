@@ -150,8 +150,11 @@ Scene withPreset(const Scene& scene, const Preset& preset, bool keepModel) {
   Scene shown = scene;
   shown.transferFunction = preset.transferFunction;
   shown.gradientOpacity = preset.gradientOpacity;
-  if (preset.shading)
+  if (preset.shading) {
     shown.shading = *preset.shading;
+    shown.shading.physical.until = scene.shading.physical.until;
+    shown.shading.physical.filtersNoise = scene.shading.physical.filtersNoise;
+  }
   if (!preset.isWhole && !(shown.shading.gradientSmoothing > 0.0))
     shown.shading.gradientSmoothing = scene.shading.gradientSmoothing;
   if (keepModel)

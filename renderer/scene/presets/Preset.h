@@ -57,7 +57,8 @@ struct Preset {
 /// How a scene looks, under a name: what a preset made of it shows.
 Preset presetOf(const Scene& scene, const std::string& name);
 
-/// The scene shown as the preset asks; camera, volume, crop and quality stay. The scene's shading model
+/// The scene shown as the preset asks; camera, volume, crop and quality stay, and with them how far pictures
+/// of physical light that are saved are drawn. The scene's shading model
 /// is kept where `keepModel` (a comparison is under way), otherwise the preset's applies.
 Scene withPreset(const Scene& scene, const Preset& preset, bool keepModel = false);
 

@@ -269,6 +269,17 @@ TEST_F(AccuracyWindowTest, theMapOfErrorsLiesOverThePictureUntilTheSceneChanges)
   EXPECT_FALSE(mapCheck()->isEnabled()) << "two pictures lie over each other";
 }
 
+TEST_F(AccuracyWindowTest, aComparisonThatAnotherLayoutEndsSaysSo) {
+  click(mapCheck());
+  ASSERT_EQ(panel().work(), AccuracyWork::comparing);
+  EXPECT_TRUE(mapCheck()->isChecked());
+  setLayout(CompareLayout::single);
+  EXPECT_EQ(panel().work(), AccuracyWork::none);
+  EXPECT_FALSE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").contains(QStringLiteral("tick the box to begin again")))
+      << textOf<MapSection>("sentence").toStdString();
+}
+
 TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
   ASSERT_TRUE(measure());
   window->findChild<AccuracyController*>()->write(pathTo("chart.png"));

@@ -384,6 +384,22 @@ TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
   EXPECT_EQ(scene().transferFunction, function);
   EXPECT_EQ(std::get<ConnectedPiece>(cuts().front().how).look, edited);
   EXPECT_EQ(scene().keep.looks, std::vector<TransferFunction>{edited});
+  // Behind its curve stand its own values, not those into which it is grown.
+  const double lowest = std::get<ConnectedPiece>(cuts().front().how).range.x;
+  const auto isCounted =
+      [&](double value) { // above the points on the axis, unlike where no histogram reaches
+        const QRectF plot = canvas.transform().plot;
+        const QImage shown = canvas.grab().toImage();
+        const int x = qRound(xOfValue(canvas.transform(), value));
+        return shown.pixelColor(x, qRound(plot.bottom()) - 14) !=
+               shown.pixelColor(x, qRound(plot.top()) + 30);
+      };
+  TransferFunction clear = edited;
+  for (ControlPoint& point : clear.points)
+    point.opacity = 0.0;
+  canvas.edit(clear, {nextGestureId(), QStringLiteral("clear it")});
+  EXPECT_TRUE(test::waitUntil([&] { return !isCounted(lowest - 60.0) && isCounted(lowest + 300.0); }));
+  undo().undo();
   // Sessions keep it, and a click in the list takes it in hand again.
   std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
   ASSERT_TRUE(open(pathTo("session.json")));

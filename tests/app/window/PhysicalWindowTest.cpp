@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Physical light in the program's window: chosen, set, measured, and never in the way.
 #include "app/WindowHarness.h"
+#include "app/files/saving/PictureDialog.h"
 #include "app/panels/AccuracyController.h"
+#include "io/ImageFile.h"
+#include "io/scenefile/SceneFile.h"
 #include "support/Heart.h"
 #include "support/JudgedTime.h"
 #include "widgets/FindWidget.h"
@@ -22,6 +25,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -180,6 +184,82 @@ TEST_F(PhysicalWindow, accuracyIsMeasuredByPathsWithTheirLawAndAMap) {
   EXPECT_TRUE(window->findChild<ErrorMapOverlay*>()->isVisible());
   const QString sentence = textOf(*accuracy().findChild<MapSection*>(), "sentence");
   EXPECT_TRUE(sentence.contains(QStringLiteral("paths a pixel"))) << sentence.toStdString();
+}
+
+// Of what is saved it is promised how far it is drawn, whatever the screen had by then.
+TEST_F(PhysicalWindow, aSavedPictureHasThePathsThatThePanelPromises) {
+  window->resize(800, 560);
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  Shading shading = scene().shading;
+  constexpr int promised = 24; // no power of two, as pictures on screen have
+  shading.physical.until = UntilPaths{promised};
+  for (const bool filters : {true, false}) {
+    shading.physical.filtersNoise = filters;
+    session().setShading(shading, {nextGestureId(), QStringLiteral("saved pictures")});
+    ASSERT_TRUE(rest());
+    ASSERT_LT(lastSide().paths->paths, promised);
+    const char* name = filters ? "filtered.png" : "plain.png";
+    saving().writePicture(pathTo(name));
+    ASSERT_TRUE(test::waitUntil([&] { return isWholePicture(folder.path() / name); }));
+    const SceneDocument saved = parseScene(readImageDescription(folder.path() / name), name);
+    EXPECT_EQ(saved.scene.shading.physical.until, Until(UntilPaths{promised}));
+    EXPECT_TRUE(test::waitUntil([&] {
+      return messages().isVisible() &&
+             messages().sentence().contains(QStringLiteral("after %1 paths a pixel").arg(promised));
+    })) << messages().sentence().toStdString();
+    messages().hide();
+  }
+  // What the screen has already is not drawn again.
+  shading.physical.until = UntilPaths{1};
+  session().setShading(shading, {nextGestureId(), QStringLiteral("saved pictures")});
+  ASSERT_TRUE(rest());
+  const int paths = lastSide().paths->paths;
+  saving().writePicture(pathTo("shown.png"));
+  ASSERT_TRUE(isWholePicture(folder.path() / "shown.png"));
+  const SceneDocument shown = parseScene(readImageDescription(folder.path() / "shown.png"), "shown.png");
+  EXPECT_EQ(shown.scene.shading.physical.until, Until(UntilPaths{paths}));
+}
+
+TEST_F(PhysicalWindow, whatSavedPicturesAloneHaveLeavesScreenAndPresetAsTheyAre) {
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  ASSERT_TRUE(rest());
+  session().adoptPreset(presetOf(scene(), "mine"));
+  const int paths = lastSide().paths->paths;
+  Shading shading = scene().shading;
+  shading.physical.filtersNoise = true;
+  shading.physical.until = UntilLevels{3.0};
+  session().setShading(shading, {nextGestureId(), QStringLiteral("saved pictures")});
+  EXPECT_TRUE(view().pictureState().resting) << "nothing is drawn anew";
+  EXPECT_EQ(lastSide().paths->paths, paths);
+  EXPECT_EQ(withPreset(scene(), session().preset(), true), scene()) << "the preset is not modified";
+}
+
+TEST_F(PhysicalWindow, theDialogSaysHowFarItIsDrawnAndLeadsToWhereThatIsSet) {
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  ASSERT_TRUE(rest());
+  Shading shading = scene().shading;
+  shading.physical.filtersNoise = true;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("saved pictures")});
+  auto& section = *window->findChild<PhysicalSection*>();
+  section.setFolded(true);
+  window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
+  QString said;
+  onceAsked<PictureDialog>([&said](PictureDialog& dialog) {
+    auto* paths = dialog.findChild<QLabel*>(QStringLiteral("picturePaths"));
+    said = paths ? paths->text() : QString();
+    if (paths)
+      emit paths->linkActivated(QStringLiteral("#"));
+    else
+      dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  EXPECT_TRUE(said.startsWith(QStringLiteral("256 paths a pixel, noise filtered"))) << said.toStdString();
+  EXPECT_FALSE(section.isFolded());
+  EXPECT_EQ(window->focusWidget(), section.until()->box()) << "it has the keyboard once the window has";
+  EXPECT_FALSE(section.until()->visibleRegion().isEmpty());
 }
 
 // Of what a single path tells there is no map of zeros, and work that takes long tells how far it is and

@@ -71,6 +71,33 @@ TEST(AccuracyChart, placesAndPaintsItsMarksByTheLogarithmsOfTimeAndError) {
     EXPECT_EQ(shown.drawn.pixel(positionOf(shown.picture, mark.index)->toPoint()), look.color.rgb());
 }
 
+// In narrow panels the number at the end of the axis stood half outside.
+TEST(AccuracyChart, theLastNumberOfItsTimesIsWhole) {
+  AccuracyReport report = sampleReport(fewPoints());
+  for (const double factor : {1.0, 3.0, 5.0, 10.0, 30.0, 50.0}) {
+    AccuracyReport slower = report;
+    for (MeasuredPoint& point : slower.points)
+      for (double* ms : {&point.ms.median, &point.ms.least, &point.ms.most})
+        *ms *= factor;
+    for (int width = 240; width < 320; width += 7) {
+      const ChartPicture picture{.report = slower,
+                                 .curves = chartCurves(slower, ErrorMeasure::p99_9),
+                                 .style = ChartStyle::print,
+                                 .size = QSize(width, 260),
+                                 .textSize = 11.0};
+      QImage drawn(width + 60, 260, QImage::Format_RGB32);
+      drawn.fill(chartColors(picture.style).background);
+      QPainter painter(&drawn);
+      paintChart(painter, picture);
+      painter.end();
+      for (int x = width; x < drawn.width(); ++x)
+        for (int y = 0; y < drawn.height(); ++y)
+          ASSERT_EQ(drawn.pixelColor(x, y), chartColors(picture.style).background)
+              << width << " pixels, times ×" << factor << " at " << x << ", " << y;
+    }
+  }
+}
+
 TEST(AccuracyChart, findsThePointUnderThePointer) {
   const ShownChart shown(sampleReport(fewPoints()));
   const QPointF place = *positionOf(shown.picture, 2);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/AccuracyPanel.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/light/LightPresets.h"
 #include "scene/volume/Phantom.h"
 #include "support/Waiting.h"
 #include "widgets/FindWidget.h"
@@ -159,6 +161,67 @@ TEST_F(AccuracyPanelTest, theDialTellsWhatTheStatusBarTellsOfThePictureOnScreen)
       sentence(),
       QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms. It was measured from another direction. "
                      "The picture on screen: estimated within 0.7 of 255 levels."));
+}
+
+// What steps are meant for is said as that beside what came of them.
+TEST_F(AccuracyPanelTest, ofAToleranceTheDialSaysThatItIsMeant) {
+  scene.quality.toleranceLevels = 0.5;
+  panel.setScene(scene);
+  panel.setOnScreen(scene.quality, QStringLiteral("within 0.57 of 255 levels"));
+  EXPECT_EQ(sentence(), QStringLiteral("Steps meant to be exact to half a level: not measured for this "
+                                       "picture. The picture on screen: within 0.57 of 255 levels."));
+  Quality asked = scene.quality;
+  asked.toleranceLevels.reset();
+  scene.quality.toleranceLevels.reset();
+  panel.setScene(scene);
+  asked.toleranceLevels = 0.5;
+  panel.setOnScreen(asked, QStringLiteral("within 0.57 of 255 levels"));
+  EXPECT_TRUE(
+      sentence().endsWith(QStringLiteral("Refined on screen to steps by error: within 0.57 of 255 levels.")))
+      << sentence().toStdString();
+}
+
+// Where it is automatic long steps average the curve, and the dial has them so.
+TEST_F(AccuracyPanelTest, theDialSaysWhichStepsAverageTheCurveAndWhichAnotherBeatsInBoth) {
+  const auto note = [this] { return textOf<DialSection>("note"); };
+  EXPECT_FALSE(note().contains(QStringLiteral("average"))) << note().toStdString();
+  scene.quality.preintegrated = Preintegration::always;
+  panel.setScene(scene);
+  EXPECT_TRUE(note().startsWith(QStringLiteral("The dial's steps average the curve")))
+      << note().toStdString();
+  scene.quality.preintegrated = Preintegration::automatic;
+  panel.setScene(scene);
+  double steepest = 1.0;
+  while (!dialPoints(scene, steepest).front().preintegrated)
+    steepest *= 1.1;
+  ASSERT_FALSE(dialPoints(scene, steepest)[1].preintegrated) << "a tenth steeper than steps of 2 allow";
+  AccuracyReport report = sampleReport(pointsToMeasure(scene, steepest));
+  panel.setMeasured({report, scene, steepest, {}});
+  EXPECT_TRUE(note().contains(QStringLiteral("so that they miss none of it: 2."))) << note().toStdString();
+  // Averaged steps take longer, so that the step of 1, which does not average, is there sooner.
+  EXPECT_TRUE(note().contains(QStringLiteral("another position: 2."))) << note().toStdString();
+  for (MeasuredPoint& measured : report.points)
+    if (measured.point == raysAt(0.125)) { // slower than the exact end, and farther off
+      measured.ms.median = 500.0;
+      measured.error.p99_9 = 0.6;
+    }
+  panel.setMeasured({report, scene, steepest, {}});
+  EXPECT_TRUE(note().contains(QStringLiteral("Slower and farther off than another position: 2, 1/8.")))
+      << note().toStdString();
+}
+
+TEST_F(AccuracyPanelTest, theDialSaysWhyShadowsKeepAPictureFromBeingExact) {
+  const auto note = [this] { return textOf<DialSection>("note"); };
+  EXPECT_TRUE(note().startsWith(QStringLiteral("From there it refines while nothing moves. ")));
+  scene.shading.model = ShadingModel::classic;
+  scene.shading = withLight(scene.shading, LightPreset::studio);
+  ASSERT_TRUE(hasTravellingLight(scene));
+  panel.setScene(scene);
+  EXPECT_TRUE(note().contains(QStringLiteral("grid of light"))) << note().toStdString();
+  EXPECT_TRUE(note().contains(QStringLiteral("With \"exact\" the processor finds them")));
+  scene.quality.toleranceLevels = 0.5;
+  panel.setScene(scene);
+  EXPECT_FALSE(note().contains(QStringLiteral("grid of light"))) << "it is";
 }
 
 TEST_F(AccuracyPanelTest, theChartIsAsHighAsThePanelHasRoomForAndGoesIntoAWindowWhereAsked) {
@@ -378,6 +441,15 @@ TEST_F(AccuracyPanelTest, theMapSaysWhatItShowsAndLeavesWithThePicture) {
   panel.setCompared(compared);
   EXPECT_FALSE(mapCheck()->isChecked());
   EXPECT_TRUE(textOf<MapSection>("sentence").startsWith(QStringLiteral("Not converged")));
+}
+
+TEST_F(AccuracyPanelTest, aComparisonIsTickedWhileItRunsAndSaysThatItEnded) {
+  panel.setWork(AccuracyWork::comparing);
+  EXPECT_TRUE(mapCheck()->isChecked());
+  panel.setWork(AccuracyWork::none);
+  EXPECT_FALSE(mapCheck()->isChecked());
+  panel.sayComparisonEnded(QStringLiteral("The picture changed."));
+  EXPECT_EQ(textOf<MapSection>("sentence"), QStringLiteral("The picture changed."));
 }
 
 TEST_F(AccuracyPanelTest, aSinglePathTellsNoError) {

@@ -11,6 +11,10 @@ PictureOrder pictureOrderOf(const ViewOrder& order) {
   pictures.isSeen = order.isSeen;
   pictures.attempt = order.attempt;
   pictures.scenes = scenesOfSides(comparison);
+  for (Scene& scene : pictures.scenes) { // what saved pictures alone have begins none on screen anew
+    scene.shading.physical.until = {};
+    scene.shading.physical.filtersNoise = false;
+  }
   pictures.layout = comparison.layout;
   pictures.places = pictureRects(order.geometry);
   if (!pictures.places.empty())

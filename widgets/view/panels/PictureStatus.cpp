@@ -175,7 +175,8 @@ EndText textOf(RefinementEnd end) {
   switch (end) {
   case RefinementEnd::withinHalfALevel:
     return {QObject::tr("refined, step %1"),
-            QObject::tr("The steps cost no more than half a level: smaller ones would show no difference.")};
+            QObject::tr(
+                "The steps are meant to cost half a level at most: smaller ones would show no difference.")};
   case RefinementEnd::smallestStep:
     return {QObject::tr("smallest step, %1"),
             QObject::tr("No smaller step is drawn: it would take long and show little.")};
@@ -256,8 +257,8 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   if (side.paths) {
     parts << QObject::tr("%1 of each pixel").arg(pathCount(side.paths->paths));
   } else if (side.toleranceLevels) {
-    parts
-        << QObject::tr("steps chosen by error, to %1 of 255 levels").arg(exactNumber(*side.toleranceLevels));
+    parts << QObject::tr("steps chosen by error, meant for %1 of 255 levels")
+                 .arg(exactNumber(*side.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
     parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm")

@@ -49,6 +49,7 @@ struct SideState {
   std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
   bool isLightMeasured = true;           ///< false: what a grid of light is off by is in no figure told
   std::optional<PathFigures> paths{};    ///< of what is shown, where light is physical
+  std::optional<double> msPerPath{};     ///< drawing time of a path of each pixel, where light is physical
   bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
 };

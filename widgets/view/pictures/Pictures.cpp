@@ -104,6 +104,7 @@ SideState Pictures::stateOf(int index) const {
     if (state.paths->rmsLevels)
       state.estimate = ErrorEstimate{*state.paths->p99_9Levels, *state.paths->rmsLevels, 1.0};
     state.isRough = false;
+    state.msPerPath = side.msPerPath();
   }
   state.chance = m_chance.error(index);
   state.isResolved = m_isResolved[index];

@@ -47,6 +47,7 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_picture = {};
   m_finer.reset();
   m_paths.reset();
+  m_msPerPath.reset();
   m_middlePaths = m_coarsePaths = 1;
   m_spentMs = 0.0;
 }
@@ -62,8 +63,10 @@ Scene SidePicture::fullScene(DrawingEngine& engine) {
   Scene scene = withQualityLevel(m_scene, {});
   if (!isPhysical(m_scene))
     return scene;
-  if (!m_paths)
-    m_paths = std::max(m_hasMiddlePass ? m_middlePaths : 1, engine.followedPaths(m_scene, m_size));
+  if (!m_paths) {
+    m_followedBefore = engine.followedPaths(m_scene, m_size);
+    m_paths = std::max(m_hasMiddlePass ? m_middlePaths : 1, m_followedBefore);
+  }
   scene.quality.paths = m_paths;
   return scene;
 }
@@ -125,6 +128,8 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
     return;
   if (m_pass == 0) {
     m_completeMs = m_schedule.spentMs();
+    if (const int followed = m_paths.value_or(0) - m_followedBefore; followed > 0)
+      m_msPerPath = *m_completeMs / followed;
     m_gradientScale = engine.gradientScale(); // which the coarse picture of paths leaves as it was
     return;
   }
@@ -226,8 +231,11 @@ void SidePicture::drawFinerStrip(DrawingEngine& engine) {
 }
 
 void SidePicture::adoptFiner(FinishedPicture picture) {
+  const int followed = m_finer->quality.paths.value_or(0) - m_finishedQuality.paths.value_or(0);
   adopt(std::move(picture), m_finer->quality);
   m_completeMs = m_finer->schedule.spentMs();
+  if (followed > 0)
+    m_msPerPath = *m_completeMs / followed;
   m_finishedRowMs = m_finer->schedule.rowMs();
   m_finer.reset();
   m_lacksLight = false;

@@ -90,6 +90,8 @@ public:
   std::optional<double> completeMs() const { return m_completeMs; }
   /// Of physical light, how many paths each pixel of what is shown has at least.
   int shownPaths() const { return m_finished ? m_finishedQuality.paths.value_or(1) : m_coarsePaths; }
+  /// What following one more of each pixel took last, ms of drawing; absent before.
+  std::optional<double> msPerPath() const { return m_msPerPath; }
   const GradientScale& gradientScale() const { return m_gradientScale; }
   const FinishedPicture& picture() const { return m_picture; }         ///< empty unless finished
   const Quality& finishedQuality() const { return m_finishedQuality; } ///< that it was drawn with
@@ -132,6 +134,8 @@ private:
   std::vector<double> m_finishedRowMs; ///< what each of its rows took
   std::optional<Finer> m_finer;
   std::optional<int> m_paths; ///< of the full picture, where light is physical; absent before it is begun
+  int m_followedBefore = 0;   ///< of those
+  std::optional<double> m_msPerPath;
 };
 
 } // namespace limn

@@ -236,6 +236,31 @@ TEST_F(SessionWindow, whatWasLeftUnsavedIsOneKeyAwayOnTheEmptyPage) {
   EXPECT_FALSE(offered->isVisible());
 }
 
+// The page that offers it is not seen where a volume is named on the command line.
+TEST_F(SessionWindow, whatWasLeftUnsavedIsOfferedBesideAVolumeThatIsNamedAtTheStart) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  const TransferFunction edited = scene().transferFunction;
+  ASSERT_TRUE(open(QStringLiteral("phantom:6"))); // kept later, of another volume
+  dragAPoint();
+  window->close();
+  window = newWindow();
+  window->keepSessions();
+  window->openNamed(QStringLiteral("phantom:4"));
+  ASSERT_TRUE(test::waitUntil([this] { return scene().volume && !window->loader().isLoading(); }));
+  EXPECT_NE(scene().transferFunction, edited);
+  auto* bar = window->findChild<MessageBar*>(QStringLiteral("keptBar"));
+  ASSERT_TRUE(bar->isWanted());
+  for (MessageBar* other : window->findChildren<MessageBar*>())
+    if (other != bar)
+      other->hide();
+  ASSERT_TRUE(test::waitUntil([&] { return bar->isVisible(); }));
+  EXPECT_TRUE(bar->sentence().startsWith(QStringLiteral("Your work on "))) << bar->sentence().toStdString();
+  QTest::mouseClick(bar->findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_TRUE(test::waitUntil([&] { return scene().transferFunction == edited; })) << "that of this volume";
+}
+
 TEST_F(SessionWindow, openingAnotherVolumeKeepsTheUnsavedSession) {
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));

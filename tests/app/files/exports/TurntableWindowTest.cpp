@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/core/making/Turntable.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/exports/TurntableDialog.h"
 
@@ -7,6 +8,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QRegularExpression>
 
 // A turntable, saved in the program's window.
 
@@ -115,6 +117,31 @@ TEST_F(TurntableWindow, aTurnBeginsAtAViewThatWasKept) {
   const LoadedScene saved = loadScene((folder.path() / "turn.frames" / "frame-0001.png").string(), {}, {});
   EXPECT_EQ(saved.scene.camera, side);
   EXPECT_TRUE(saved.views.empty()) << "pictures go to others: they carry no names";
+}
+
+// Seen from the front a head fills less of a picture's width than from its side.
+TEST_F(TurntableWindow, saysWhereItBeginsSmallerThanWhatIsShown) {
+  type("turntableWidth", QStringLiteral("60")); // for a head to fill the width
+  type("turntableFrames", QStringLiteral("4"));
+  ASSERT_TRUE(
+      test::waitUntil([this] { return said().contains(QStringLiteral("so that nothing is cut off")); }));
+  const QRegularExpressionMatch told = QRegularExpression(QStringLiteral("begins at (\\d+) %")).match(said());
+  ASSERT_TRUE(told.hasMatch()) << said().toStdString();
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  const Camera first =
+      loadScene((folder.path() / "turn.frames" / "frame-0001.png").string(), {}, {}).scene.camera;
+  const auto away = [](const Camera& camera) { return glm::distance(camera.position, camera.target); };
+  EXPECT_EQ(told.captured(1).toInt(), qRound(100.0 * away(scene().camera) / away(first)));
+  // A camera that came nearer turns as it stands.
+  Turntable nearer;
+  nearer.scene = scene();
+  nearer.size = {60, 100};
+  nearer.frames = 4;
+  nearer.cameraAspect = view().pictureAspect();
+  EXPECT_LT(sizeAtFirst(nearer), 0.98);
+  nearer.scene.camera = zoomed(scene().camera, 2.0);
+  EXPECT_EQ(sizeAtFirst(nearer), 1.0);
 }
 
 TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {

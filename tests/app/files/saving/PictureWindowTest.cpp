@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QImage>
+#include <QMessageBox>
 #include <QPushButton>
 
 #include <filesystem>
@@ -131,6 +132,33 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   action(QStringLiteral("Save &picture…"))->trigger();
   EXPECT_TRUE(isAsked);
   EXPECT_FALSE(fs::exists(folder.path() / "large.png"));
+}
+
+TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
+  PictureOptions options;
+  options.size = PictureOptions::Size::print;
+  options.printCm = 40.0; // 4,724 pixels
+  saving().writePicture(pathTo("large.png"), options);
+  ASSERT_TRUE(stopButton().isVisible());
+  int asked = 0;
+  const auto answer = [&](QMessageBox::ButtonRole role) {
+    onceAsked<QMessageBox>([&asked, role](QMessageBox& box) {
+      ++asked;
+      EXPECT_TRUE(box.informativeText().contains(QStringLiteral("large.png")));
+      for (QAbstractButton* button : box.buttons())
+        if (box.buttonRole(button) == role)
+          return QTest::mouseClick(button, Qt::LeftButton);
+    });
+  };
+  answer(QMessageBox::RejectRole);
+  EXPECT_FALSE(window->close());
+  EXPECT_TRUE(stopButton().isVisible()) << "it goes on";
+  answer(QMessageBox::DestructiveRole);
+  EXPECT_TRUE(window->close());
+  EXPECT_EQ(asked, 2);
+  window->show();
+  QTest::mouseClick(&stopButton(), Qt::LeftButton);
+  EXPECT_TRUE(window->close()) << "there is nothing to lose any more";
 }
 
 // Two pictures touch in the file: the line between them on screen is in no promise.

@@ -180,7 +180,8 @@ TEST(PictureStatusText, tellsOfErrorControlledStepsTheirTolerance) {
   EXPECT_EQ(lineOf(state),
             "estimated within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
   const QString tip = pictureStatusText(state, {}).toolTip;
-  EXPECT_TRUE(tip.contains(QStringLiteral("chosen by error, to 0.5 of 255 levels"))) << tip.toStdString();
+  EXPECT_TRUE(tip.contains(QStringLiteral("chosen by error, meant for 0.5 of 255 levels")))
+      << tip.toStdString();
   EXPECT_FALSE(tip.contains(QStringLiteral("order"))) << "which no halving has shown";
 }
 

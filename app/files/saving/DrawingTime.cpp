@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/saving/DrawingTime.h"
+
+#include "app/core/drawing/PathDrawing.h"
+#include "scene/effects/EffectPlan.h"
+#include "widgets/ValueText.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// What following paths takes of the time of a picture whose noise is filtered.
+constexpr double shareOfFollowing = 0.8;
+
+// The error falls as the root of the paths.
+std::optional<double> pathsUntil(const Until& until, const std::optional<PathFigures>& shown) {
+  if (const auto* paths = std::get_if<UntilPaths>(&until))
+    return paths->paths;
+  const auto* levels = std::get_if<UntilLevels>(&until);
+  if (!levels || !shown || !shown->rmsLevels)
+    return std::nullopt;
+  return std::min(shown->paths * std::pow(*shown->rmsLevels / levels->levels, 2.0), double(mostPaths));
+}
+
+} // namespace
+
+bool isAsSaved(const Scene& scene, const SideState& shown) {
+  if (!isPhysical(scene))
+    return true;
+  const PhysicalLight& light = scene.shading.physical;
+  return !light.filtersNoise && shown.paths &&
+         nextPaths(light.until, *shown.paths, 0.0) == shown.paths->paths;
+}
+
+std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, double timesThePixels) {
+  if (!isPhysical(scene))
+    return shown.completeMs ? std::optional(1e-3 * timesThePixels * *shown.completeMs) : std::nullopt;
+  const PhysicalLight& light = scene.shading.physical;
+  const double share = light.filtersNoise ? shareOfFollowing : 1.0;
+  if (const auto* seconds = std::get_if<UntilSeconds>(&light.until))
+    return seconds->seconds / share;
+  const std::optional<double> paths = pathsUntil(light.until, shown.paths);
+  if (!paths || !shown.msPerPath)
+    return std::nullopt;
+  return 1e-3 * timesThePixels * *paths * *shown.msPerPath / share;
+}
+
+QString savedPathsText(const PhysicalLight& light) {
+  QString text;
+  if (const auto* levels = std::get_if<UntilLevels>(&light.until))
+    text = QObject::tr("paths until %1 of 255 levels of noise are left").arg(plainNumber(levels->levels, 2));
+  else if (const auto* seconds = std::get_if<UntilSeconds>(&light.until))
+    text = QObject::tr("paths for %1 s").arg(plainNumber(seconds->seconds, 1));
+  else
+    text = QObject::tr("%1 paths a pixel").arg(std::get<UntilPaths>(light.until).paths);
+  return light.filtersNoise ? QObject::tr("%1, noise filtered", "paths").arg(text) : text;
+}
+
+} // namespace limn

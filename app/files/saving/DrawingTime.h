@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+#include "widgets/view/pictures/PictureState.h"
+
+#include <optional>
+
+namespace limn {
+
+/// From here on it is told how long drawing takes.
+inline constexpr double longSeconds = 10.0;
+
+/// Whether the picture of a scene on screen, complete, is all that a saved one of its size is to be: of
+/// physical light it has the paths that are asked for and no filter of their noise, as the view shows none.
+bool isAsSaved(const Scene& scene, const SideState& shown);
+
+/// How long a picture of a scene takes whose like stands on screen, s, if it has so many times its pixels;
+/// absent where what was drawn for the screen does not tell.
+std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, double timesThePixels);
+
+/// How far a saved picture of physical light is drawn, in words: "256 paths a pixel, noise filtered".
+QString savedPathsText(const PhysicalLight& light);
+
+} // namespace limn

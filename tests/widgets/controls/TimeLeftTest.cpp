@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/TimeLeft.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+TEST(TimeLeft, followsFromHowFarWorkCameOnceThatTellsSomething) {
+  EXPECT_EQ(secondsLeft(0.25, 10.0), 30.0) << "three times what a quarter took";
+  EXPECT_EQ(secondsLeft(1.0, 10.0), 0.0);
+  EXPECT_FALSE(secondsLeft(0.25, 1.9)) << "too soon";
+  EXPECT_FALSE(secondsLeft(0.009, 10.0)) << "too little";
+}
+
+TEST(TimeLeft, isToldNoFinerThanItIsKnown) {
+  EXPECT_EQ(aboutText(0.1), QStringLiteral("about 1 s"));
+  EXPECT_EQ(aboutText(7.4), QStringLiteral("about 7 s"));
+  EXPECT_EQ(aboutText(43.0), QStringLiteral("about 45 s"));
+  EXPECT_EQ(aboutText(100.0), QStringLiteral("about 2 min"));
+  EXPECT_EQ(aboutText(27.0 * 60.0), QStringLiteral("about 25 min"));
+  EXPECT_EQ(aboutText(2.52 * 3600.0), QStringLiteral("about 2.5 h"));
+  EXPECT_EQ(aboutText(30.0 * 3600.0), QStringLiteral("about 30 h"));
+}
+
+TEST(TimeLeft, isEmptyBeforeWorkBegins) {
+  const TimeLeft left;
+  EXPECT_TRUE(left.text(0.5).isEmpty());
+}
+
+} // namespace
+} // namespace limn
