@@ -986,10 +986,6 @@
         <translation>verfeinert, Schritt %1</translation>
     </message>
     <message>
-        <source>The steps cost no more than half a level: smaller ones would show no difference.</source>
-        <translation>Die Schritte kosten höchstens eine halbe Stufe: Kleinere würden keinen Unterschied zeigen.</translation>
-    </message>
-    <message>
         <source>smallest step, %1</source>
         <translation>kleinste Schrittweite, %1</translation>
     </message>
@@ -1820,10 +1816,6 @@
         <translation>Blick von der ersten Schicht</translation>
     </message>
     <message>
-        <source>tools: cut, pick a piece, distance, angle, mark</source>
-        <translation>Werkzeuge: schneiden, Stück wählen, Abstand, Winkel, Marke</translation>
-    </message>
-    <message>
         <source>tools: distance, angle, ellipse, mark; Del: delete</source>
         <translation>Werkzeuge: Abstand, Winkel, Ellipse, Marke; Entf: löschen</translation>
     </message>
@@ -1866,14 +1858,6 @@
     <message>
         <source>Physical</source>
         <translation>Physikalisch</translation>
-    </message>
-    <message>
-        <source>move a face of the turned box</source>
-        <translation>Fläche der gedrehten Box ziehen</translation>
-    </message>
-    <message>
-        <source>Turned box</source>
-        <translation>Gedrehte Box</translation>
     </message>
     <message>
         <source>density %1</source>
@@ -2012,10 +1996,6 @@
         <translation>Schatten und Verdeckung werden in einem Gitter nachgeschlagen, das kleinere Schritte nicht feiner machen; mit einer Toleranz findet der Prozessor sie für jeden Abtastpunkt, in Minuten.</translation>
     </message>
     <message>
-        <source>steps chosen by error, to %1 of 255 levels</source>
-        <translation>Schritte nach dem Fehler gewählt, auf %1 von 255 Stufen</translation>
-    </message>
-    <message>
         <source>step %1 of the smallest voxel spacing, %2 mm</source>
         <translation>Schrittweite %1 des kleinsten Voxelabstands, %2&#xa0;mm</translation>
     </message>
@@ -2042,6 +2022,91 @@
     <message>
         <source>Random paths: %1 a pixel, their noise filtered, about %2 of 255 levels RMS left</source>
         <translation>Zufallspfade: %1 je Bildpunkt, Rauschen gefiltert, etwa %2 von 255 Stufen RMS verbleiben</translation>
+    </message>
+    <message>
+        <source>From the file: %1</source>
+        <translation>Aus der Datei: %1</translation>
+    </message>
+    <message>
+        <source>From the file: %1, %2</source>
+        <translation>Aus der Datei: %1, %2</translation>
+    </message>
+    <message>
+        <source>paths until %1 of 255 levels of noise are left</source>
+        <translation>Pfade, bis %1 von 255 Stufen Rauschen übrig sind</translation>
+    </message>
+    <message>
+        <source>paths for %1 s</source>
+        <translation>Pfade für %1 s</translation>
+    </message>
+    <message>
+        <source>%1, noise filtered</source>
+        <comment>paths</comment>
+        <translation>%1, Rauschen gefiltert</translation>
+    </message>
+    <message>
+        <source>tools, in slices, too: cut, piece, distance, angle, ellipse, mark</source>
+        <translation>Werkzeuge, auch in Schichten: schneiden, Stück, Abstand, Winkel, Ellipse, Marke</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <comment>a time</comment>
+        <translation>etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <comment>a time</comment>
+        <translation>etwa %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h</source>
+        <comment>a time</comment>
+        <translation>etwa %1 h</translation>
+    </message>
+    <message>
+        <source>(%1 left)</source>
+        <comment>a time</comment>
+        <translation>(noch %1)</translation>
+    </message>
+    <message>
+        <source>left-hand</source>
+        <translation>linke</translation>
+    </message>
+    <message>
+        <source>right-hand</source>
+        <translation>rechte</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nahe</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>ferne</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>untere</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>obere</translation>
+    </message>
+    <message>
+        <source>turned box: move %1 face</source>
+        <translation>gedrehte Box: Seite %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Turned box, %1</source>
+        <translation>Gedrehte Box, %1</translation>
+    </message>
+    <message>
+        <source>The steps are meant to cost half a level at most: smaller ones would show no difference.</source>
+        <translation>Die Schritte sollen höchstens eine halbe Stufe kosten: Mit kleineren wäre kein Unterschied zu sehen.</translation>
+    </message>
+    <message>
+        <source>steps chosen by error, meant for %1 of 255 levels</source>
+        <translation>Schritte nach dem Fehler gewählt, für %1 von 255 Stufen</translation>
     </message>
 </context>
 <context>
@@ -2139,6 +2204,10 @@
     <message>
         <source>While nothing moves, draws the picture again with smaller and smaller steps until it lies within half a level of the exact one.</source>
         <translation>Zeichnet das Bild, solange sich nichts bewegt, mit immer kleineren Schritten neu, bis es höchstens eine halbe Stufe neben dem exakten liegt.</translation>
+    </message>
+    <message>
+        <source>The picture changed before it was compared with the exact one; tick the box to begin again.</source>
+        <translation>Das Bild änderte sich, ehe es mit dem exakten verglichen war; zum Neubeginn das Kästchen anhaken.</translation>
     </message>
 </context>
 <context>
@@ -2498,6 +2567,10 @@
         <source>swap the sides</source>
         <translation>Seiten tauschen</translation>
     </message>
+    <message>
+        <source>Both sides have the model %1 now, so that they differ by their looks alone; each can be given another.</source>
+        <translation>Beide Seiten haben jetzt das Modell %1, damit sie sich nur in ihrem Aussehen unterscheiden; jeder kann ein anderes gegeben werden.</translation>
+    </message>
 </context>
 <context>
     <name>limn::CropBoxController</name>
@@ -2575,6 +2648,14 @@
     <message>
         <source>crop to what is seen</source>
         <translation>auf Sichtbares zuschneiden</translation>
+    </message>
+    <message>
+        <source>Turn to this view</source>
+        <translation>In diese Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Puts a box over the picture that lies as the picture is seen now.</source>
+        <translation>Legt eine Box über das Bild, die so liegt, wie das Bild jetzt zu sehen ist.</translation>
     </message>
 </context>
 <context>
@@ -2765,10 +2846,6 @@
         <translation>Umschalt zeichnet gerade weiter; Eingabe, ein Doppelklick oder die erste Ecke schließt eine Linie aus Ecken, die Rücktaste nimmt die letzte zurück, Esc alle.</translation>
     </message>
     <message>
-        <source>The wheel widens or narrows the range of values; another click picks another piece, Esc none.</source>
-        <translation>Das Rad erweitert oder verengt den Wertebereich; ein weiterer Klick wählt ein anderes Teil, Esc keines.</translation>
-    </message>
-    <message>
         <source>Its own curve</source>
         <translation>Eigene Kurve</translation>
     </message>
@@ -2780,6 +2857,34 @@
         <source>Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at least one slice.</source>
         <translation>Schneidet nur so tief wie das, was innerhalb der Linie zu sehen ist; in einer Schicht so tief wie deren Dicke, mindestens eine Schicht.</translation>
     </message>
+    <message>
+        <source>Less</source>
+        <translation>Weniger</translation>
+    </message>
+    <message>
+        <source>The wheel widens or narrows the range of values, with Shift its upper end alone; the value at the place that you clicked stays within it. Another click picks another piece, Esc none.</source>
+        <translation>Das Rad weitet oder verengt den Wertebereich, mit Umschalt nur sein oberes Ende; der Wert an der angeklickten Stelle bleibt darin. Ein weiterer Klick wählt ein anderes Stück, Esc keines.</translation>
+    </message>
+    <message>
+        <source>Takes less of what hangs together: similar values, or what lies near.</source>
+        <translation>Nimmt weniger von dem, was zusammenhängt: ähnliche Werte oder was nahe liegt.</translation>
+    </message>
+    <message>
+        <source>Values like those around the place</source>
+        <translation>Werte wie rund um die Stelle</translation>
+    </message>
+    <message>
+        <source>However far it reaches</source>
+        <translation>So weit es reicht</translation>
+    </message>
+    <message>
+        <source>Within %1 of the place</source>
+        <translation>Höchstens %1 von der Stelle</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
 </context>
 <context>
     <name>limn::CutController</name>
@@ -2790,10 +2895,6 @@
     <message>
         <source>Looking for what hangs together…</source>
         <translation>Suche, was zusammenhängt…</translation>
-    </message>
-    <message>
-        <source>Click what is meant</source>
-        <translation>Anklicken, was gemeint ist</translation>
     </message>
     <message>
         <source>cut away inside a line</source>
@@ -2826,6 +2927,14 @@
     <message>
         <source>give a piece its own curve</source>
         <translation>Teil mit eigener Kurve</translation>
+    </message>
+    <message>
+        <source>%1 – %2 · %3 ml · no narrower by the wheel</source>
+        <translation>%1 – %2 · %3 ml · mit dem Rad nicht enger</translation>
+    </message>
+    <message>
+        <source>Click what is meant; the wheel then takes less or more</source>
+        <translation>Anklicken, was gemeint ist; das Rad nimmt dann weniger oder mehr</translation>
     </message>
 </context>
 <context>
@@ -2966,10 +3075,6 @@
         <translation>Am Bildschirm verfeinert auf %1, Fehler %2.</translation>
     </message>
     <message>
-        <source>Refined on screen to %1.</source>
-        <translation>Am Bildschirm verfeinert auf %1.</translation>
-    </message>
-    <message>
         <source>Faster or closer to exact</source>
         <translation>Schneller oder genauer</translation>
     </message>
@@ -3034,20 +3139,57 @@
         <translation>%1: für dieses Bild nicht gemessen.</translation>
     </message>
     <message>
-        <source>The dial&apos;s steps average the curve between samples; the chart has them without, too. </source>
-        <translation>Die Schritte des Reglers mitteln die Kurve zwischen den Abtastpunkten; das Diagramm hat sie auch ohne. </translation>
-    </message>
-    <message>
-        <source>From there it refines while nothing moves. </source>
-        <translation>Von dort verfeinert es sich, solange sich nichts bewegt. </translation>
-    </message>
-    <message>
         <source>A level is the smallest step of brightness on a screen, of 255.</source>
         <translation>Eine Stufe ist der kleinste Helligkeitsschritt eines Bildschirms, von 255.</translation>
     </message>
     <message>
         <source>Physical light gets twice and twice as many paths while nothing moves. How many a saved picture has stands among the properties.</source>
         <translation>Physikalisches Licht bekommt immer doppelt so viele Pfade, solange sich nichts bewegt. Wie viele ein gespeichertes Bild hat, steht bei den Eigenschaften.</translation>
+    </message>
+    <message>
+        <source>steps by error</source>
+        <translation>Schritten nach dem Fehler</translation>
+    </message>
+    <message>
+        <source>The picture on screen</source>
+        <translation>Das Bild auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>Refined on screen to %1</source>
+        <translation>Auf dem Schirm verfeinert auf %1</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>a picture: how far it is off</comment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>It was measured from another direction.</source>
+        <translation>Gemessen wurde aus einer anderen Richtung.</translation>
+    </message>
+    <message>
+        <source>The dial&apos;s steps average the curve between samples; the chart has them without, too.</source>
+        <translation>Die Schritte des Reglers mitteln die Kurve zwischen den Abtastungen; das Diagramm hat sie auch ohne das.</translation>
+    </message>
+    <message>
+        <source>Of the dial&apos;s steps these average the curve between samples, so that they miss none of it: %1. The chart has each step both ways.</source>
+        <translation>Von den Schritten des Reglers mitteln diese die Kurve zwischen den Abtastungen, damit ihnen nichts von ihr entgeht: %1. Das Diagramm hat jeden Schritt auf beide Arten.</translation>
+    </message>
+    <message>
+        <source>Slower and farther off than another position: %1.</source>
+        <translation>Langsamer und weniger genau als eine andere Stellung: %1.</translation>
+    </message>
+    <message>
+        <source>From there it refines while nothing moves, but shadows and occlusion come from a grid of light, which smaller steps do not make finer: where they show, the picture may stay &quot;not exact&quot;. With &quot;exact&quot; the processor finds them for each sample, in minutes.</source>
+        <translation>Von dort wird es feiner, solange sich nichts bewegt; Schatten und Verdeckung aber kommen von einem Lichtgitter, das kleinere Schritte nicht feiner machen: Wo sie zu sehen sind, kann das Bild „nicht exakt“ bleiben. Mit „exakt“ findet sie der Prozessor für jede Abtastung, in Minuten.</translation>
+    </message>
+    <message>
+        <source>From there it refines while nothing moves.</source>
+        <translation>Von dort wird es feiner, solange sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>Steps meant to be %1</source>
+        <translation>Schritte, gedacht als %1</translation>
     </message>
 </context>
 <context>
@@ -3071,10 +3213,6 @@
     <message>
         <source>Mouse and &amp;keys</source>
         <translation>&amp;Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>?</source>
-        <translation>?</translation>
     </message>
     <message>
         <source>&amp;Stability checks…</source>
@@ -3684,6 +3822,22 @@
         <source>&amp;Close volume</source>
         <translation>&amp;Volumen schließen</translation>
     </message>
+    <message>
+        <source>Still drawing</source>
+        <translation>Es wird noch gezeichnet</translation>
+    </message>
+    <message>
+        <source>A file is not finished yet. If Limn ends now, it will not be.</source>
+        <translation>Eine Datei ist noch nicht fertig. Wird Limn jetzt beendet, wird sie es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Let it finish</source>
+        <translation>Fertig werden lassen</translation>
+    </message>
+    <message>
+        <source>End all the same</source>
+        <translation>Trotzdem beenden</translation>
+    </message>
 </context>
 <context>
     <name>limn::FocusMode</name>
@@ -4284,16 +4438,16 @@
         <translation>ml</translation>
     </message>
     <message>
-        <source>%1 · %2 ± %3 · %4 – %5</source>
-        <translation>%1 · %2 ± %3 · %4 – %5</translation>
-    </message>
-    <message>
         <source>%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept. A click on its square gives it a colour.</source>
         <translation>%1 (Label %2): gezeigt, ausgeblendet oder abgeschwächt, wenn nur ein Teil seiner Deckkraft bleibt. Ein Klick auf sein Farbfeld gibt ihm eine Farbe.</translation>
     </message>
     <message>
         <source>colour of %1</source>
         <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 – %4</source>
+        <translation>%1 · %2 · %3 – %4</translation>
     </message>
 </context>
 <context>
@@ -4653,16 +4807,16 @@
         <translation>Vergleich mit dem exakten Bild</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Colours the picture by how far it lies from the exact one, in levels of 255. The next change of the picture takes it away.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Färbt das Bild danach, wie weit es vom exakten entfernt ist, in Stufen von 255. Die nächste Änderung des Bildes nimmt die Färbung weg.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>%1, at %2 × %3 pixels: the standard error of 999 of 1000 colour values is at most %4 levels of 255; that of %5 % of the pixels is more than one.</source>
         <translation>%1, bei %2 × %3 Bildpunkten: Der Standardfehler von 999 von 1000 Farbwerten ist höchstens %4 Stufen von 255; der von %5&#xa0;% der Bildpunkte ist größer als eine.</translation>
     </message>
     <message>
         <source>%1: the error is not known, because only what two paths or more differ by tells it.</source>
         <translation>%1: Der Fehler ist nicht bekannt, denn erst worin sich zwei oder mehr Pfade unterscheiden, sagt ihn.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Colours the picture by how far it lies from the exact one, in levels of 255. That one is drawn first, which takes from seconds to some minutes and says how long as it goes on. The next change of the picture takes the map away.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Färbt das Bild danach, wie weit es neben dem exakten liegt, in Stufen von 255. Dieses wird zuerst gezeichnet; das dauert Sekunden bis einige Minuten, und wie lange noch, steht währenddessen da. Die nächste Änderung des Bildes nimmt die Karte weg.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -4688,24 +4842,12 @@
         <translation>Die Stelle anklicken</translation>
     </message>
     <message>
-        <source>In a slice, click the place</source>
-        <translation>In einer Schicht die Stelle anklicken</translation>
-    </message>
-    <message>
         <source>Measuring</source>
         <translation>Messen</translation>
     </message>
     <message>
         <source>What was measured is led by its ends and goes with Delete; a drag over the picture rotates it. Esc takes back what is begun, then lays the tool aside.</source>
         <translation>Gemessenes wird an seinen Enden geführt und mit Entf gelöscht; Ziehen dreht das Bild. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
-    </message>
-    <message>
-        <source>In a slice, click both ends or drag</source>
-        <translation>In einer Schicht beide Enden anklicken oder ziehen</translation>
-    </message>
-    <message>
-        <source>In a slice, click end, corner and end</source>
-        <translation>In einer Schicht Ende, Scheitel und Ende anklicken</translation>
     </message>
     <message>
         <source>In a slice, drag from corner to corner or click both</source>
@@ -9300,6 +9442,14 @@
         <source>Means over pixels that show the same take the grain away, and a little of the finest detail with it. What that changed, and what error is left, is said with the picture. The window shows pictures without it.</source>
         <translation>Mittelwerte über Bildpunkte, die dasselbe zeigen, nehmen das Korn weg und ein wenig der feinsten Einzelheiten mit. Was das geändert hat und welcher Fehler bleibt, wird zum Bild gesagt. Das Fenster zeigt Bilder ohne Filter.</translation>
     </message>
+    <message>
+        <source>noise filter on</source>
+        <translation>Rauschfilter an</translation>
+    </message>
+    <message>
+        <source>noise filter off</source>
+        <translation>Rauschfilter aus</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureArea</name>
@@ -9431,6 +9581,18 @@
         <source>a click marks a place, a drag rotates</source>
         <translation>ein Klick markiert einen Ort, Ziehen dreht</translation>
     </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>drawn in a slice; a drag rotates</source>
+        <translation>wird in einer Schicht gezeichnet; Ziehen dreht</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureDialog</name>
@@ -9537,6 +9699,23 @@
     <message>
         <source>%1 has the ground of the screen: JPEG knows no transparent one. Save the picture as PNG to have none.</source>
         <translation>%1 hat den Hintergrund des Bildschirms: JPEG kennt keinen durchsichtigen. Speichern Sie das Bild als PNG, um keinen zu haben.</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>How far pictures of physical light that are saved are drawn; it is set in Properties.</source>
+        <translation>Wie weit gespeicherte Bilder physikalischen Lichts gezeichnet werden; eingestellt wird es bei den Eigenschaften.</translation>
+    </message>
+    <message>
+        <source>Physical light</source>
+        <translation>Physikalisches Licht</translation>
+    </message>
+    <message>
+        <source>%1, %2 to draw</source>
+        <comment>pixels, a time</comment>
+        <translation>%1, zu zeichnen in %2</translation>
     </message>
 </context>
 <context>
@@ -10341,10 +10520,6 @@
         <translation>Presets lassen Licht, Glanz und Grenzen, wie sie sind; Kurve und Projektion sind die des Presets.</translation>
     </message>
     <message>
-        <source>Before</source>
-        <translation>Vorher</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; shows nothing of this volume: its curve is for other values.</source>
         <translation>„%1“ zeigt nichts von diesem Volumen: Die Kurve gilt für andere Werte.</translation>
     </message>
@@ -10683,6 +10858,10 @@
         <source>Open its folder</source>
         <translation>Seinen Ordner öffnen</translation>
     </message>
+    <message>
+        <source>Show the figure</source>
+        <translation>Abbildung zeigen</translation>
+    </message>
 </context>
 <context>
     <name>limn::SavingController</name>
@@ -10842,7 +11021,7 @@
     </message>
     <message>
         <source>Your work on %1 is kept.</source>
-        <translation>Ihre Arbeit an %1 ist aufgehoben.</translation>
+        <translation>Ihre Arbeit an %1 wird aufbewahrt.</translation>
     </message>
     <message>
         <source>Bring back</source>
@@ -11300,10 +11479,6 @@
         <translation>Gesamtdeckkraft</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Makes everything visible more solid or more transparent; what is invisible stays so.&lt;/p&gt;&lt;p&gt;×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Macht alles Sichtbare deckender oder durchsichtiger; was unsichtbar ist, bleibt es.&lt;/p&gt;&lt;p&gt;×0,1 – ×10, Standard ×1. Springt beim Loslassen zurück; mit Umschalt feiner.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Shift</source>
         <translation>Verschieben</translation>
     </message>
@@ -11343,6 +11518,10 @@
         <source>More tools</source>
         <translation>Weitere Werkzeuge</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Makes everything visible more solid or more transparent; what is invisible stays so.&lt;/p&gt;&lt;p&gt;×0.1 – ×10 of what it is, which is told until the curve changes otherwise. The slider springs back when let go, so that it can be pulled on; Shift drags finer.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Macht alles Sichtbare fester oder durchsichtiger; was unsichtbar ist, bleibt es.&lt;/p&gt;&lt;p&gt;×0,1 – ×10 dessen, was es ist; das steht da, bis sich die Kurve anders ändert. Der Regler springt beim Loslassen zurück, sodass man weiterziehen kann; mit Umschalt feiner.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>limn::TurnedBoxController</name>
@@ -11365,6 +11544,18 @@
     <message>
         <source>Turned box, four sides</source>
         <translation>Gedrehte Box, vier Seiten</translation>
+    </message>
+    <message>
+        <source>The crop box is put away; what its faces cut away stays so.</source>
+        <translation>Die Zuschnittbox ist ausgeblendet; was ihre Seiten wegschneiden, bleibt weg.</translation>
+    </message>
+    <message>
+        <source>Close all cuts</source>
+        <translation>Alle Schnitte schließen</translation>
+    </message>
+    <message>
+        <source>close all cuts of the crop box</source>
+        <translation>alle Schnitte der Zuschnittbox schließen</translation>
     </message>
 </context>
 <context>
@@ -11509,6 +11700,15 @@
         <source>A video has even sides: %1 × %2 pixels.</source>
         <translation>Ein Video hat gerade Seiten: %1 × %2 Pixel.</translation>
     </message>
+    <message>
+        <source>It begins at %1 % of the size on screen, so that nothing is cut off while it turns.</source>
+        <translation>Sie beginnt mit %1 % der Größe auf dem Schirm, damit beim Drehen nichts abgeschnitten wird.</translation>
+    </message>
+    <message>
+        <source>Drawing takes %1.</source>
+        <comment>a time</comment>
+        <translation>Das Zeichnen dauert %1.</translation>
+    </message>
 </context>
 <context>
     <name>limn::ViewInput</name>
@@ -11521,8 +11721,8 @@
         <translation>Zuschnitt zurücksetzen</translation>
     </message>
     <message>
-        <source>reset a face of the turned box</source>
-        <translation>Fläche der gedrehten Box zurücksetzen</translation>
+        <source>turned box: reset %1 face</source>
+        <translation>gedrehte Box: Seite %1 zurücksetzen</translation>
     </message>
 </context>
 <context>
