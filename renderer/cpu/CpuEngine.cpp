@@ -99,7 +99,8 @@ constexpr double rangesShare = 0.4;
 class CpuEngine final : public DrawingEngine {
 public:
   CpuEngine(int threads, const MemoryBudget& budget)
-      : m_threads(threads), m_whole(threads), m_standIns(budget.bytes() / shareOfBudget), m_last(&m_whole) {}
+      : m_threads(threads), m_whole(threads, CpuRenderer::Tolerance::stepsFirst),
+        m_standIns(budget.bytes() / shareOfBudget), m_last(&m_whole) {}
 
   std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                             const IsCancelled& isCancelled) override {
@@ -160,7 +161,7 @@ private:
       return;
     m_ofLevels.clear();
     while (m_ofLevels.size() < m_standIns.levels().size())
-      m_ofLevels.push_back(std::make_unique<CpuRenderer>(m_threads));
+      m_ofLevels.push_back(std::make_unique<CpuRenderer>(m_threads, CpuRenderer::Tolerance::stepsFirst));
   }
 
   // What stands in for a volume has a renderer of its own: what is known of either stays while they take

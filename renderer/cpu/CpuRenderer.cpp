@@ -53,9 +53,10 @@ Image blank(const glm::ivec2& size, const std::function<bool()>& isCancelled) {
 
 } // namespace
 
-CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace, Weights weights)
+CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace, Weights weights, Tolerance tolerance)
     : m_threads(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
-      m_data(m_threads, emptySpace == EmptySpace::skipped, weights == Weights::eightBits) {
+      m_data(m_threads, emptySpace == EmptySpace::skipped, weights == Weights::eightBits,
+             tolerance == Tolerance::stepsFirst) {
   cpu::requireInstructionSet();
 }
 

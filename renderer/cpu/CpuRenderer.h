@@ -20,10 +20,19 @@ public:
   /// (glsl/decisions/Decisions). No command draws so. What keeps a tolerance takes no samples and stays.
   enum class Weights { floats, eightBits };
 
+  /// How error-controlled steps are taken: cell by cell, as the reference takes them, or where it can be in
+  /// equal steps first and cell by cell only where those tell that they are too few (cpu/README.md), which
+  /// errs as much with the same fineness and takes about half of the time.
+  enum class Tolerance { cells, stepsFirst };
+
   /// `threads` of the processor, 0: all. Throws Error (usage) where LIMN_CPU_TARGET asks for what the
   /// processor does not have (cpu/simd/InstructionSet.h).
   explicit CpuRenderer(int threads = 0, EmptySpace emptySpace = EmptySpace::skipped,
-                       Weights weights = Weights::floats);
+                       Weights weights = Weights::floats, Tolerance tolerance = Tolerance::cells);
+
+  /// As whoever draws for users does.
+  CpuRenderer(int threads, Tolerance tolerance)
+      : CpuRenderer(threads, EmptySpace::skipped, Weights::floats, tolerance) {}
 
   /// The pixels of `tile` of a picture of `size` pixels: premultiplied RGBA without background. Any tiling
   /// and any number of threads give the same picture bit for bit. Asks `isCancelled`, which may be empty, at

@@ -4,6 +4,7 @@
 #include "cpu/paths/PathScene.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/steps/BlockRanges.h"
+#include "scene/steps/CellRule.h"
 #include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
@@ -205,6 +206,20 @@ IndexBox SceneData::visibleBox(const Scene& scene) const {
   return box;
 }
 
+namespace {
+
+// Whether a tolerance can be kept by equal steps first. What they miss of a function is told by its segments,
+// so that it must have few. Without gradients cells are exact and cheap; samples of light that travels, and
+// of looks, cost more than cells save.
+bool mayBeSampledFirst(const PictureTerms& terms) {
+  return terms.fineness && *terms.fineness <= mostSampledFineness && !terms.brick &&
+         !terms.effects.has(Effect::jitter) && terms.function->segmentCount <= FewSegments::most &&
+         terms.effects.has(Effect::gradient) && !terms.effects.has(Effect::xray) &&
+         !terms.effects.has(Effect::labelLooks) && !terms.effects.hasAny(travellingLight);
+}
+
+} // namespace
+
 PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, EffectSet effects,
                               const std::function<bool()>& isCancelled, const LightVolumes* light) {
   const Grid& grid = scene.volume->grid();
@@ -248,6 +263,11 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.centre = centreIndex(grid);
   terms.lengthMm = smallestSpacingMm(grid);
   terms.stepLengths = scene.quality.stepVoxels;
+  terms.samplesFirst = m_samplesFirst && mayBeSampledFirst(terms);
+  if (terms.samplesFirst) {
+    terms.stepLengths = sampledStep(*terms.fineness);
+    terms.effects = terms.effects.without(Effect::preintegration); // for steps that come alone
+  }
   terms.spacing = grid.spacingMm / terms.lengthMm;
   if (!effects.has(Effect::labelLooks))
     terms.perUnitDistance = unitsPer(scene.transferFunction.unitDistanceMm);

@@ -30,8 +30,10 @@ BlockBox blocksMet(const Grid& grid, const IndexBox& brick, double stepVoxels);
 class SceneData {
 public:
   /// `roundsPlaces`: voxels are floats and mixed as CpuRenderer::Weights says.
-  explicit SceneData(int threads, bool skipsEmptySpace, bool roundsPlaces = false)
-      : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace), m_roundsPlaces(roundsPlaces) {}
+  /// `samplesFirst`: as CpuRenderer::Tolerance says.
+  explicit SceneData(int threads, bool skipsEmptySpace, bool roundsPlaces = false, bool samplesFirst = false)
+      : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace), m_roundsPlaces(roundsPlaces),
+        m_samplesFirst(samplesFirst) {}
 
   /// Only what rays read in this box is made ready from now on; absent: everything.
   void setBrick(const std::optional<IndexBox>& brick) { m_brick = brick; }
@@ -87,6 +89,7 @@ private:
   int m_threads;
   bool m_skipsEmptySpace;
   bool m_roundsPlaces;
+  bool m_samplesFirst;
   std::optional<IndexBox> m_brick;
   std::optional<WholeFacts> m_whole;
   std::shared_ptr<const Volume> m_volume;

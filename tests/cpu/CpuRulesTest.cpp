@@ -33,6 +33,8 @@ std::vector<Scene> scenesOfEveryKind() {
     scene.quality.toleranceLevels = 1.0;
     scene.quality.fineness = 4;
     scenes.push_back(scene);
+    scene.quality.jitter = false;
+    scenes.push_back(scene);
     scene.keep = cubesRegion(scene.volume->grid().dims, 11, {0.0, 1.0, 0.0, 0.3});
     scenes.push_back(scene);
     scene.keep = withVariedLooks(scene.keep, scene.transferFunction);
@@ -46,8 +48,10 @@ std::vector<Scene> scenesOfEveryKind() {
 }
 
 TEST(CpuRules, anyNumberOfThreadsAndTilesGivesTheSameBits) {
-  CpuRenderer single(1);
+  CpuRenderer single(1), oneInSteps(1, CpuRenderer::Tolerance::stepsFirst);
+  CpuRenderer severalInSteps(3, CpuRenderer::Tolerance::stepsFirst);
   for (const Scene& scene : scenesOfEveryKind()) {
+    EXPECT_EQ(severalInSteps.render(scene, cpuPicture), oneInSteps.render(scene, cpuPicture));
     const Image expected = single.render(scene, cpuPicture);
     for (const int threads : {2, 3, 8}) {
       CpuRenderer several(threads);
@@ -74,7 +78,12 @@ TEST(CpuRules, aNeedleOfTheFunctionNarrowerThanACellIsSeenWhole) {
 
 TEST(CpuRules, steppingOverEmptySpaceChangesNoBit) {
   CpuRenderer skipping(0), sampling(0, CpuRenderer::EmptySpace::sampled);
+  CpuRenderer skippingSteps(0, CpuRenderer::Tolerance::stepsFirst);
+  CpuRenderer samplingSteps(0, CpuRenderer::EmptySpace::sampled, CpuRenderer::Weights::floats,
+                            CpuRenderer::Tolerance::stepsFirst);
   for (const Scene& scene : scenesOfEveryKind()) {
+    EXPECT_EQ(skippingSteps.render(scene, cpuPicture), samplingSteps.render(scene, cpuPicture))
+        << "steps first, projection " << static_cast<int>(scene.projection);
     const bool isScalar = classifiesOnce(scene.projection);
     EXPECT_TRUE(isScalar || scene.quality.toleranceLevels ||
                 skipping.plan(scene).effects.has(Effect::emptySpaceSkipping));

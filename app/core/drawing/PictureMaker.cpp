@@ -189,7 +189,7 @@ Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size
 }
 
 void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
-  CpuRenderer renderer(order.effort.threads);
+  CpuRenderer renderer(order.effort.threads, CpuRenderer::Tolerance::stepsFirst);
   std::optional<DrawnByPaths> made; // what the picture in hand tells of its paths
   const TakePicture take = [&](std::size_t index, MadePicture picture) {
     if (made)
@@ -288,7 +288,7 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
         scene);
   };
   if (engine == Engine::cpu) {
-    CpuRenderer renderer(threads);
+    CpuRenderer renderer(threads, CpuRenderer::Tolerance::stepsFirst);
     return figuresWith(renderer);
   }
   const HeadlessContext context;

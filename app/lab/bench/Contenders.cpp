@@ -38,7 +38,7 @@ std::unique_ptr<Contender> referenceContender(int threads) {
 
 std::unique_ptr<Contender> cpuContender(int threads) {
   return pictureContender("limn-cpu", CpuRenderer(threads).name(), [threads]() -> DrawPicture {
-    const auto renderer = std::make_shared<CpuRenderer>(threads);
+    const auto renderer = std::make_shared<CpuRenderer>(threads, CpuRenderer::Tolerance::stepsFirst);
     return [renderer](const Scene& scene) { return renderer->render(scene, sizeOf(scene)); };
   });
 }

@@ -39,7 +39,7 @@ BytePicture pictureOf(Contender& contender) {
 PictureErrors::PictureErrors(const Scene& scene, const std::vector<std::unique_ptr<Contender>>& contenders,
                              int threads)
     : m_background(scene.image.background) {
-  CpuRenderer renderer(threads);
+  CpuRenderer renderer(threads, CpuRenderer::Tolerance::stepsFirst);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   Scene exact = exactly(scene);
   m_exact = renderer.render(exact, size);

@@ -111,6 +111,7 @@ struct PictureTerms {
   LightingTerms light;
   TravelTerms travel;
   std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
+  bool samplesFirst = false;      ///< equal steps first, cells where those do not do
   bool isExact = false;           ///< scalars and surfaces are found cell by cell, too
 
   RayFrame frame;

@@ -528,16 +528,21 @@ inline double beforeSeen(const PictureTerms& terms, const Ray& ray) {
 template <VoxelSource::Kind kind>
 class CellMarch {
 public:
-  /// Nothing shows before the first of the ray's equal steps that may show, unless it is a part of one.
-  CellMarch(const PictureTerms& terms, const Ray& ray)
+  /// Nothing shows before `from`, lengths behind the span's begin.
+  CellMarch(const PictureTerms& terms, const Ray& ray, double from)
       : m_terms(terms), m_ray(inLengths(terms, ray)), m_samples(terms, m_ray),
-        m_maker(terms, m_samples, terms.brick ? 0.0 : beforeSeen(terms, ray)), m_batch(terms, m_samples) {}
+        m_maker(terms, m_samples, from), m_batch(terms, m_samples) {}
 
   glm::vec4 gathered() {
     Sum sum{zero(), 1.0, false};
+    addTo(sum);
+    return pixelOf(sum, m_terms.effects);
+  }
+
+  /// Adds what lies in the span to what lies before it.
+  void addTo(Sum& sum) {
     while (!sum.hasEnded && m_batch.fillFrom(m_maker))
       m_batch.addTo(sum, cellCuts);
-    return pixelOf(sum, m_terms.effects);
   }
 
 private:

@@ -10,17 +10,19 @@
 #endif
 
 #include "cpu/simd/BlocksAlike-inl.h"
+#include "cpu/simd/SampleLog-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
-/// The samples of one ray put together to a pixel, front to back (DEFINITION section 7).
-template <VoxelSource::Kind kind>
+/// The samples of one ray put together to a pixel, front to back (DEFINITION section 7). A log may be told of
+/// each that shows (SampleLog-inl.h).
+template <VoxelSource::Kind kind, class Log = NoLog>
 class Composite {
 public:
-  Composite(const PictureTerms& terms, const Samples<kind>& samples)
-      : m_terms(terms), m_samples(samples), m_ray(samples.ray),
+  Composite(const PictureTerms& terms, const Samples<kind>& samples, Log& log)
+      : m_terms(terms), m_samples(samples), m_ray(samples.ray), m_log(log),
         m_isPreintegrated(terms.effects.has(Effect::preintegration)),
         m_changesOpacity(terms.effects.hasAny(opacityChanges)),
         m_hasGradient(terms.effects.has(Effect::gradient)),
@@ -34,8 +36,11 @@ public:
     m_sum = {zero(), 1.0, false};
     const bool canLightGroups = m_hasGradient && !m_isPreintegrated;
     bool isDense = false;
-    for (int i = m_ray.from; i < m_ray.to && !m_sum.hasEnded;) {
+    int i = m_ray.from;
+    lookAt(i - 1, m_ray.ownFrom, false);
+    while (i < m_ray.to && !m_sum.hasEnded) {
       if (const int leap = empty.samplesFrom(i); leap > 0) {
+        lookAtEnds(i, leap);
         i += leap;
         isDense = false;
         continue;
@@ -45,12 +50,41 @@ public:
       isDense = canLightGroups && 4 * seen >= 3 * lanes();
       i += lanes();
     }
+    lookAt(i, m_ray.ownFrom, true);
     light();
     return pixelOf(m_sum, m_terms.effects);
   }
 
+  /// What was gathered; a ray that has ended has left samples out.
+  const Sum& sum() const { return m_sum; }
+
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
+
+  HWY_INLINE void lookBetween(int i, VF scalar, Mask isInside) {
+    m_log.lookBetween(i, scalar, isInside, [this](int sample) {
+      return m_isPart ? hn::GetLane(m_samples.weightAt(all(static_cast<float>(sample)))) : 1.0f;
+    });
+  }
+
+  // Tells the log of a sample beside those that may show, or only that the next follow it.
+  HWY_INLINE void lookAt(int i, int first, bool isNext) {
+    if constexpr (Log::isKept)
+      if (i >= first && i < m_ray.ownTo)
+        lookBetween(i, m_samples.scalarAt(all(static_cast<float>(i))), hn::FirstN(floats, isNext ? 1 : 0));
+  }
+
+  // The same of the first of some samples that show nothing and of the last, which the next follow.
+  HWY_INLINE void lookAtEnds(int i, int count) {
+    if constexpr (Log::isKept) {
+      const Mask isFirst = hn::FirstN(floats, 1);
+      const int last = std::min(i + count, m_ray.ownTo) - 1;
+      lookBetween(i,
+                  m_samples.scalarAt(
+                      hn::IfThenElse(isFirst, all(static_cast<float>(i)), all(static_cast<float>(last)))),
+                  isFirst);
+    }
+  }
 
   // Whether a region is known to keep all of the group of samples from `i` on.
   HWY_INLINE bool areWhole(int i) {
@@ -62,9 +96,11 @@ private:
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
     VF perUnit = hn::Zero(floats);
-    const auto absorbed = m_isPreintegrated ? m_samples.absorbedOver(step, isInside, areWhole(i), perUnit)
-                                            : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside,
-                                                                   areWhole(i), m_queuesColors);
+    const VF scalar = m_isPreintegrated ? hn::Zero(floats) : m_samples.scalarAt(step);
+    const auto absorbed = m_isPreintegrated
+                              ? m_samples.absorbedOver(step, isInside, areWhole(i), perUnit)
+                              : m_samples.absorbedBy(scalar, step, isInside, areWhole(i), m_queuesColors);
+    lookBetween(i, scalar, isInside);
     if (hn::AllFalse(floats, absorbed.seen))
       return 0;
     const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
@@ -72,6 +108,8 @@ private:
     const VF opacities =
         packed(m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction), absorbed.seen);
     hn::StoreU(m_changesOpacity ? opacities : taken(opacities), floats, m_opacities + m_queued);
+    if constexpr (Log::isKept)
+      hn::StoreU(opacities, floats, m_alphas + m_queued);
     hn::StoreU(packed(step, absorbed.seen), floats, m_steps + m_queued);
     if (m_queuesColors) {
       hn::StoreU(packed(absorbed.color.x, absorbed.seen), floats, m_reds + m_queued);
@@ -88,6 +126,8 @@ private:
     light();
     keepBehind(m_steps);
     keepBehind(m_opacities);
+    if constexpr (Log::isKept)
+      keepBehind(m_alphas);
     if (m_queuesColors) {
       keepBehind(m_reds);
       keepBehind(m_greens);
@@ -107,6 +147,7 @@ private:
     const VoxelAndSlope found = voxelAndSlopeAt(m_terms, m_samples.field, m_samples.indexAt(step),
                                                 std::min(lanes(), m_ray.ownTo - i));
     const VF scalar = m_samples.field.normalised(found.voxel);
+    lookBetween(i, scalar, isInside);
     if (m_samples.looks.areAny()) {
       const Gradients gradients = m_samples.light.gradientsOf(found.slope);
       const Looks::Mixed mixed = mixedAt(step, scalar, gradients, isInside);
@@ -133,12 +174,13 @@ private:
     const int count = static_cast<int>(hn::CountTrue(floats, seen));
     if (count == 0)
       return 0;
-    const VF shares = taken(packed(alpha, seen));
-    const V3 lit = m_samples.shaded(material, gradients, step);
+    const VF alphas = packed(alpha, seen);
+    const VF shares = taken(alphas);
+    V3 lit = m_samples.shaded(material, gradients, step);
     if (count < lanes())
-      add(shares, {packed(lit.x, seen), packed(lit.y, seen), packed(lit.z, seen)}, count);
-    else
-      add(shares, lit, count);
+      lit = {packed(lit.x, seen), packed(lit.y, seen), packed(lit.z, seen)};
+    m_log.add(packed(step, seen), alphas, shares, lit, count);
+    add(shares, lit, count);
     return count;
   }
 
@@ -221,11 +263,14 @@ private:
       gradients = m_samples.light.gradientsOf(found.slope);
     }
     VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));
-    if (m_mixesLate)
-      shares = taken(hn::IfThenElseZero(isQueued, mixedLate(step, gradients, shares, isQueued, color)));
-    else if (m_changesOpacity)
-      shares = taken(hn::IfThenElseZero(isQueued, changed(shares, gradients)));
+    VF alphas = Log::isKept ? hn::IfThenElseZero(isQueued, hn::Load(floats, m_alphas)) : shares;
+    if (m_changesOpacity) {
+      alphas = hn::IfThenElseZero(isQueued, m_mixesLate ? mixedLate(step, gradients, shares, isQueued, color)
+                                                        : changed(shares, gradients));
+      shares = taken(alphas);
+    }
     const V3 lit = m_samples.shaded(color, gradients, step);
+    m_log.add(step, alphas, shares, lit, m_queued);
     add(shares, lit, m_queued);
     m_queued = 0;
   }
@@ -254,6 +299,7 @@ private:
   const PictureTerms& m_terms;
   const Samples<kind>& m_samples;
   const Ray& m_ray;
+  Log& m_log;
   const bool m_isPreintegrated;
   const bool m_changesOpacity;
   const bool m_hasGradient;
@@ -267,7 +313,8 @@ private:
   int m_lane = 0; // of the sum, for the next sample
   // Room for a group behind those that are not lit yet, and for what compressing writes behind that.
   HWY_ALIGN float m_steps[3 * most] = {};
-  HWY_ALIGN float m_opacities[3 * most] = {}; // or already shares
+  HWY_ALIGN float m_opacities[3 * most] = {};                // or already shares
+  HWY_ALIGN float m_alphas[Log::isKept ? 3 * most : 1] = {}; // or yet opacities
   HWY_ALIGN float m_reds[3 * most] = {}, m_greens[3 * most] = {}, m_blues[3 * most] = {};
   HWY_ALIGN float m_units[3 * most] = {}; // unit distances in a length, 0 where a sample stands for its step
 };

@@ -13,6 +13,7 @@
 #include "cpu/simd/CellScalars-inl.h"
 #include "cpu/simd/Composite-inl.h"
 #include "cpu/simd/Rays-inl.h"
+#include "cpu/simd/SampledMarch-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
 #include <bit>
@@ -109,14 +110,23 @@ private:
 
   // The integral along the ray.
   glm::vec4 gathered() const {
+    if (m_terms.samplesFirst)
+      return m_ray.from < m_ray.to ? SampledMarch<kind>(m_terms, m_samples).gathered() : glm::vec4(0.0f);
     if (m_terms.fineness)
       return gatheredCellByCell();
-    return m_terms.effects.has(Effect::xray) ? xray() : Composite<kind>(m_terms, m_samples).gathered();
+    if (m_terms.effects.has(Effect::xray))
+      return xray();
+    NoLog none;
+    return Composite<kind>(m_terms, m_samples, none).gathered();
   }
 
   glm::vec4 gatheredCellByCell() const {
     const Ray part = ownPart();
-    return part.span.isEmpty() ? glm::vec4(0.0f) : CellMarch<kind>(m_terms, part).gathered();
+    if (part.span.isEmpty())
+      return glm::vec4(0.0f);
+    // Nothing shows before the first of the ray's equal steps that may show, unless it is a part of one.
+    const double from = m_terms.brick ? 0.0 : beforeSeen(m_terms, m_ray);
+    return CellMarch<kind>(m_terms, part, from).gathered();
   }
 
   // The ray as far as it lies in the brick.
