@@ -46,8 +46,26 @@ Grid gridAround(const Grid& volume, const glm::dmat3& axes) {
   return grid;
 }
 
-// The part of a box that holds what is seen of a scene, and a voxel more on each side.
+// The part of a box that holds what a scene's crop leaves or, where that leaves all, its body.
+CropBox leftIn(const Grid& box, const Scene& scene) {
+  const Grid& volume = scene.volume->grid();
+  const CropBox left = scene.crop == CropBox{} ? boxAroundBody(scene) : scene.crop;
+  CropBox part{glm::dvec3(1.0), glm::dvec3(0.0)};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::bvec3 isUpper(corner & 1, corner & 2, corner & 4);
+    const glm::dvec3 fraction = glm::mix(left.lower, left.upper, isUpper);
+    const glm::dvec3 at = fractionsIn(box, indexToWorld(volume, fraction * glm::dvec3(volume.dims) - 0.5));
+    part.lower = glm::min(part.lower, at);
+    part.upper = glm::max(part.upper, at);
+  }
+  return {glm::max(part.lower, 0.0), glm::min(part.upper, 1.0)};
+}
+
+// The part of a box that holds what is seen of a scene, and a voxel more on each side. What lies on the disk
+// is not read for it.
 CropBox seenIn(const Grid& box, const Scene& scene) {
+  if (scene.volume->room())
+    return leftIn(box, scene);
   const Grid& volume = scene.volume->grid();
   const auto placeOfIndex = [&](const glm::dvec3& index) {
     return fractionsIn(box, indexToWorld(volume, index));
@@ -239,8 +257,7 @@ void TurnedBoxController::turn() {
     return;
   m_turned = Turned{scene.volume, boxTurnedTo(scene.camera, scene), scene.keep.cuts, scene.keep.cuts,
                     scene.keep.cuts};
-  m_fitted = m_turned->box;
-  m_fittedTo = scene.volume;
+  remember(m_turned->box, scene.volume);
   m_context.view.setTurnedBox(m_turned->box);
   m_context.actions.find("cropBox").setChecked(true);
   m_context.window.statusBar()->showMessage(
@@ -255,6 +272,27 @@ void TurnedBoxController::showBox(bool isShown) {
     takeUp(m_context.session.scene());
 }
 
+// Looking for it takes a walk through the volume, so it is done once for each way to lie.
+CropBox TurnedBoxController::fitOf(const Grid& box, const Scene& scene) {
+  if (m_fittedTo.lock() == scene.volume)
+    for (const TurnedBox& known : m_fitted)
+      if (isAlong(known.grid, box))
+        return known.fit;
+  Scene uncut = scene; // as it was before its own lines
+  uncut.keep = withoutCuts(scene.keep);
+  const CropBox fit = seenIn(box, uncut);
+  remember({box, fit, fit}, scene.volume);
+  return fit;
+}
+
+void TurnedBoxController::remember(const TurnedBox& box, const std::shared_ptr<const Volume>& volume) {
+  if (m_fittedTo.lock() != volume)
+    m_fitted.clear();
+  m_fittedTo = volume;
+  std::erase_if(m_fitted, [&](const TurnedBox& known) { return isAlong(known.grid, box.grid); });
+  m_fitted.push_back(box);
+}
+
 // The box whose lines are the last of the list, if there is one.
 void TurnedBoxController::takeUp(const Scene& scene) {
   const auto found = scene.volume ? boxAtTheEnd(scene.keep.cuts, scene.volume->grid()) : std::nullopt;
@@ -263,13 +301,7 @@ void TurnedBoxController::takeUp(const Scene& scene) {
   std::vector<Cut> before = scene.keep.cuts;
   before.resize(before.size() - found->cuts);
   TurnedBox box = found->box;
-  if (m_fitted && m_fittedTo.lock() == scene.volume && isAlong(m_fitted->grid, box.grid)) {
-    box.fit = m_fitted->fit;
-  } else { // as it was before its own lines
-    Scene uncut = scene;
-    uncut.keep = withoutCuts(scene.keep);
-    box.fit = seenIn(box.grid, uncut);
-  }
+  box.fit = fitOf(box.grid, scene);
   for (const CropFace face : cropFaces) // those that cut nothing stand where something is seen
     if (double& place = (face.isUpper ? box.crop.upper : box.crop.lower)[face.axis];
         place == (face.isUpper ? 1.0 : 0.0))

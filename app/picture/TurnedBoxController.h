@@ -17,7 +17,8 @@ namespace limn {
 struct WindowContext;
 
 /// A box around the volume that lies as a camera looks, with its part that holds what is seen of the scene
-/// and a voxel more: it takes nothing away yet.
+/// and a voxel more: it takes nothing away yet. Of a volume on the disk, which is not read for it, the part
+/// holds what the crop leaves or, where that leaves all, a body that is kept.
 TurnedBox boxTurnedTo(const Camera& camera, const Scene& scene);
 
 /// The scissors that leave what lies in the box; none where it takes nothing away. A scene has no key for a
@@ -68,13 +69,15 @@ private:
 
   void turn();
   void takeUp(const Scene& scene);
+  CropBox fitOf(const Grid& box, const Scene& scene);
+  void remember(const TurnedBox& box, const std::shared_ptr<const Volume>& volume);
   void cropTo(const CropBox& crop, const Gesture& gesture);
   void end();
   void showScene(const Scene& scene);
   void closeAll();
 
   WindowContext& m_context;
-  std::optional<TurnedBox> m_fitted; ///< as it was turned last
+  std::vector<TurnedBox> m_fitted; ///< whose fit is known, of one volume
   std::weak_ptr<const Volume> m_fittedTo;
   std::optional<Turned> m_turned;
   std::vector<Cut> m_seen; ///< the list of the scene that was shown last
