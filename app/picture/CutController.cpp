@@ -225,7 +225,7 @@ void CutController::narrow(double notches, bool onlyAbove) {
 void CutController::takeSimilar() {
   if (!m_piece || !m_volume)
     return;
-  m_piece = withValuesAround(*m_piece, *m_volume, m_pointedMm);
+  m_piece = withValuesAround(*m_piece, *m_volume, m_keep, m_pointedMm);
   findPiece();
 }
 

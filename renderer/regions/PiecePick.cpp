@@ -2,6 +2,7 @@
 #include "regions/PiecePick.h"
 
 #include "scene/LabelLooks.h"
+#include "scene/volume/NearestVoxel.h"
 
 #include <algorithm>
 #include <bit>
@@ -161,7 +162,7 @@ bool isNarrowest(const ConnectedPiece& piece, const Volume& volume) {
   return narrowed(piece, volume, 1.0).range == piece.range;
 }
 
-ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volume,
+ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volume, const Region& keep,
                                 const glm::dvec3& worldMm) {
   const Grid& grid = volume.grid();
   const glm::dvec3 middle = worldToIndex(grid, worldMm);
@@ -175,7 +176,7 @@ ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volum
       for (int x = first.x; x <= last.x; ++x) {
         const double value = valueAt(volume, glm::dvec3(x, y, z));
         if (value < piece.range.x || value > piece.range.y ||
-            glm::length((glm::dvec3(x, y, z) - middle) / reach) > 1.0)
+            glm::length((glm::dvec3(x, y, z) - middle) / reach) > 1.0 || !isKept(keep, {x, y, z}))
           continue;
         found.emplace_back(value, glm::ivec3(x, y, z));
         sum += value;
@@ -188,11 +189,16 @@ ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volum
   const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
   const double beside =
       std::max(deviations * deviation, leastAround * (volume.range().highest - volume.range().lowest));
+  ConnectedPiece other = piece;
+  other.range = {mean - beside, mean + beside};
+  // How far a piece may reach is told from its seed, so that moves only where it must.
+  const std::optional<glm::ivec3> seed = nearestVoxel(worldToIndex(grid, piece.seedMm), grid.dims);
+  const double atSeed = seed ? valueAt(volume, glm::dvec3(*seed)) : 0.0;
+  if (seed && isKept(keep, *seed) && atSeed >= other.range.x && atSeed <= other.range.y)
+    return other;
   const auto nearest =
       std::ranges::min_element(found, {}, [mean](const auto& one) { return std::abs(one.first - mean); });
-  ConnectedPiece other = piece;
   other.seedMm = indexToWorld(grid, glm::dvec3(nearest->second));
-  other.range = {mean - beside, mean + beside};
   return other;
 }
 

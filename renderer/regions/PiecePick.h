@@ -32,10 +32,12 @@ ConnectedPiece narrowedAbove(const ConnectedPiece& piece, const Volume& volume, 
 bool isNarrowest(const ConnectedPiece& piece, const Volume& volume);
 
 /// The same piece with the values that lie around a place, mm of the world: of the voxels of its range within
-/// 2 mm and a voxel the mean ± 2.5 standard deviations (99 % of a normal distribution), at least ± 0.5 % of
-/// the volume's range; its seed is the voxel among them that is nearest to the mean. As it was where none of
-/// its range lies there.
-ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volume, const glm::dvec3& worldMm);
+/// 2 mm and a voxel of which `keep`, a region of the volume's grid, leaves something the mean ± 2.5 standard
+/// deviations (99 % of a normal distribution), at least ± 0.5 % of the volume's range. Where its seed is not
+/// kept or has none of these values, it is the voxel among them that is nearest to the mean. As it was where
+/// none of its range lies there.
+ConnectedPiece withValuesAround(const ConnectedPiece& piece, const Volume& volume, const Region& keep,
+                                const glm::dvec3& worldMm);
 
 /// How large a set of voxels is, and which values they have.
 struct SetFigures {

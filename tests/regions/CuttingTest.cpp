@@ -458,7 +458,8 @@ TEST(PiecePick, takesValuesLikeThoseAroundThePlace) {
   const Volume volume(grid, std::move(stored), Rescale{}, std::nullopt, VolumeInfo{});
   const glm::dvec3 middle(15.0);
   const ConnectedPiece all{middle, {-100.0, 100.0}};
-  const ConnectedPiece ball = withValuesAround(all, volume, middle);
+  const ConnectedPiece ball = withValuesAround(all, volume, {}, middle);
+  EXPECT_EQ(ball.seedMm, middle) << "from where a reach is told";
   // Mean 30 and deviation 4 but for the one voxel in the middle of an odd count.
   EXPECT_NEAR(ball.range.x, 20.0, 0.5);
   EXPECT_NEAR(ball.range.y, 40.0, 0.5);
@@ -467,8 +468,12 @@ TEST(PiecePick, takesValuesLikeThoseAroundThePlace) {
     for (int y = 0; y < 31; ++y)
       for (int x = 0; x < 31; ++x)
         EXPECT_EQ(found.at({x, y, z}), glm::length(glm::dvec3(x - 15, y - 15, z - 15)) <= 10.0);
-  EXPECT_EQ(withValuesAround({middle, {500.0, 600.0}}, volume, middle).range, glm::dvec2(500.0, 600.0))
+  EXPECT_EQ(withValuesAround({middle, {500.0, 600.0}}, volume, {}, middle).range, glm::dvec2(500.0, 600.0))
       << "nothing of the piece lies there";
+  // The middle, which has 26, cut away.
+  const Region cut = cutRegion(volume, {}, {{ConnectedPiece{middle, {26.0, 26.0}, 0}, true}}).region;
+  const ConnectedPiece beside = withValuesAround(all, volume, cut, middle);
+  EXPECT_GT(pieceAmong(keptVoxels(cut, volume), volume, beside).count(), 0u);
 }
 
 TEST(Pieces, reachNoFartherThanIsAskedFor) {
