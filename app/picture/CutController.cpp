@@ -121,6 +121,8 @@ CutController::CutController(WindowContext& context)
 
 void CutController::showTool() {
   putDown();
+  if (m_context.view.tool() != ViewTool::piece)
+    m_bar->forgetReach(); // nobody expects it of the next piece, which may be picked by a menu
   showBar();
 }
 
@@ -308,7 +310,6 @@ void CutController::layDown() {
   if (tool == ViewTool::scissors || tool == ViewTool::piece)
     m_context.view.setTool(ViewTool::rotate);
   m_onlySeen = false;
-  m_bar->forgetReach();
   takeInside(true);
 }
 

@@ -96,6 +96,19 @@ protected:
   }
 };
 
+TEST_F(SliceCutWindow, aReachIsForgottenOnceTheToolIsLaidAside) {
+  press(axial(), Qt::Key_K);
+  const CutBar& bar = *view().findChild<CutBar*>();
+  for (const QPushButton* button : bar.findChildren<QPushButton*>())
+    if (button->menu())
+      button->menu()->actions().back()->trigger();
+  ASSERT_TRUE(bar.reachMm());
+  clickBar(QStringLiteral("Done"));
+  ASSERT_EQ(view().tool(), ViewTool::rotate);
+  press(axial(), Qt::Key_K);
+  EXPECT_FALSE(bar.reachMm());
+}
+
 TEST_F(SliceCutWindow, aClickInASlicePicksThePieceThere) {
   press(axial(), Qt::Key_K);
   EXPECT_EQ(view().tool(), ViewTool::piece) << "one tool everywhere";
