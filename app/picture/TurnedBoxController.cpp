@@ -345,7 +345,11 @@ void TurnedBoxController::tellWhatStaysCut(bool isShown) {
   const Scene& scene = m_context.session.scene();
   const bool isCut =
       scene.volume && (scene.crop != CropBox{} || boxAtTheEnd(scene.keep.cuts, scene.volume->grid()));
-  if (!isShown && isCut)
+  // What went wrong, or waits for an answer, stays to be read.
+  const bool isTaken = m_context.messages.isWanted() && !m_context.messages.isNote();
+  if (!isShown && isCut && isTaken)
+    m_context.window.statusBar()->showMessage(sentence, turnedToldForMs);
+  else if (!isShown && isCut)
     m_context.messages.show(MessageBar::Kind::note, sentence, {}, {tr("Close all cuts"), [this] {
                                                                      m_context.messages.hide();
                                                                      closeAll();

@@ -8,6 +8,7 @@
 
 #include <QMenu>
 #include <QPushButton>
+#include <QStatusBar>
 
 #include <set>
 
@@ -149,6 +150,17 @@ TEST_F(TurnedBoxWindow, putAwayItTellsWhatStaysCutAndTakesItBack) {
   undo().undo();
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.cuts.size(), 2u) << "in one step";
+}
+
+TEST_F(TurnedBoxWindow, whatWentWrongIsStillSaidOnceItIsPutAway) {
+  named("turnCropBox").trigger();
+  ASSERT_TRUE(turned());
+  moveFace({0, false}, 0.1);
+  messages().show(MessageBar::Kind::error, QStringLiteral("The picture could not be written."));
+  named("cropBox").trigger();
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  EXPECT_EQ(messages().sentence(), QStringLiteral("The picture could not be written."));
+  EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("stays")));
 }
 
 TEST_F(TurnedBoxWindow, theCropsOwnCutsAreTakenBackLikewise) {
