@@ -350,7 +350,7 @@ void TurnedBoxController::tellWhatStaysCut(bool isShown) {
   if (!isShown && isCut && isTaken)
     m_context.window.statusBar()->showMessage(sentence, turnedToldForMs);
   else if (!isShown && isCut)
-    m_context.messages.show(MessageBar::Kind::note, sentence, {}, {tr("Close all cuts"), [this] {
+    m_context.messages.show(MessageBar::Kind::note, sentence, {}, {tr("Close the box's cuts"), [this] {
                                                                      m_context.messages.hide();
                                                                      closeAll();
                                                                    }});
@@ -362,7 +362,7 @@ void TurnedBoxController::closeAll() {
   const Scene& scene = m_context.session.scene();
   if (!scene.volume)
     return;
-  const Gesture gesture{nextGestureId(), tr("close all cuts of the crop box")};
+  const Gesture gesture{nextGestureId(), tr("close the box's cuts")};
   std::vector<Cut> cuts = scene.keep.cuts;
   while (const auto found = boxAtTheEnd(cuts, scene.volume->grid()))
     cuts.resize(cuts.size() - found->cuts);

@@ -125,7 +125,7 @@ TEST_F(TurnedBoxWindow, eachFaceHasANameOfItsOwn) {
 TEST_F(TurnedBoxWindow, putAwayItTellsWhatStaysCutAndTakesItBack) {
   named("cropBox").trigger();
   named("cropBox").trigger();
-  EXPECT_EQ(offered(QStringLiteral("Close all cuts")), nullptr) << "nothing is cut";
+  EXPECT_EQ(offered(QStringLiteral("Close the box's cuts")), nullptr) << "nothing is cut";
   named("turnCropBox").trigger();
   ASSERT_TRUE(turned());
   moveFace({0, false}, 0.1);
@@ -134,14 +134,14 @@ TEST_F(TurnedBoxWindow, putAwayItTellsWhatStaysCutAndTakesItBack) {
   named("cropBox").trigger();
   EXPECT_FALSE(view().cropBoxIsVisible());
   EXPECT_EQ(scene().keep.cuts.size(), 2u);
-  QToolButton* close = offered(QStringLiteral("Close all cuts"));
+  QToolButton* close = offered(QStringLiteral("Close the box's cuts"));
   ASSERT_NE(close, nullptr);
   EXPECT_TRUE(messages().sentence().contains(QStringLiteral("stays")));
   // Shown again it says what is cut by itself.
   named("cropBox").trigger();
-  EXPECT_EQ(offered(QStringLiteral("Close all cuts")), nullptr);
+  EXPECT_EQ(offered(QStringLiteral("Close the box's cuts")), nullptr);
   named("cropBox").trigger();
-  close = offered(QStringLiteral("Close all cuts"));
+  close = offered(QStringLiteral("Close the box's cuts"));
   ASSERT_NE(close, nullptr);
   QTest::mouseClick(close, Qt::LeftButton);
   ASSERT_TRUE(ready());
@@ -169,11 +169,11 @@ TEST_F(TurnedBoxWindow, theCropsOwnCutsAreTakenBackLikewise) {
   crop.upper.z = 0.6;
   session().setCrop(crop, {nextGestureId(), QStringLiteral("crop")});
   named("cropBox").trigger();
-  QToolButton* close = offered(QStringLiteral("Close all cuts"));
+  QToolButton* close = offered(QStringLiteral("Close the box's cuts"));
   ASSERT_NE(close, nullptr);
   QTest::mouseClick(close, Qt::LeftButton);
   EXPECT_EQ(scene().crop, CropBox{});
-  EXPECT_EQ(undo().undoText(), QStringLiteral("close all cuts of the crop box"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("close the box's cuts"));
 }
 
 TEST_F(TurnedBoxWindow, isTurnedFromTheSectionAndFromTheButtonToo) {
