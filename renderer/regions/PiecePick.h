@@ -20,8 +20,9 @@ std::optional<glm::dvec2> rangeAround(const TransferFunction& function, const Va
 std::optional<ConnectedPiece> pieceAt(const Scene& scene, const glm::dvec3& worldMm);
 
 /// The same piece with a range that is narrower by so many notches, each a fiftieth of the volume's range, or
-/// wider (negative): the end that does not lie at an end of the volume's values moves, or both do, by no more
-/// than a tenth of the range. The value at the seed stays within it.
+/// wider (negative): the end that does not lie at an end of the volume's values moves, or both do, then by no
+/// more than a tenth of the range each, but at least 0.2 % of the volume's. The value at the seed stays
+/// within it.
 ConnectedPiece narrowed(const ConnectedPiece& piece, const Volume& volume, double notches);
 
 /// The same piece with an upper end that is lower by so many notches, or higher (negative), each a fifth of

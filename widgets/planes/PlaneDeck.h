@@ -45,7 +45,7 @@ signals:
   void settingsEdited(const limn::PlaneSettings& settings);
   void measurementsEdited(const limn::MeasurementsEdited& edited);
   void toolChanged(limn::PlaneTool tool);
-  // As PlaneView says it, of the slice in a plane:
+  // As PlaneView says it (also what `onlyAbove` means), of the slice in a plane:
   void pieceRequested(const glm::dvec3& worldMm);
   void pieceNarrowed(double notches, bool onlyAbove);
   void lineClosed(limn::PatientPlane plane, const limn::Scissors& scissors);

@@ -59,7 +59,7 @@ signals:
   void toolRequested(limn::PlaneTool tool);
   /// The connected piece that holds this place shall be picked.
   void pieceRequested(const glm::dvec3& worldMm);
-  /// The range of the picked piece shall be narrower by so many notches, or wider.
+  /// The picked piece's range shall be so many notches narrower, or wider; `onlyAbove`: its upper end.
   void pieceNarrowed(double notches, bool onlyAbove);
   /// A line was closed that goes around something; these scissors cut through everything.
   void lineClosed(const limn::Scissors& scissors);

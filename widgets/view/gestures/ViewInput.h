@@ -99,7 +99,7 @@ signals:
   void lineClosed(const std::vector<glm::dvec2>& polygon, double aspect);
   /// The connected piece that is seen along this ray of the picture of a side shall be picked.
   void pieceRequested(const limn::Ray& ray, int side);
-  /// The range of the picked piece shall be narrower by so many notches, or wider.
+  /// The picked piece's range shall be so many notches narrower, or wider; `onlyAbove`: its upper end.
   void pieceNarrowed(double notches, bool onlyAbove);
   /// A place of the measurement of the tool in hand shall be what is seen along this ray of the picture of a
   /// side.
