@@ -95,8 +95,9 @@ void RemarksController::say() {
     m_said.clear();
     return;
   }
+  const auto remember = [this, path, all] { m_context.settings.setDismissed(path, all); };
   m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1), action,
-                          {{}, [this, path, all] { m_context.settings.setDismissed(path, all); }});
+                          action.text.isEmpty() ? MessageBar::Action{{}, remember} : MessageBar::Action{});
 }
 
 // The same voxels, placed otherwise: a person said how they lie.
