@@ -57,8 +57,12 @@ std::optional<EngineTimes> readTimes(const QString& text) {
   return times.openGlMs > 0.0 && times.processorMs > 0.0 ? std::optional(times) : std::nullopt;
 }
 
+std::string dismissedOf(const std::string& volumePath) {
+  return volumePath + ": ";
+}
+
 std::string dismissedText(const std::string& volumePath, const QString& sentence) {
-  return volumePath + ": " + sentence.toStdString();
+  return dismissedOf(volumePath) + sentence.toStdString();
 }
 
 QString written(bool flag) {
@@ -159,6 +163,10 @@ void Settings::removeRecentSource(const QString& path) {
   if (!nameOf(m_values, recentPrefix, path.toStdString()).empty())
     change([&](SettingsDocument& values) {
       forget(values, recentPrefix, nameOf(values, recentPrefix, path.toStdString()));
+      for (const DatedEntry& entry : datedEntries(values, dismissedPrefix))
+        if (const auto said = values.find(entryKey(dismissedPrefix, entry.name, pathSuffix));
+            said != values.end() && said->second.starts_with(dismissedOf(path.toStdString())))
+          forget(values, dismissedPrefix, entry.name);
     });
 }
 

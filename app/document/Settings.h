@@ -44,7 +44,7 @@ public:
   /// Most recent first, at most ten; those of other windows too.
   QList<RecentSource> recentSources();
   void addRecentSource(const QString& path, const QString& label);
-  void removeRecentSource(const QString& path);
+  void removeRecentSource(const QString& path); ///< and what was dismissed of it
   /// Forgets where volumes were opened, and the folder of the dialogs, too.
   void clearRecentSources();
 

@@ -82,10 +82,11 @@ void RemarksController::say() {
   const MessageBar::Action showFigure{tr("Show the figure"),
                                       [this, figure = m_figure] { emit figureAsked(figure); }};
   const VolumeInfo& info = m_volume->info();
-  const MessageBar::Action action = !m_figure.isEmpty()      ? showFigure
-                                    : !folder.isEmpty()      ? openFolder
+  // What is measured comes before what is shown.
+  const MessageBar::Action action = !folder.isEmpty()        ? openFolder
                                     : !info.spacingKnown     ? setSpacing
                                     : !info.orientationKnown ? setOrientation
+                                    : !m_figure.isEmpty()    ? showFigure
                                                              : MessageBar::Action{};
   // Where something can be set right it is said each time: what is measured depends on it.
   const std::string path = m_context.document.volumePath();
@@ -94,8 +95,9 @@ void RemarksController::say() {
     m_said.clear();
     return;
   }
+  const auto remember = [this, path, all] { m_context.settings.setDismissed(path, all); };
   m_context.messages.show(MessageBar::Kind::warning, m_said, remarks.mid(1), action,
-                          {{}, [this, path, all] { m_context.settings.setDismissed(path, all); }});
+                          action.text.isEmpty() ? MessageBar::Action{{}, remember} : MessageBar::Action{});
 }
 
 // The same voxels, placed otherwise: a person said how they lie.

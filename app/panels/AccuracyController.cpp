@@ -270,7 +270,7 @@ void AccuracyController::measure() {
 }
 
 void AccuracyController::findSteps(const Quality& quality, const Gesture& gesture) {
-  endMap();
+  takeMapBack();
   std::vector<Scene> scenes;
   for (int side = 0; side < pictureCount(m_context.view.compareLayout()); ++side) {
     scenes.push_back(m_context.view.sceneOfSide(side));

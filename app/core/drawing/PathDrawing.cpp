@@ -18,9 +18,6 @@ constexpr int pathsAtFirst = 4;
 // On the way to a number of paths so much of it is followed at once: between passes it is told how far it is.
 constexpr int mostOfAll = 16;
 
-// Of the way to a picture whose noise is filtered.
-constexpr double shareOfPaths = 0.8;
-
 // Where nothing has an error to tell, so many paths show that there is nothing to wait for.
 constexpr int pathsOfNothing = 64;
 

@@ -12,6 +12,9 @@
 
 namespace limn {
 
+/// What following paths takes of the time of a picture whose noise is filtered, about.
+inline constexpr double shareOfPaths = 0.8;
+
 /// A picture of physical light, its linear radiance times alpha as paths found it, and what it came to.
 struct DrawnByPaths {
   Image image;

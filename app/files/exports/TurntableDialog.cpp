@@ -18,7 +18,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -31,6 +30,8 @@ namespace {
 constexpr double mostSide = 8192.0;
 
 constexpr double noticed = 0.98; // what begins smaller than that is seen to
+
+constexpr int settledMs = 120; // what changes again within that is not asked about
 
 // Most players need them (app/core/making/Turntable).
 double evenSide(double pixels) {
@@ -92,7 +93,21 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
   m_marks->setObjectName(QStringLiteral("turntableMarks"));
   m_marks->setChecked(true);
   layOut(!videoProgram().empty());
-  connect(&context.session, &Session::viewsChanged, this, &TurntableDialog::setStarts);
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(settledMs);
+  connect(&m_soon, &QTimer::timeout, this, [this] {
+    if (saysLength())
+      showLength();
+  });
+  connect(&context.session, &Session::viewsChanged, this, [this](const std::vector<NamedView>& views) {
+    setStarts(views);
+    m_soon.start();
+  });
+  // How long drawing takes is known once the picture on screen is complete.
+  connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
+    if (news.state.resting && saysLength())
+      sayLength();
+  });
   for (NumberField* field : {m_frames, m_perSecond, m_width, m_height, m_angle})
     connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
   for (const QComboBox* box : {m_kind, m_picture, m_start})
@@ -153,10 +168,27 @@ void TurntableDialog::showLength() {
   m_fitting.start([this, turntable = wanted()](const Effort& effort) -> BackgroundWork::Deliver {
     return [this, size = sizeAtFirst(turntable, effort)] {
       m_sizeAtFirst = size;
-      if (text()->text() == m_length) // and not what came of drawing
+      if (saysLength())
         sayLength();
     };
   });
+}
+
+bool TurntableDialog::saysLength() const {
+  return isVisible() && said() == m_length;
+}
+
+void TurntableDialog::showScene(const Scene&) {
+  m_soon.start();
+}
+
+// Closed, it keeps no volume.
+void TurntableDialog::done(int result) {
+  ExportDialog::done(result);
+  if (isVisible())
+    return;
+  m_fitting.cancel();
+  m_soon.stop();
 }
 
 void TurntableDialog::sayLength() {
@@ -256,6 +288,8 @@ void TurntableDialog::begin(bool isNew) {
       if (!isWorking())
         showLength();
     });
+  else
+    m_soon.start();
 }
 
 Turntable TurntableDialog::wanted() const {

@@ -5,6 +5,7 @@
 #include "app/files/exports/ExportDialog.h"
 
 #include <QStringList>
+#include <QTimer>
 
 #include <optional>
 
@@ -29,9 +30,13 @@ public:
   static ActionLook look();
   static bool suits(const Scene& scene) { return scene.volume != nullptr; }
 
+protected:
+  void done(int result) override;
+
 private:
   QString doing(double fraction) const override;
   void begin(bool isNew) override;
+  void showScene(const Scene&) override;
   void layOut(bool hasVideo);
   /// What the window shows, from left to right: of several, one is asked for, at first `usual`; the same
   /// ones keep what was chosen.
@@ -50,6 +55,7 @@ private:
   /// Says how long it is; finds out beside the event loop whether it begins smaller than what is shown.
   void showLength();
   void sayLength();
+  bool saysLength() const;                      ///< and not how far drawing is, or what came of it
   std::optional<double> drawingSeconds() const; ///< absent where nobody knows
 
   const SavingController& m_saving;
@@ -65,6 +71,7 @@ private:
   QComboBox* m_start;
   QFormLayout* m_form;
   BackgroundWork m_fitting;
+  QTimer m_soon;                       ///< until what was said of what is shown is found out anew
   std::optional<double> m_sizeAtFirst; ///< of what is shown; absent until it is known
   QString m_length;                    ///< what is said of it
 };

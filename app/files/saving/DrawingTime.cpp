@@ -13,9 +13,6 @@
 namespace limn {
 namespace {
 
-// What following paths takes of the time of a picture whose noise is filtered.
-constexpr double shareOfFollowing = 0.8;
-
 // The error falls as the root of the paths.
 std::optional<double> pathsUntil(const Until& until, const std::optional<PathFigures>& shown) {
   if (const auto* paths = std::get_if<UntilPaths>(&until))
@@ -40,7 +37,7 @@ std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, 
   if (!isPhysical(scene))
     return shown.completeMs ? std::optional(1e-3 * timesThePixels * *shown.completeMs) : std::nullopt;
   const PhysicalLight& light = scene.shading.physical;
-  const double share = light.filtersNoise ? shareOfFollowing : 1.0;
+  const double share = light.filtersNoise ? shareOfPaths : 1.0;
   if (const auto* seconds = std::get_if<UntilSeconds>(&light.until))
     return seconds->seconds / share;
   const std::optional<double> paths = pathsUntil(light.until, shown.paths);

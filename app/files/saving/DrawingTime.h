@@ -4,6 +4,8 @@
 #include "scene/Scene.h"
 #include "widgets/view/pictures/PictureState.h"
 
+#include <QString>
+
 #include <optional>
 
 namespace limn {

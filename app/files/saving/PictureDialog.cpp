@@ -25,6 +25,7 @@ constexpr double cmPerInch = 2.54;
 constexpr double narrowestCm = 2.0;
 constexpr double widestCm = 60.0;
 constexpr int longestSide = 16384; // of a picture in a file, pixels: more than drivers draw at once
+constexpr int changesPaths = 2;    // what the dialog ends with beside Accepted and Rejected
 
 QString wordOf(int number) {
   return QString::number(number);
@@ -154,7 +155,7 @@ void PictureDialog::addPaths(QFormLayout& form) {
   form.addRow(tr("Physical light"), paths);
   connect(paths, &QLabel::linkActivated, this, [this] {
     connect(this, &QDialog::finished, this, m_told.changePaths);
-    reject();
+    done(changesPaths);
   });
 }
 
@@ -195,10 +196,12 @@ void PictureDialog::tellSize() {
 std::optional<PictureOptions> askHowToSave(const QSize& screen, Settings& settings, QWidget* parent,
                                            PictureKind kind, const DrawingTold& told) {
   PictureDialog dialog(readOptions(settings.pictureOptions()), screen, parent, kind, told);
-  if (dialog.exec() != QDialog::Accepted)
+  const int answer = dialog.exec();
+  if (answer == QDialog::Rejected)
     return std::nullopt;
+  // Whoever goes to change the paths comes back to what was chosen here.
   settings.setPictureOptions(writtenOptions(dialog.options()));
-  return dialog.options();
+  return answer == QDialog::Accepted ? std::optional(dialog.options()) : std::nullopt;
 }
 
 } // namespace limn

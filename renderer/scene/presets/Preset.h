@@ -12,7 +12,7 @@ namespace limn {
 /// Three values by which a look moves between data without a common scale, ascending.
 struct Landmarks {
   double background = 0.0; ///< of air, the 0.5 % quantile
-  double object = 0.0;     ///< between background and object (objectThreshold)
+  double object = 0.0;     ///< where tissue begins: objectThreshold, of scales cut off below beginOfObject
   double brightest = 0.0;  ///< the 99.8 % quantile
   bool operator==(const Landmarks&) const = default;
 };

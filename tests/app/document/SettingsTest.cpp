@@ -113,6 +113,27 @@ TEST_F(Settled, whereVolumesLieIsRememberedLongerThanTheListAndForgottenWithIt) 
   EXPECT_TRUE(Settings(file()).dialogFolder().isEmpty());
 }
 
+TEST_F(Settled, whatWasDismissedIsRememberedOfAHundredAndForgottenWithTheRecentFiles) {
+  Settings settings(file());
+  for (int i = 0; i < 102; ++i)
+    settings.setDismissed("/" + std::to_string(i), "No spacing.");
+  EXPECT_FALSE(settings.isDismissed("/0", "No spacing."));
+  EXPECT_FALSE(settings.isDismissed("/1", "No spacing."));
+  EXPECT_TRUE(settings.isDismissed("/2", "No spacing."));
+  EXPECT_TRUE(Settings(file()).isDismissed("/101", "No spacing."));
+  EXPECT_FALSE(settings.isDismissed("/101", "Another sentence."));
+  // One file that is taken off the list takes its own with it.
+  settings.addRecentSource("/10", "label");
+  settings.setDismissed("/10", "No orientation.");
+  settings.removeRecentSource("/10");
+  EXPECT_FALSE(settings.isDismissed("/10", "No spacing."));
+  EXPECT_FALSE(settings.isDismissed("/10", "No orientation."));
+  EXPECT_TRUE(settings.isDismissed("/101", "No spacing."));
+  settings.clearRecentSources();
+  EXPECT_FALSE(settings.isDismissed("/101", "No spacing."));
+  EXPECT_EQ(test::bytesOfFile(file()).find("dismissed"), std::string::npos);
+}
+
 TEST_F(Settled, aPathHasOneNameThatStandsForIt) {
   Settings settings(file());
   const std::string name = settings.referenceTo("/data/A", "ct-1x2x3");

@@ -280,6 +280,18 @@ TEST_F(AccuracyWindowTest, aComparisonThatAnotherLayoutEndsSaysSo) {
       << textOf<MapSection>("sentence").toStdString();
 }
 
+TEST_F(AccuracyWindowTest, lookingForStepsEndsAComparisonOfAPictureThatHasNotChanged) {
+  click(mapCheck());
+  ASSERT_EQ(panel().work(), AccuracyWork::comparing);
+  Quality wished = scene().quality;
+  wished.toleranceLevels = 4.0;
+  emit panel().toleranceWished(wished, {nextGestureId(), QStringLiteral("wish")});
+  EXPECT_EQ(panel().work(), AccuracyWork::findingSteps);
+  EXPECT_FALSE(mapCheck()->isChecked());
+  EXPECT_EQ(textOf<MapSection>("sentence"), QString());
+  EXPECT_TRUE(workEnds());
+}
+
 TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
   ASSERT_TRUE(measure());
   window->findChild<AccuracyController*>()->write(pathTo("chart.png"));

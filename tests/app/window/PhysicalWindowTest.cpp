@@ -250,6 +250,7 @@ TEST_F(PhysicalWindow, theDialogSaysHowFarItIsDrawnAndLeadsToWhereThatIsSet) {
   onceAsked<PictureDialog>([&said](PictureDialog& dialog) {
     auto* paths = dialog.findChild<QLabel*>(QStringLiteral("picturePaths"));
     said = paths ? paths->text() : QString();
+    dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(1);
     if (paths)
       emit paths->linkActivated(QStringLiteral("#"));
     else
@@ -260,6 +261,13 @@ TEST_F(PhysicalWindow, theDialogSaysHowFarItIsDrawnAndLeadsToWhereThatIsSet) {
   EXPECT_FALSE(section.isFolded());
   EXPECT_EQ(window->focusWidget(), section.until()->box()) << "it has the keyboard once the window has";
   EXPECT_FALSE(section.until()->visibleRegion().isEmpty());
+  int size = -1;
+  onceAsked<PictureDialog>([&size](PictureDialog& dialog) {
+    size = dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->currentIndex();
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  EXPECT_EQ(size, 1) << "what was chosen before is still chosen";
 }
 
 // Of what a single path tells there is no map of zeros, and work that takes long tells how far it is and

@@ -36,6 +36,8 @@ HintBar::HintBar(const QString& name, QWidget* parent)
   m_text->setContentsMargins(0, 0, 6, 0);
   m_groups.back()->addWidget(close);
   connect(close, &QPushButton::clicked, this, &HintBar::closeRequested);
+  m_soon.setSingleShot(true);
+  connect(&m_soon, &QTimer::timeout, this, &HintBar::follow);
   parent->installEventFilter(this);
   setCursor(Qt::SizeAllCursor);
   setAccessibleName(name);
@@ -63,9 +65,11 @@ void HintBar::putAway() {
 }
 
 void HintBar::follow() {
-  if (m_isOut && !m_isAside && (m_placedOver != m_coveredBelow() || m_placedBeside != m_written()))
+  if (!m_isOut || m_isAside || m_isDrawing())
+    return hide();
+  if (m_placedOver != m_coveredBelow() || m_placedBeside != m_written())
     place();
-  setVisible(m_isOut && !m_isAside && m_hasRoom && !m_isDrawing());
+  setVisible(m_hasRoom);
 }
 
 bool HintBar::eventFilter(QObject* watched, QEvent* event) {
@@ -74,8 +78,9 @@ bool HintBar::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize && m_isOut)
     place();
   // While something is drawn the picture is seen whole; the view has to know first what an event is to it.
-  if (m_isOut)
-    QMetaObject::invokeMethod(this, &HintBar::follow, Qt::QueuedConnection);
+  // Once for all events that wait: what is written is laid out each time.
+  if (m_isOut && !m_soon.isActive())
+    m_soon.start(0);
   const auto* mouse = dynamic_cast<const QMouseEvent*>(event);
   if (event->type() == QEvent::MouseMove && isVisible() && mouse->buttons().testFlag(Qt::LeftButton)) {
     m_isAside = true;

@@ -4,6 +4,7 @@
 #include "widgets/view/panels/ViewPanels.h"
 
 #include <QRectF>
+#include <QTimer>
 
 #include <array>
 #include <cstddef>
@@ -84,6 +85,7 @@ private:
   QBoxLayout* m_others;
   std::array<QHBoxLayout*, 3> m_groups{};
   QLabel* m_text;
+  QTimer m_soon; ///< once the view has taken the events that wait
   std::function<bool()> m_isDrawing = [] { return false; };
   std::function<int()> m_coveredBelow = [] { return 0; };
   std::function<std::vector<QRectF>()> m_written = [] { return std::vector<QRectF>(); };

@@ -144,6 +144,25 @@ TEST_F(TurntableWindow, saysWhereItBeginsSmallerThanWhatIsShown) {
   EXPECT_EQ(sizeAtFirst(nearer), 1.0);
 }
 
+TEST_F(TurntableWindow, saysWhatHoldsOfThePictureOfNowWhileItIsOpen) {
+  const auto saysItBeginsSmaller = [this] {
+    return said().contains(QStringLiteral("so that nothing is cut"));
+  };
+  type("turntableWidth", QStringLiteral("60"));
+  type("turntableFrames", QStringLiteral("4"));
+  ASSERT_TRUE(test::waitUntil(saysItBeginsSmaller));
+  const Camera framed = scene().camera;
+  session().setCamera(zoomed(framed, 2.0)); // turns as it stands
+  EXPECT_TRUE(test::waitUntil([&] { return !saysItBeginsSmaller(); })) << said().toStdString();
+  session().setCamera(framed);
+  EXPECT_TRUE(test::waitUntil(saysItBeginsSmaller)) << said().toStdString();
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  session().setCamera(zoomed(framed, 2.0));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(said(), QStringLiteral("Saved turn.frames.")) << "what came of drawing stays to be read";
+}
+
 TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   window->findChild<QAction*>(QStringLiteral("layout-single"))->trigger();

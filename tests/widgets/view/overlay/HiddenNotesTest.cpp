@@ -177,7 +177,7 @@ TEST_F(HiddenNotes, theBorderOfAWipeHasNoKnobInAFile) {
   QImage image(source().geometry.size, QImage::Format_RGB32);
   image.fill(Qt::gray);
   QPainter painter(&image);
-  paintWipeBorder(painter, saved.border->x, QRectF(image.rect()), {false, false});
+  paintOverlay(painter, savedOverlay(source(), noMarks));
   painter.end();
   const int beside = static_cast<int>(saved.border->x) + 6;
   for (int y = 0; y < image.height(); ++y)
