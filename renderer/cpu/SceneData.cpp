@@ -213,9 +213,22 @@ namespace {
 // of looks, cost more than cells save.
 bool mayBeSampledFirst(const PictureTerms& terms) {
   return terms.fineness && *terms.fineness <= mostSampledFineness && !terms.brick &&
-         !terms.effects.has(Effect::jitter) && terms.function->segmentCount <= FewSegments::most &&
-         terms.effects.has(Effect::gradient) && !terms.effects.has(Effect::xray) &&
-         !terms.effects.has(Effect::labelLooks) && !terms.effects.hasAny(travellingLight);
+         terms.function->segmentCount <= FewSegments::most && terms.effects.has(Effect::gradient) &&
+         !terms.effects.has(Effect::xray) && !terms.effects.has(Effect::labelLooks) &&
+         !terms.effects.hasAny(travellingLight);
+}
+
+// Whether scalars that show lie between such as do not: a step may run over all of them.
+bool showsBand(const PiecewiseTable& table) {
+  bool hasShown = false;
+  for (int segment = 0; segment < table.segmentCount; ++segment) {
+    const glm::vec4* texels = &table.segments[4 * static_cast<std::size_t>(segment)];
+    const bool shows = texels[0].a > 0.0f || texels[1].a != 0.0f;
+    if (hasShown && !shows)
+      return true;
+    hasShown = hasShown || shows;
+  }
+  return false;
 }
 
 } // namespace
@@ -266,7 +279,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.samplesFirst = m_samplesFirst && mayBeSampledFirst(terms);
   if (terms.samplesFirst) {
     terms.stepLengths = sampledStep(*terms.fineness);
-    terms.effects = terms.effects.without(Effect::preintegration); // for steps that come alone
+    terms.looksAtLeaps = showsBand(*terms.function);
   }
   terms.spacing = grid.spacingMm / terms.lengthMm;
   if (!effects.has(Effect::labelLooks))

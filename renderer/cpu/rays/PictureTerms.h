@@ -110,8 +110,9 @@ struct PictureTerms {
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
   TravelTerms travel;
-  std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
+  std::optional<double> fineness; ///< of error-controlled steps; absent: equal steps
   bool samplesFirst = false;      ///< equal steps first, cells where those do not do
+  bool looksAtLeaps = false;      ///< each, as something may show between samples in which nothing does
   bool isExact = false;           ///< scalars and surfaces are found cell by cell, too
 
   RayFrame frame;

@@ -37,7 +37,7 @@ public:
     const bool canLightGroups = m_hasGradient && !m_isPreintegrated;
     bool isDense = false;
     int i = m_ray.from;
-    lookAt(i - 1, m_ray.ownFrom, false);
+    lookAt(i - 1, false);
     while (i < m_ray.to && !m_sum.hasEnded) {
       if (const int leap = empty.samplesFrom(i); leap > 0) {
         lookAtEnds(i, leap);
@@ -50,7 +50,10 @@ public:
       isDense = canLightGroups && 4 * seen >= 3 * lanes();
       i += lanes();
     }
-    lookAt(i, m_ray.ownFrom, true);
+    // Groups run over the last sample.
+    if (i >= m_ray.count)
+      lookAt(m_ray.count - 1, false);
+    lookAt(std::min(i, m_ray.count), true);
     light();
     return pixelOf(m_sum, m_terms.effects);
   }
@@ -67,11 +70,15 @@ private:
     });
   }
 
-  // Tells the log of a sample beside those that may show, or only that the next follow it.
-  HWY_INLINE void lookAt(int i, int first, bool isNext) {
-    if constexpr (Log::isKept)
-      if (i >= first && i < m_ray.ownTo)
-        lookBetween(i, m_samples.scalarAt(all(static_cast<float>(i))), hn::FirstN(floats, isNext ? 1 : 0));
+  // Tells the log what lies beside the samples that may show, at sample `i` or at the entry or exit behind
+  // which there is none; or only that the next follow it.
+  HWY_INLINE void lookAt(int i, bool isNext) {
+    if constexpr (Log::isKept) {
+      const float place = i < 0              ? -m_ray.offset
+                          : i >= m_ray.count ? static_cast<float>(m_ray.count) - m_ray.offset
+                                             : static_cast<float>(i);
+      lookBetween(i, m_samples.scalarAt(all(place)), hn::FirstN(floats, isNext ? 1 : 0));
+    }
   }
 
   // The same of the first of some samples that show nothing and of the last, which the next follow.

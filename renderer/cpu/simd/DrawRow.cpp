@@ -38,7 +38,7 @@ struct Pixels {
     const bool isPreintegrated = terms.effects.has(Effect::preintegration);
     for (int x = fromX; x < toX; x += lanes()) {
       Rays rays(terms, x, toX, y);
-      if (terms.empty.distances)
+      if (terms.empty.distances && !terms.looksAtLeaps)
         leapToFirst(terms.empty, isPreintegrated, rays);
       for (int lane = 0; lane < std::min(lanes(), toX - x); ++lane) {
         glm::vec4 pixel(0.0f);

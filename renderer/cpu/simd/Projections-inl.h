@@ -110,8 +110,9 @@ private:
 
   // The integral along the ray.
   glm::vec4 gathered() const {
-    if (m_terms.samplesFirst)
-      return m_ray.from < m_ray.to ? SampledMarch<kind>(m_terms, m_samples).gathered() : glm::vec4(0.0f);
+    // Cells may show between the last sample and the exit.
+    if (m_terms.samplesFirst && m_ray.from < m_ray.to)
+      return SampledMarch<kind>(m_terms, m_samples).gathered();
     if (m_terms.fineness)
       return gatheredCellByCell();
     if (m_terms.effects.has(Effect::xray))

@@ -38,21 +38,27 @@ class SampleLog {
 public:
   static constexpr bool isKept = true;
 
-  /// Registers are read from before the first sample and stored whole behind the last.
-  static constexpr int margin = HWY_MAX_BYTES / 4;
+  /// Samples that are judged together: as many on every instruction set.
+  static constexpr int chunk = 8;
 
-  /// Of a ray's samples that may show; the function is what classifies them.
-  SampleLog(const PiecewiseTable& table, const Function& function, const Ray& ray)
-      : m_table(table), m_function(function), m_units(ray.units),
+  /// Registers are read from before the first sample and stored whole behind the last, chunks likewise;
+  /// groups may run over the last sample that shows.
+  static constexpr int margin = 16;
+  static_assert(margin >= 2 * chunk && chunk % (hn::MaxLanes(floats)) == 0);
+
+  /// Of a ray's samples that may show; the function is what classifies them, and gradients make its opacities
+  /// `mostFactor` times as large at most.
+  SampleLog(const PiecewiseTable& table, const Function& function, const Ray& ray, float mostFactor)
+      : m_table(table), m_function(function), m_units(ray.units), m_mostFactor(mostFactor),
         m_room(static_cast<std::size_t>(ray.to - ray.from + 3 * margin)),
         m_columns(new float[columns * m_room]) {
     for (int column : {stepColumn, alphaColumn})
       std::fill_n(m_columns.get() + column * m_room, margin, column == stepColumn ? nowhere : 0.0f);
   }
 
-  /// Looks for whole segments of the function that the scalars ran through between the samples of the group
-  /// from sample `i` on, or between them and the last of the group before. `weightAt` gives the share of a
-  /// sample's opacity that a region keeps.
+  /// Looks for segments of the function that the scalars ran through between the samples of the group from
+  /// sample `i` on, or between them and the last of the group before, and for peaks between two. `weightAt`
+  /// gives the share of a sample's opacity that a region keeps.
   template <class WeightAt>
   HWY_INLINE void lookBetween(int i, VF scalar, Mask isInside, const WeightAt& weightAt) {
     const VI segment = m_function.segmentsOf(scalar);
@@ -64,11 +70,10 @@ public:
     hn::StoreU(scalar, floats, scalars + 1);
     m_lastSegment = segments[lanes()];
     m_lastScalar = scalars[lanes()];
-    const VI change = hn::Sub(segment, hn::LoadU(ints, segments));
-    const auto isFar = hn::RebindMask(floats, hn::Gt(hn::Abs(change), hn::Set(ints, 1)));
-    for (std::uint32_t bits = bitsOf(hn::And(isInside, isFar)); bits != 0; bits &= bits - 1) {
+    const auto isSame = hn::RebindMask(floats, hn::Eq(segment, hn::LoadU(ints, segments)));
+    for (std::uint32_t bits = bitsOf(hn::AndNot(isSame, isInside)); bits != 0; bits &= bits - 1) {
       const int lane = std::countr_zero(bits);
-      float most = mostBetween(segments[lane], segments[lane + 1]);
+      float most = mostBetween(segments[lane], scalars[lane], segments[lane + 1], scalars[lane + 1]);
       if (most > 0.0f)
         most *= std::max(weightAt(i + lane - 1), weightAt(i + lane));
       if (most > 0.0f)
@@ -88,8 +93,17 @@ public:
     m_count += count;
   }
 
-  /// To be called once, behind the last sample.
-  void close() {
+  /// To be called once, behind the last sample. Behind one that left no light nothing counts: how far the ray
+  /// was looked at there depends on which samples were computed together.
+  void close(bool hasEnded) {
+    if (hasEnded) {
+      int last = m_count;
+      while (last > 0 && !(shares()[last - 1] > 0.0f))
+        --last;
+      const float end = last > 0 ? steps()[last - 1] : 0.0f;
+      std::erase_if(m_missed,
+                    [end](const Missed& missed) { return static_cast<float>(missed.sample) > end; });
+    }
     float reaching = 1.0f;
     int n = 0;
     for (Missed& missed : m_missed) {
@@ -120,15 +134,37 @@ private:
     return m_columns.get() + static_cast<std::size_t>(column) * m_room + margin;
   }
 
-  // The extinction over the unit distance, times scalars, of the segments between two: at most.
-  float mostBetween(int one, int other) const {
+  const glm::vec4* texelsOf(int segment) const {
+    return &m_table.segments[4 * static_cast<std::size_t>(segment)];
+  }
+
+  static float opacityIn(const glm::vec4* texels, float scalar) {
+    return texels[0].a + texels[1].a * (scalar - texels[2].x);
+  }
+
+  float extinctionOf(float opacity) const {
+    return -std::log1p(-std::clamp(m_mostFactor * opacity, 0.0f, 1.0f - 1e-7f));
+  }
+
+  // The extinction over the unit distance, times scalars, of what lies between two scalars and neither tells
+  // of: segments between theirs or, where these meet, half of the peak above both. At most.
+  float mostBetween(int one, float a, int other, float b) const {
+    if (one > other) {
+      std::swap(one, other);
+      std::swap(a, b);
+    }
+    if (one + 1 == other) {
+      const glm::vec4 *before = texelsOf(one), *behind = texelsOf(other);
+      const float peak = std::max(opacityIn(before, before[2].y), behind[0].a);
+      const float ends = std::max(opacityIn(before, a), opacityIn(behind, b));
+      return peak > ends ? 0.5f * (b - a) * (extinctionOf(peak) - extinctionOf(ends)) : 0.0f;
+    }
     float sum = 0.0f;
-    for (int segment = std::min(one, other) + 1; segment < std::max(one, other); ++segment) {
-      const glm::vec4* texels = &m_table.segments[4 * static_cast<std::size_t>(segment)];
+    for (int segment = one + 1; segment < other; ++segment) {
+      const glm::vec4* texels = texelsOf(segment);
       const float width = texels[2].y - texels[2].x;
-      const float opacity = std::max(texels[0].a, texels[0].a + texels[1].a * width);
-      if (opacity > 0.0f && width > 0.0f)
-        sum += width * -std::log1p(-std::min(opacity, 1.0f - 1e-7f));
+      if (width > 0.0f)
+        sum += width * extinctionOf(std::max(texels[0].a, opacityIn(texels, texels[2].y)));
     }
     return sum;
   }
@@ -136,6 +172,7 @@ private:
   const PiecewiseTable& m_table;
   const Function& m_function;
   float m_units; // a step in unit distances
+  float m_mostFactor;
   std::size_t m_room;
   std::unique_ptr<float[]> m_columns; // not set to 0: most of it is never read
   std::vector<Missed> m_missed;

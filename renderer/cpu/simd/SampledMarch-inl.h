@@ -22,9 +22,16 @@ namespace limn::cpu::HWY_NAMESPACE {
 template <VoxelSource::Kind kind>
 class SampledMarch {
 public:
-  SampledMarch(const PictureTerms& terms, const Samples<kind>& samples, bool isPart = false)
-      : m_terms(terms), m_samples(samples), m_ray(samples.ray), m_isPart(isPart),
-        m_log(*terms.function, samples.function, samples.ray) {}
+  SampledMarch(const PictureTerms& terms, const Samples<kind>& samples)
+      : m_terms(terms), m_samples(samples), m_ray(samples.ray),
+        m_log(*terms.function, samples.function, samples.ray, mostFactor(terms)) {}
+
+  /// A part before what looks so.
+  SampledMarch(const PictureTerms& terms, const Samples<kind>& samples, const glm::vec4& beyond)
+      : SampledMarch(terms, samples) {
+    m_isFiner = true;
+    m_beyond = beyond;
+  }
 
   glm::vec4 gathered() {
     Sum sum{zero(), 1.0, false};
@@ -40,7 +47,7 @@ public:
     composite.gathered();
     if (m_log.count() == 0 && m_log.missed().empty())
       return true;
-    m_log.close();
+    m_log.close(composite.sum().hasEnded);
     m_limit = static_cast<float>(largestRayError(*m_terms.fineness) / sum.transmittance);
     const Sum& sampled = composite.sum();
     const float squares = findErrors(sampled);
@@ -49,7 +56,7 @@ public:
       return true;
     }
     const Sum before = sum;
-    refine(worthRefining(squares), sum);
+    refine(sampled, worthRefining(squares), sum);
     // What was left out because nothing seemed to reach it.
     if (!sampled.hasEnded || sum.hasEnded || sum.transmittance <= 2.0 * m_terms.lastTransmittance)
       return true;
@@ -58,38 +65,41 @@ public:
   }
 
 private:
-  static constexpr int chunk = 8; // on every instruction set, so that all decide alike
+  static constexpr int chunk = SampleLog::chunk;
+
+  // The most that gradients make of an opacity, of the curve over them 1.
+  static float mostFactor(const PictureTerms& terms) {
+    const CoefficientRange& range = terms.light.opacity;
+    return terms.effects.hasAny(opacityChanges)
+               ? static_cast<float>(std::max({1.0, range.atFlat, range.atBoundary}))
+               : 1.0f;
+  }
+
+  // Premultiplied colour and alpha.
+  static glm::vec4 gatheredBy(const Sum& sum) {
+    return {hn::GetLane(hn::SumOfLanes(floats, sum.color.x)),
+            hn::GetLane(hn::SumOfLanes(floats, sum.color.y)),
+            hn::GetLane(hn::SumOfLanes(floats, sum.color.z)), static_cast<float>(1.0 - sum.transmittance)};
+  }
 
   // How far the pixel may be off for each sample, and the sum of their squares. Steps are exact where
   // what absorbs, and the light that it adds to or takes from what lies behind, change evenly from sample to
   // sample: their second differences tell where not.
   HWY_NOINLINE float findErrors(const Sum& sum) const {
-    V3 behind{all(hn::GetLane(hn::SumOfLanes(floats, sum.color.x))),
-              all(hn::GetLane(hn::SumOfLanes(floats, sum.color.y))),
-              all(hn::GetLane(hn::SumOfLanes(floats, sum.color.z)))};
+    glm::vec4 behind = gatheredBy(sum) + static_cast<float>(sum.transmittance) * m_beyond;
     float left = 1.0f;
     VF squares = hn::Zero(floats);
     for (int n = 0; n < m_log.count(); n += chunk) {
-      // The colour of what is seen from here on.
-      const V3 seen = scaled(behind, all(1.0f / std::max(left, least)));
-      V3 light = zero();
-      VF taken = hn::Zero(floats);
+      // What is seen from here on.
+      const glm::vec4 seen = behind / std::max(left, least);
       for (int part = n; part < n + chunk; part += lanes()) {
         const VF error = errorsOf(part, seen);
         hn::StoreU(error, floats, m_log.errors() + part);
         squares = hn::MulAdd(error, error, squares);
-        const VF share = hn::LoadU(floats, m_log.shares() + part);
-        const V3 lit = colorsAt(part);
-        const Mask isThere = hn::Gt(share, hn::Zero(floats));
-        taken = hn::Add(taken, share);
-        light = {hn::Add(light.x, hn::IfThenElseZero(isThere, hn::Mul(share, lit.x))),
-                 hn::Add(light.y, hn::IfThenElseZero(isThere, hn::Mul(share, lit.y))),
-                 hn::Add(light.z, hn::IfThenElseZero(isThere, hn::Mul(share, lit.z)))};
+        const glm::vec4 added = addedBy(part, hn::LoadU(floats, m_log.shares() + part));
+        left -= added.a;
+        behind -= added;
       }
-      left -= hn::GetLane(hn::SumOfLanes(floats, taken));
-      behind = {hn::Sub(behind.x, hn::SumOfLanes(floats, light.x)),
-                hn::Sub(behind.y, hn::SumOfLanes(floats, light.y)),
-                hn::Sub(behind.z, hn::SumOfLanes(floats, light.z))};
     }
     float found = hn::GetLane(hn::SumOfLanes(floats, squares));
     for (const Missed& missed : m_log.missed())
@@ -97,12 +107,22 @@ private:
     return found;
   }
 
+  // What some samples add to the pixel, of which each takes a share.
+  HWY_INLINE glm::vec4 addedBy(int n, VF share) const {
+    const Mask isThere = hn::Gt(share, hn::Zero(floats));
+    const V3 lit = colorsAt(n);
+    const auto sumOf = [&](VF color) {
+      return hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(isThere, hn::Mul(share, color))));
+    };
+    return {sumOf(lit.x), sumOf(lit.y), sumOf(lit.z), hn::GetLane(hn::SumOfLanes(floats, share))};
+  }
+
   HWY_INLINE V3 colorsAt(int n) const {
     return {hn::LoadU(floats, m_log.colors(0) + n), hn::LoadU(floats, m_log.colors(1) + n),
             hn::LoadU(floats, m_log.colors(2) + n)};
   }
 
-  HWY_INLINE VF errorsOf(int n, const V3& seen) const {
+  HWY_INLINE VF errorsOf(int n, const glm::vec4& seen) const {
     const VF one = all(1.0f), none = hn::Zero(floats);
     const VF step = hn::LoadU(floats, m_log.steps() + n);
     const Mask follows = hn::Eq(hn::LoadU(floats, m_log.steps() + n - 1), hn::Sub(step, one));
@@ -115,13 +135,15 @@ private:
     const VF share = hn::LoadU(floats, m_log.shares() + n);
     const Mask takes = hn::Gt(alpha, all(least));
     const VF reaching = hn::IfThenElseZero(takes, hn::Div(share, hn::IfThenElse(takes, alpha, one)));
-    VF most = none;
+    // Alpha is a colour of 1 everywhere.
+    VF most =
+        hn::Mul(all(std::abs(1.0f - seen.a)), hn::Abs(hn::Sub(hn::Add(before, next), hn::Add(alpha, alpha))));
     for (int i = 0; i < 3; ++i) {
-      const VF color = i == 0 ? seen.x : i == 1 ? seen.y : seen.z;
+      const VF color = all(seen[i]);
       const VF own = hn::Mul(alpha, hn::Sub(hn::LoadU(floats, m_log.colors(i) + n), color));
       const VF a = hn::Mul(before, hn::Sub(hn::LoadU(floats, m_log.colors(i) + n - 1), color));
       const VF b = hn::Mul(next, hn::Sub(hn::LoadU(floats, m_log.colors(i) + n + 1), color));
-      VF off = hn::Abs(
+      const VF off = hn::Abs(
           hn::Sub(hn::Add(hn::IfThenElseZero(follows, a), hn::IfThenElseZero(leads, b)), hn::Add(own, own)));
       most = hn::Max(most, off);
     }
@@ -178,17 +200,24 @@ private:
     return found;
   }
 
+  // How far along the samples, what of the light comes there, and what they add from there on.
+  struct Place {
+    int n;
+    double reached;
+    glm::vec4 rest;
+  };
+
   // The samples put together once more, some parts of the ray more closely.
-  HWY_NOINLINE void refine(float worth, Sum& sum) const {
-    double reached = 1.0; // of the sampled sum
-    int n = 0;
+  HWY_NOINLINE void refine(const Sum& sampled, float worth, Sum& sum) const {
+    const glm::vec4 all = gatheredBy(sampled) + static_cast<float>(sampled.transmittance) * m_beyond;
+    Place place{0, 1.0, all};
     for (const Stretch& stretch : stretches(worth)) {
-      addSamples(n, stretch.from, reached, sum);
-      skipSamples(n, stretch.to, reached);
-      if (!sum.hasEnded && (m_isPart || !addFiner(stretch, sum)))
+      addSamples(place, stretch.from, sum);
+      skipSamples(place, stretch.to);
+      if (!sum.hasEnded && (m_isFiner || !addFiner(stretch, place, sum)))
         addCells(stretch, sum);
     }
-    addSamples(n, endless, reached, sum);
+    addSamples(place, endless, sum);
   }
 
   // Adds what lies behind a sum to it.
@@ -201,13 +230,14 @@ private:
     sum.hasEnded = behind.hasEnded || sum.transmittance <= m_terms.lastTransmittance;
   }
 
-  // Adds the samples from `n` on that lie before a place.
-  HWY_NOINLINE void addSamples(int& n, float before, double& reached, Sum& sum) const {
-    if (sum.hasEnded || reached <= 0.0)
+  // Adds the samples that lie before a place on the ray.
+  HWY_NOINLINE void addSamples(Place& place, float before, Sum& sum) const {
+    if (sum.hasEnded || place.reached <= 0.0)
       return;
-    const auto factor = static_cast<float>(sum.transmittance / reached);
-    double taken = 0.0;
-    while (n < m_log.count() && m_log.steps()[n] < before) {
+    const auto factor = static_cast<float>(sum.transmittance / place.reached);
+    double passed = 1.0;
+    while (place.n < m_log.count() && m_log.steps()[place.n] < before) {
+      const int n = place.n;
       const Mask isHere = hn::And(hn::Lt(hn::LoadU(floats, m_log.steps() + n), all(before)),
                                   hn::FirstN(floats, static_cast<std::size_t>(m_log.count() - n)));
       const VF share = hn::IfThenElseZero(isHere, hn::LoadU(floats, m_log.shares() + n));
@@ -216,21 +246,37 @@ private:
       sum.color = {hn::MulAdd(weight, hn::IfThenElseZero(isHere, lit.x), sum.color.x),
                    hn::MulAdd(weight, hn::IfThenElseZero(isHere, lit.y), sum.color.y),
                    hn::MulAdd(weight, hn::IfThenElseZero(isHere, lit.z), sum.color.z)};
-      taken += hn::GetLane(hn::SumOfLanes(floats, share));
-      n += static_cast<int>(hn::CountTrue(floats, isHere));
+      place.rest -= addedBy(n, share);
+      place.n += static_cast<int>(hn::CountTrue(floats, isHere));
+      passed *= passedFrom(n, place.n);
     }
-    sum.transmittance = std::max(0.0, sum.transmittance - factor * taken);
-    reached -= taken;
+    sum.transmittance *= passed;
+    place.reached *= passed;
     sum.hasEnded = sum.transmittance <= m_terms.lastTransmittance;
   }
 
-  void skipSamples(int& n, float before, double& reached) const {
-    for (; n < m_log.count() && m_log.steps()[n] < before; ++n)
-      reached -= m_log.shares()[n];
+  // What samples `n` to before `end` leave of the light, but for those that none reaches.
+  double passedFrom(int n, int end) const {
+    double passed = 1.0;
+    for (; n < end; ++n)
+      if (m_log.shares()[n] > 0.0f)
+        passed *= 1.0 - double(m_log.alphas()[n]);
+    return passed;
+  }
+
+  void skipSamples(Place& place, float before) const {
+    const int first = place.n;
+    for (; place.n < m_log.count() && m_log.steps()[place.n] < before; ++place.n) {
+      const float share = m_log.shares()[place.n];
+      if (share > 0.0f)
+        place.rest -= share * glm::vec4(m_log.colors(0)[place.n], m_log.colors(1)[place.n],
+                                        m_log.colors(2)[place.n], 1.0f);
+    }
+    place.reached *= passedFrom(first, place.n);
   }
 
   // Adds a stretch in finer steps; false where cells are to be taken.
-  HWY_NOINLINE bool addFiner(const Stretch& stretch, Sum& sum) const {
+  HWY_NOINLINE bool addFiner(const Stretch& stretch, const Place& behind, Sum& sum) const {
     const float from = std::max(stretch.from, 0.0f), to = std::min(stretch.to, float(m_ray.count));
     const int count = static_cast<int>((to - from) * float(finerSteps));
     if (count <= 0)
@@ -248,7 +294,9 @@ private:
     ray.strideDepth *= part;
     ray.units *= part;
     ray.span = spanOf(stretch);
-    return SampledMarch(m_terms, Samples<kind>(m_terms, ray), true).addTo(sum);
+    const Samples<kind> samples(m_terms, ray);
+    const glm::vec4 beyond = behind.rest / std::max(static_cast<float>(behind.reached), least);
+    return SampledMarch(m_terms, samples, glm::clamp(beyond, 0.0f, 1.0f)).addTo(sum);
   }
 
   RaySpan spanOf(const Stretch& stretch) const {
@@ -276,7 +324,8 @@ private:
   const PictureTerms& m_terms;
   const Samples<kind>& m_samples;
   const Ray& m_ray;
-  const bool m_isPart;
+  bool m_isFiner = false;   // no part is taken in finer steps
+  glm::vec4 m_beyond{0.0f}; // what light that gets past the samples meets
   float m_limit = 0.0f;
   SampleLog m_log;
 };
