@@ -2037,7 +2037,7 @@
     </message>
     <message>
         <source>paths for %1 s</source>
-        <translation>Pfade für %1 s</translation>
+        <translation>Pfade für %1&#xa0;s</translation>
     </message>
     <message>
         <source>%1, noise filtered</source>
@@ -2051,17 +2051,17 @@
     <message>
         <source>about %1 s</source>
         <comment>a time</comment>
-        <translation>etwa %1 s</translation>
+        <translation>etwa %1&#xa0;s</translation>
     </message>
     <message>
         <source>about %1 min</source>
         <comment>a time</comment>
-        <translation>etwa %1 min</translation>
+        <translation>etwa %1&#xa0;min</translation>
     </message>
     <message>
         <source>about %1 h</source>
         <comment>a time</comment>
-        <translation>etwa %1 h</translation>
+        <translation>etwa %1&#xa0;h</translation>
     </message>
     <message>
         <source>(%1 left)</source>
@@ -2094,7 +2094,7 @@
     </message>
     <message>
         <source>turned box: move %1 face</source>
-        <translation>gedrehte Box: Seite %1 verschieben</translation>
+        <translation>Fläche der gedrehten Box verschieben: %1</translation>
     </message>
     <message>
         <source>Turned box, %1</source>
@@ -2930,7 +2930,7 @@
     </message>
     <message>
         <source>%1 – %2 · %3 ml · no narrower by the wheel</source>
-        <translation>%1 – %2 · %3 ml · mit dem Rad nicht enger</translation>
+        <translation>%1 – %2 · %3&#xa0;ml · mit dem Rad nicht enger</translation>
     </message>
     <message>
         <source>Click what is meant; the wheel then takes less or more</source>
@@ -11550,12 +11550,12 @@
         <translation>Die Zuschnittbox ist ausgeblendet; was ihre Seiten wegschneiden, bleibt weg.</translation>
     </message>
     <message>
-        <source>Close all cuts</source>
-        <translation>Alle Schnitte schließen</translation>
+        <source>Close the box&apos;s cuts</source>
+        <translation>Schnitte der Box schließen</translation>
     </message>
     <message>
-        <source>close all cuts of the crop box</source>
-        <translation>alle Schnitte der Zuschnittbox schließen</translation>
+        <source>close the box&apos;s cuts</source>
+        <translation>Schnitte der Box schließen</translation>
     </message>
 </context>
 <context>
@@ -11702,7 +11702,7 @@
     </message>
     <message>
         <source>It begins at %1 % of the size on screen, so that nothing is cut off while it turns.</source>
-        <translation>Sie beginnt mit %1 % der Größe auf dem Schirm, damit beim Drehen nichts abgeschnitten wird.</translation>
+        <translation>Sie beginnt mit %1&#xa0;% der Größe auf dem Schirm, damit beim Drehen nichts abgeschnitten wird.</translation>
     </message>
     <message>
         <source>Drawing takes %1.</source>
@@ -11722,7 +11722,7 @@
     </message>
     <message>
         <source>turned box: reset %1 face</source>
-        <translation>gedrehte Box: Seite %1 zurücksetzen</translation>
+        <translation>Fläche der gedrehten Box zurücksetzen: %1</translation>
     </message>
 </context>
 <context>
