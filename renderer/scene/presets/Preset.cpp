@@ -86,11 +86,13 @@ double between(const Histogram& histogram, const BinRange& split) {
 }
 
 // Whether a split parts bright voxels from the hump in whose tail they lie, as bone and contrast pull it up
-// into that of soft tissue: beyond it nothing stands out (by twice), before it a hump does (by four times).
+// into that of soft tissue: beyond it nothing stands out (by twice), before it a hump does (by four times, and
+// from the foot of what was cut off: what only falls from there on is no hump).
 bool partsTail(const Histogram& histogram, std::size_t split) {
   const double there = densityAround(histogram, split);
-  return greatestDensity(histogram, split, histogram.counts.size()) < 2.0 * there &&
-         greatestDensity(histogram, 1, split) > 4.0 * there;
+  const double hump = greatestDensity(histogram, 1, split);
+  return greatestDensity(histogram, split, histogram.counts.size()) < 2.0 * there && hump > 4.0 * there &&
+         hump > densityAround(histogram, 1);
 }
 
 // Where tissue begins: the threshold that best separates it from the background, but of a scale that was cut
