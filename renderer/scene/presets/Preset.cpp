@@ -86,8 +86,8 @@ double between(const Histogram& histogram, const BinRange& split) {
 }
 
 // Whether a split parts bright voxels from the hump in whose tail they lie, as bone and contrast pull it up
-// into that of soft tissue: beyond it nothing stands out (by twice), before it a hump does (by four times, and
-// from the foot of what was cut off: what only falls from there on is no hump).
+// into that of soft tissue: beyond it nothing stands out (by twice), before it a hump does (by four times,
+// and from the foot of what was cut off: what only falls from there on is no hump).
 bool partsTail(const Histogram& histogram, std::size_t split) {
   const double there = densityAround(histogram, split);
   const double hump = greatestDensity(histogram, 1, split);
