@@ -22,7 +22,7 @@ public:
 
   /// How error-controlled steps are taken: cell by cell, as the reference takes them, or where it can be in
   /// equal steps first and cell by cell only where those tell that they are too few (cpu/README.md), which
-  /// errs as much with the same fineness and takes about half of the time.
+  /// errs as much with the same fineness and takes less time.
   enum class Tolerance { cells, stepsFirst };
 
   /// `threads` of the processor, 0: all. Throws Error (usage) where LIMN_CPU_TARGET asks for what the
