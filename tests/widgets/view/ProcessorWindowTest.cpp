@@ -129,7 +129,7 @@ TEST(OnProcessor, refinesAtRestToThePictureOfTheQualityThatItStates) {
   EXPECT_NE(asShown.quality, host.scene.quality);
   const std::optional<Image> shown = host.view.restingImage(0);
   ASSERT_TRUE(shown);
-  EXPECT_EQ(*shown, CpuRenderer(1).render(asShown, shown->size));
+  EXPECT_EQ(*shown, CpuRenderer(1, CpuRenderer::Tolerance::stepsFirst).render(asShown, shown->size));
 }
 
 TEST(OnProcessor, itsStateTellsTheErrorOfThePictureAndItsEffects) {

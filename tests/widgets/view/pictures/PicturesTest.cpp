@@ -338,7 +338,7 @@ TEST(PicturesInMemory, refinementByErrorTellsTheTruthAboutThePictureItShows) {
     drawn.quality = pictures.side(side).finishedQuality();
     ASSERT_EQ(drawn.quality.toleranceLevels, Refinement::toleranceLevels);
     const Image& image = *pictures.side(side).picture().image;
-    EXPECT_EQ(image, CpuRenderer().render(drawn, size));
+    EXPECT_EQ(image, CpuRenderer(0, CpuRenderer::Tolerance::stepsFirst).render(drawn, size));
     // A sixteenth of the error is left four rungs further.
     Scene exact = drawn;
     exact.quality.fineness = *drawn.quality.fineness + 4.0;
