@@ -23,7 +23,8 @@ public:
       : m_terms(terms), m_samples(samples), m_limit(static_cast<float>(largestPieceChange(*terms.fineness))),
         m_readsGradient(terms.effects.has(Effect::gradient) && !terms.effects.has(Effect::xray)),
         m_changesOpacity(terms.effects.hasAny(opacityChanges)),
-        m_isLimited(!terms.effects.has(Effect::unlimited)) {}
+        m_isLimited(!terms.effects.has(Effect::unlimited)),
+        m_uncertain(terms.effects.hasAny(travellingLight) ? leastLightChange : 0.0f) {}
 
   Pieces& pieces() { return m_pieces; }
 
@@ -372,7 +373,9 @@ private:
       const VF change =
           hn::Max(hn::Max(hn::Abs(hn::Sub(found.color.x, color.x)), hn::Abs(hn::Sub(found.color.y, color.y))),
                   hn::Max(hn::Abs(hn::Sub(found.color.z, color.z)), hn::Abs(hn::Sub(found.alpha, alpha))));
-      const VF off = m_terms.effects.has(Effect::xray) ? change : hn::Max(change, unforeseen(part, stride));
+      const VF moved = m_terms.effects.has(Effect::xray) ? change : hn::Max(change, unforeseen(part, stride));
+      // What light on its way is not known to moves at any number of nodes.
+      const VF off = hn::NegMulAdd(all(m_uncertain), found.alpha, moved);
       const VF ofPixel = hn::Mul(off, hn::Load(floats, m_reaching + part));
       tooFar |= (bitsOf(hn::Gt(ofPixel, all(m_limit))) & here) << part;
       HWY_ALIGN float isOpen[HWY_MAX_BYTES / 4];
@@ -520,6 +523,7 @@ private:
   float m_limit;
   bool m_readsGradient, m_changesOpacity;
   bool m_isLimited;       // lit colours lie within 0..1
+  float m_uncertain;      // of what comes of light on its way
   bool m_isBegun = false; // ends and middles of all pieces are known
   bool m_isAbsorbed = false; // at least what absorbs there
   Pieces m_pieces;
