@@ -102,7 +102,7 @@ Report reportWithOpenGl(const Scene& scene, int frames, const Progress& progress
 }
 
 Report reportOnProcessor(const Scene& scene, int frames, const Progress& progress) {
-  CpuRenderer renderer;
+  CpuRenderer renderer(0, CpuRenderer::Tolerance::stepsFirst); // as pictures are drawn
   if (isPhysical(scene)) { // its paths are followed once, not with and without something
     Report report{renderer.name(), effectRows(scene, renderer.plan(scene)), {}, 0.0, {}, {}};
     report.costs.resize(report.rows.size());

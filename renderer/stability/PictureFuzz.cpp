@@ -166,6 +166,8 @@ private:
       fail(seed, "the CPU engine: " + broken);
     requireSame(seed, "the CPU engine differs where it steps over nothing", processed,
                 m_samplingProcessor.render(random->scene, random->size));
+    if (random->scene.quality.toleranceLevels)
+      requireStepsFirst(seed, *random);
     requireBricks(seed, *random);
     std::optional<ReferencePicture> reference;
     if (random->isComparable) {
@@ -200,6 +202,15 @@ private:
     const std::string difference = firstDifference(image, again);
     if (!difference.empty())
       fail(seed, what + (" " + difference));
+  }
+
+  // What users see of a tolerance.
+  void requireStepsFirst(std::uint64_t seed, const RandomScene& random) {
+    const Image image = m_stepsFirst.render(random.scene, random.size);
+    for (const std::string& broken : brokenInvariants(random.scene, image))
+      fail(seed, "the CPU engine, steps first: " + broken);
+    requireSame(seed, "the CPU engine, steps first, differs where it steps over nothing", image,
+                m_samplingStepsFirst.render(random.scene, random.size));
   }
 
   // One picture on many nodes: where rays run to their end, the same samples are added in another order.
@@ -315,6 +326,9 @@ private:
 
   CpuRenderer m_processor;
   CpuRenderer m_samplingProcessor{0, CpuRenderer::EmptySpace::sampled};
+  CpuRenderer m_stepsFirst{0, CpuRenderer::Tolerance::stepsFirst};
+  CpuRenderer m_samplingStepsFirst{0, CpuRenderer::EmptySpace::sampled, CpuRenderer::Weights::floats,
+                                   CpuRenderer::Tolerance::stepsFirst};
   struct OpenGl {
     RayCaster caster;
     SliceRenderer slices;

@@ -23,24 +23,30 @@ public:
       : m_terms(terms), m_samples(samples), m_limit(static_cast<float>(largestPieceChange(*terms.fineness))),
         m_readsGradient(terms.effects.has(Effect::gradient) && !terms.effects.has(Effect::xray)),
         m_changesOpacity(terms.effects.hasAny(opacityChanges)),
-        m_isLimited(!terms.effects.has(Effect::unlimited)) {}
+        m_isLimited(!terms.effects.has(Effect::unlimited)),
+        m_uncertain(terms.effects.hasAny(travellingLight) ? leastLightChange : 0.0f) {}
 
   Pieces& pieces() { return m_pieces; }
 
-  /// Takes the next pieces of a ray; false where none is left. Where gradients decide what absorbs, pieces
-  /// that show nothing are dropped at once: which pieces are computed together must not depend on whether
-  /// empty blocks were leapt over, because what reaches a piece is estimated from those before it.
+  /// Takes the next pieces of a ray; false where none is left. Where gradients or looks of labels decide what
+  /// absorbs, pieces that show nothing are dropped at once: which pieces are computed together must not
+  /// depend on whether empty blocks were leapt over, because what reaches a piece is estimated from those
+  /// before it.
   bool fillFrom(PieceMaker<kind>& maker) {
     m_pieces.count = 0;
     m_isBegun = m_changesOpacity;
+    m_isAbsorbed = m_changesOpacity || m_samples.looks.areAny();
     bool isMore = true;
     while (isMore && m_pieces.count < most) {
       const int first = m_pieces.count;
       isMore = maker.fill(m_pieces);
-      if (!m_isBegun)
+      if (!m_isAbsorbed)
         break;
       if (isMore) {
-        begin(first, m_pieces.count);
+        if (m_isBegun)
+          begin(first, m_pieces.count);
+        else
+          absorbFrom(first);
         dropUnseen(first);
       }
     }
@@ -92,8 +98,8 @@ private:
   HWY_NOINLINE int behindSeen(int first, double transmittance) {
     if (m_changesOpacity || m_terms.effects.has(Effect::xray))
       return m_pieces.count;
-    for (int node = 0; node <= last; node += last / 2)
-      absorb(node, bitsOfPieces(first, m_pieces.count));
+    if (!m_isAbsorbed)
+      absorbFrom(first);
     for (int part = 0; part < most; part += lanes())
       hn::Store(oneMinusExpNeg(depthOf(part)), floats, m_alpha + part);
     for (int n = first; n < m_pieces.count; ++n) {
@@ -102,6 +108,12 @@ private:
         return n + 1;
     }
     return m_pieces.count;
+  }
+
+  // What the pieces from `first` on absorb at both ends and the middle.
+  HWY_INLINE void absorbFrom(int first) {
+    for (int node = 0; node <= last; node += last / 2)
+      absorb(node, bitsOfPieces(first, m_pieces.count));
   }
 
   // What a piece absorbs as one panel, as an optical depth.
@@ -361,7 +373,9 @@ private:
       const VF change =
           hn::Max(hn::Max(hn::Abs(hn::Sub(found.color.x, color.x)), hn::Abs(hn::Sub(found.color.y, color.y))),
                   hn::Max(hn::Abs(hn::Sub(found.color.z, color.z)), hn::Abs(hn::Sub(found.alpha, alpha))));
-      const VF off = m_terms.effects.has(Effect::xray) ? change : hn::Max(change, unforeseen(part, stride));
+      const VF moved = m_terms.effects.has(Effect::xray) ? change : hn::Max(change, unforeseen(part, stride));
+      // What light on its way is not known to moves at any number of nodes.
+      const VF off = hn::NegMulAdd(all(m_uncertain), found.alpha, moved);
       const VF ofPixel = hn::Mul(off, hn::Load(floats, m_reaching + part));
       tooFar |= (bitsOf(hn::Gt(ofPixel, all(m_limit))) & here) << part;
       HWY_ALIGN float isOpen[HWY_MAX_BYTES / 4];
@@ -509,7 +523,9 @@ private:
   float m_limit;
   bool m_readsGradient, m_changesOpacity;
   bool m_isLimited;       // lit colours lie within 0..1
+  float m_uncertain;      // of what comes of light on its way
   bool m_isBegun = false; // ends and middles of all pieces are known
+  bool m_isAbsorbed = false; // at least what absorbs there
   Pieces m_pieces;
   float m_end = -1.0f; // of the last piece that was taken
   float m_endSlope[3] = {};

@@ -326,7 +326,7 @@ private:
   // open.
   HWY_INLINE static bool goesOn(VF sum, int count, int total, Means& means) {
     const VF next = hn::Mul(sum, all(1.0f / static_cast<float>(count)));
-    const Mask stands = hn::Lt(hn::Abs(hn::Sub(next, means.mean)), all(standsStill));
+    const Mask stands = hn::Lt(hn::Abs(hn::Sub(next, means.mean)), all(leastLightChange));
     means.mean = hn::IfThenElse(means.open, next, means.mean);
     // What is all or nothing in twice the fewest directions is taken to be so in all.
     const Mask isPlain = hn::Or(hn::Gt(next, all(1.0f - leastLeft)), hn::Lt(next, all(leastLeft)));
@@ -337,7 +337,6 @@ private:
     return count < total && !hn::AllFalse(floats, means.open);
   }
 
-  static constexpr float standsStill = 1.0f / 512.0f;
   static constexpr float leastLeft = 5e-4f; // a tenth of a level of the brightest light
 
   const TravelTerms& m_travel;
