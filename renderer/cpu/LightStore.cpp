@@ -284,7 +284,9 @@ bool LightStore::hasAll(const Keys& keys, EffectSet effects) const {
 
 TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
                                const Effort& effort) {
-  const LightDetail detail = scene.quality.toleranceLevels ? LightDetail::sampled : scene.quality.light;
+  // A picture on its way to one with a tolerance is not kept waiting by light.
+  const bool isSampled = scene.quality.toleranceLevels && scene.quality.light == LightDetail::fine;
+  const LightDetail detail = isSampled ? LightDetail::sampled : scene.quality.light;
   if (detail == LightDetail::sampled)
     return travelIn({}, scene, terms);
   Keys keys = keysOf(scene, terms, shows, false);

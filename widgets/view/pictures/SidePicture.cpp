@@ -24,6 +24,14 @@ double timedMs(Work&& work) {
 constexpr int veryCoarse = 6;
 constexpr int middleLevel = 3;
 
+// All pixels, on the way to a picture whose light takes many minutes.
+constexpr int wholeLevel = 1;
+
+// With a tolerance light on its way is found for each sample.
+bool hasSampledLight(const Scene& scene) {
+  return scene.quality.toleranceLevels && hasTravellingLight(scene);
+}
+
 // The columns of a picture of `size` pixels that are seen, and one more to each side for smoothing.
 PixelRect seenPart(const glm::ivec2& size, const Columns& seen) {
   const int first = std::max(0, static_cast<int>(std::floor(seen.from * size.x)) - 1);
@@ -88,6 +96,8 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
     drawFollowed(engine);
     return 0.0;
   }
+  if (hasSampledLight(m_scene))
+    level = std::max(level, wholeLevel);
   const QualityLevel quality = InteractionQuality::levelAt(level);
   const glm::ivec2 size = sizeAt(quality, m_size);
   const Scene scene = passScene(engine, quality, size);
@@ -106,8 +116,8 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
   if (isFull) {
     m_schedule.finishedWhole(ms);
     m_completeMs = ms;
-  } else if (level >= veryCoarse || isPhysical(m_scene)) {
-    m_pass = middleLevel;
+  } else if (level >= veryCoarse || isPhysical(m_scene) || (hasSampledLight(m_scene) && level > wholeLevel)) {
+    m_pass = hasSampledLight(m_scene) ? wholeLevel : middleLevel;
     m_hasMiddlePass = true;
     m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size), m_stripMs);
   }

@@ -107,6 +107,38 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
 }
 
+// With a tolerance light is marched from each sample, which takes minutes: what moves looks it up, and so does
+// the whole picture over which the exact one comes.
+TEST(PicturesInMemory, onTheirWayToATolerancePicturesLookLightUp) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  Scene scene = phantomWith(ShadingModel::classic);
+  scene.shading.lightDirection = glm::normalize(glm::dvec3(1, 1, -1));
+  scene.shading.shadow.strength = 0.7;
+  scene.quality.toleranceLevels = 4.0;
+  scene.quality.fineness = 2.0;
+  pictures.want({scene}, pictureSize);
+  const SidePicture& side = pictures.side(0);
+  // However fast the machine.
+  for (const int level : {0, InteractionQuality::levelCount - 1}) {
+    pictures.want({scene}, pictureSize);
+    pictures.drawCoarsely(level, {});
+    EXPECT_FALSE(side.complete()) << level;
+    EXPECT_EQ(side.shownScene().quality.light, LightDetail::coarse) << level;
+  }
+  while (side.shownScene().quality.stepVoxels > 2.0 * scene.quality.stepVoxels) {
+    ASSERT_FALSE(pictures.refine(5.0));
+    EXPECT_EQ(side.shownScene().quality.light, LightDetail::coarse);
+  }
+  EXPECT_FALSE(side.complete());
+  while (!pictures.refine(5.0)) {
+  }
+  CpuRenderer whole;
+  EXPECT_EQ(*side.picture().image, whole.render(scene, pictureSize));
+  Scene coarse = scene;
+  coarse.quality.light = LightDetail::coarse;
+  EXPECT_NE(whole.render(coarse, pictureSize), *side.picture().image) << "nodes tell something else";
+}
+
 // A picture of half the size gets as many paths as there is time for; the whole one begins with as many, and
 // goes on: paths are followed once each.
 TEST(PicturesInMemory, ofPhysicalLightHaveTwiceAndTwiceAsManyPathsWhileTheyRest) {
