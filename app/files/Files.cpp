@@ -230,7 +230,7 @@ void DropController::tell(const QStringList& paths) {
   if (!looks.isEmpty())
     emit looksDropped(looks);
   if (!others.isEmpty())
-    emit sourceDropped(others.front());
+    emit sourcesDropped(others);
 }
 
 Files::Files(WindowContext& context, FileSources sources)
