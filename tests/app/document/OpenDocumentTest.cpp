@@ -163,7 +163,15 @@ TEST_F(OpenDocumentTest, thePatientIsNamedInTheTitleOnlyWhereThatIsWanted) {
             QStringLiteral("quillon.json · zebedee.nii · ZEBEDEE^QUILLON · PID7 · 19870615") + program);
   EXPECT_EQ(titleOf(document, false), QStringLiteral("ct-4x3x2") + program);
   EXPECT_EQ(labelOf(document), QStringLiteral("CT 4×3×2"));
+  EXPECT_EQ(labelOf(document, document.sessionFile()), QStringLiteral("CT 4×3×2"));
   EXPECT_EQ(suggestedName(document), QStringLiteral("ct-4x3x2"));
+}
+
+TEST_F(OpenDocumentTest, aSessionIsCalledAfterItsOwnFileAndNotAsItsVolume) {
+  openAndSettle("/data/head.nii");
+  document.settleIn(QStringLiteral("/data/t1.limn.json"), document.described());
+  EXPECT_EQ(labelOf(document), QStringLiteral("head.nii · CT 4×3×2"));
+  EXPECT_EQ(labelOf(document, document.sessionFile()), QStringLiteral("t1.limn.json · CT 4×3×2"));
 }
 
 TEST_F(OpenDocumentTest, theSampleIsCalledSo) {
