@@ -66,6 +66,8 @@ TEST_F(OpenDocumentTest, anotherArrangementIsKeptWithoutCountingAsAnEditAndAPane
   SessionDocument now = document.described();
   now.panel = SessionDocument::Panel::accuracy;
   EXPECT_FALSE(document.unsaved(now));
+  now.labelInHand = 1;
+  EXPECT_FALSE(document.unsaved(now)) << "whose curve is looked at is no work";
   now.layout = CompareLayout::wipe;
   const auto unsaved = document.unsaved(now);
   ASSERT_TRUE(unsaved);
