@@ -20,6 +20,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -122,11 +124,11 @@ void MainWindow::connectFiles() {
   connect(opening, &OpeningController::loaded, this, &MainWindow::showLoaded);
   connect(opening, &OpeningController::looksChosen, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::looksDropped, &m_panels.looks(), &LookController::importFiles);
-  connect(&m_files.drops(), &DropController::sourceDropped, this, [this](const QString& path) {
-    if (m_context.session.scene().volume && opensAsLabels(path))
-      m_picture.regions().openLabels(path);
+  connect(&m_files.drops(), &DropController::sourcesDropped, this, [this](const QStringList& paths) {
+    if (m_context.session.scene().volume && std::ranges::all_of(paths, opensAsLabels))
+      m_picture.regions().openLabelFiles(paths);
     else
-      openSource(path);
+      openSource(paths.front());
   });
   connect(&m_picture, &PictureArea::sliceCopyChosen, &m_files.slices(), &SliceSaving::copy);
   connect(&m_picture, &PictureArea::sliceSaveChosen, &m_files.slices(), &SliceSaving::save);

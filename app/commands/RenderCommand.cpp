@@ -146,8 +146,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   if (!arguments.samplesSpent.empty())
     writeSamples(picture, arguments);
   Scene written = isComparison ? scene : picture.scene;
-  if (!written.keep.source.empty())
-    written.keep.source = shareable(written.keep.source);
+  nameSources(written.keep, shareable);
   const std::optional<PictureAccuracy> accuracy =
       isComparison ? std::nullopt : accuracyOf(scene, picture, arguments.threads, progress);
   writeImage(arguments.out, picture.image, scene.image.background,

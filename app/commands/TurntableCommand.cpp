@@ -59,8 +59,7 @@ void runTurntable(const TurntableArguments& arguments) {
       return shareableName(QString::fromStdString(path), *scene.volume).toStdString();
     };
     Scene written = scene;
-    if (!written.keep.source.empty())
-      written.keep.source = shareable(written.keep.source);
+    nameSources(written.keep, shareable);
     return sceneToJson(written, shareable(loaded.volumePath), {}, loaded.measurements);
   };
   const auto start = std::chrono::steady_clock::now();

@@ -43,11 +43,14 @@ QString titleOf(const OpenDocument& document, bool showsPatient) {
 }
 
 QString labelOf(const OpenDocument& document) {
-  const QString& source = document.request().source;
-  if (source == sample)
+  return labelOf(document, document.request().source);
+}
+
+QString labelOf(const OpenDocument& document, const QString& file) {
+  if (file == sample)
     return QObject::tr("Sample head");
   const Volume& volume = *document.scene().volume;
-  const QString name = QFileInfo(source).fileName();
+  const QString name = QFileInfo(file).fileName();
   if (name.isEmpty() || mayNameThePatient(name, volume.info().patient))
     return plainDescription(volume);
   return name + QStringLiteral(" · ") + plainDescription(volume);

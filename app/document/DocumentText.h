@@ -13,8 +13,11 @@ class OpenDocument;
 /// only where that is asked for.
 QString titleOf(const OpenDocument& document, bool showsPatient);
 
-/// What may stand in a list without naming anybody. A volume is open.
+/// What may stand in a list without naming anybody, of what was opened. A volume is open.
 QString labelOf(const OpenDocument& document);
+
+/// The same of a file in which what is open was saved.
+QString labelOf(const OpenDocument& document, const QString& file);
 
 /// What a file that is made of it may be called without naming anybody, without ending.
 QString suggestedName(const OpenDocument& document);

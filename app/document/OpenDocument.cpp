@@ -87,6 +87,7 @@ std::optional<SessionDocument> OpenDocument::unsaved(SessionDocument now) const 
     return std::nullopt;
   SessionDocument settled = m_settled;
   settled.panel = now.panel; // alone no loss
+  settled.labelInHand = now.labelInHand;
   if (!m_session.isEdited() && now == settled)
     return std::nullopt;
   now.isUnsaved = m_session.isEdited();

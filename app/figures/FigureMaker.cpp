@@ -146,8 +146,7 @@ std::string figureDescription(const Figure& figure, const std::vector<std::strin
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const FigurePanel& panel = figure.panels[i];
     Scene scene = panel.scene;
-    if (!scene.keep.source.empty())
-      scene.keep.source = named(scene.keep.source, *scene.volume);
+    nameSources(scene.keep, [&](const std::string& labels) { return named(labels, *scene.volume); });
     SceneDocument shown = documentOf(scene, named(volumePaths[i], *scene.volume));
     shown.measurements = panel.measurements;
     document.panels.push_back({panel.name.toStdString(), panel.plane, panel.planes, std::move(shown)});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/figures/FigureOptions.h"
 
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -61,7 +61,7 @@ FigureOptions::FigureOptions(QWidget* parent) : QWidget(parent) {
   form->setHorizontalSpacing(8);
   form->setVerticalSpacing(6);
   addSize(*form);
-  m_page = new QComboBox(this);
+  m_page = new QuietComboBox(this);
   m_page->setObjectName(QStringLiteral("figurePage"));
   m_page->addItems({tr("White"), tr("Black"), tr("Transparent, pictures too")});
   connect(m_page, &QComboBox::activated, this, [this](int index) {
@@ -84,7 +84,7 @@ NumberField* FigureOptions::field(const QString& name, const QString& what, cons
 void FigureOptions::addSize(QFormLayout& form) {
   auto* width = new QHBoxLayout;
   m_width = field(QStringLiteral("figureWidth"), tr("Width"), {0.1, mostFigurePixels, 2});
-  m_unit = new QComboBox(this);
+  m_unit = new QuietComboBox(this);
   m_unit->setObjectName(QStringLiteral("figureUnit"));
   m_unit->setAccessibleName(tr("Unit of the size"));
   m_unit->addItems({tr("pixels"), tr("cm")});

@@ -230,7 +230,7 @@ void DropController::tell(const QStringList& paths) {
   if (!looks.isEmpty())
     emit looksDropped(looks);
   if (!others.isEmpty())
-    emit sourceDropped(others.front());
+    emit sourcesDropped(others);
 }
 
 Files::Files(WindowContext& context, FileSources sources)
@@ -260,7 +260,8 @@ Files::Files(WindowContext& context, FileSources sources)
   connect(&m_saving, &SavingController::sessionSaved, &m_safety, &SessionSafety::noteChange);
   connect(&m_saving, &SavingController::sessionSaved, this, [this] {
     const OpenDocument& document = m_context.document;
-    m_opening.remember(document.sessionFile(), labelOf(document), document.volumePath());
+    const QString& file = document.sessionFile();
+    m_opening.remember(file, labelOf(document, file), document.volumePath());
   });
 }
 

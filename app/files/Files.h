@@ -31,8 +31,8 @@ private:
   QString m_text;
 };
 
-/// Takes the files that are dropped on a window and says what each is: looks, however many, and one other
-/// file, which is to be opened. While they are held over it a frame shows that they may fall there.
+/// Takes the files that are dropped on a window and says what each is: looks, and others, of which the first
+/// is to be opened, or all as labels. While they are held over it a frame shows that they may fall there.
 class DropController : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ public:
 
 signals:
   void looksDropped(const QStringList& paths);
-  void sourceDropped(const QString& path);
+  void sourcesDropped(const QStringList& paths);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

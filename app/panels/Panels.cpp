@@ -381,11 +381,15 @@ void Panels::describe(SessionDocument& session) const {
   session.panel = m_context.docks.panel();
   session.cropBoxIsShown = m_cropBox.isShown();
   session.gradientCurveIsShown = m_curves.panel().gradientIsShown();
+  if (const auto label = m_curves.labelInHand())
+    session.labelInHand = static_cast<int>(*label);
 }
 
 void Panels::restore(const SessionDocument& session) {
   m_cropBox.setShown(session.cropBoxIsShown);
   m_curves.panel().showGradient(session.gradientCurveIsShown);
+  m_curves.takeInHand(session.labelInHand ? std::optional(static_cast<std::size_t>(*session.labelInHand))
+                                          : std::nullopt);
   m_context.docks.show(session.panel);
 }
 

@@ -2,6 +2,7 @@
 #include "app/picture/RegionController.h"
 
 #include "app/asking/FileDialogs.h"
+#include "app/document/PrivateNames.h"
 #include "app/window/WindowContext.h"
 #include "io/labels/LabelNames.h"
 #include "io/labels/MaskFolder.h"
@@ -61,6 +62,22 @@ std::vector<Cut> withoutNames(std::vector<Cut> cuts) {
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
 constexpr int worthSayingMs = 300;
 
+// What undo calls it. A file that may be called after its patient is not named.
+QString openingText(const QStringList& paths, const Volume& volume) {
+  const QString name = QFileInfo(paths.front()).fileName();
+  if (paths.size() > 1)
+    return RegionController::tr("open labels of %1 files").arg(paths.size());
+  return mayNameThePatient(name, volume.info().patient) ? RegionController::tr("open labels")
+                                                        : RegionController::tr("open labels %1").arg(name);
+}
+
+// The file of labels, or how many there are, as a sentence names it.
+QString namesOf(const Region& region) {
+  const std::vector<std::string> sources = sourcesOf(region);
+  return sources.size() == 1 ? QFileInfo(QString::fromStdString(sources.front())).fileName()
+                             : RegionController::tr("%1 files").arg(sources.size());
+}
+
 QString tableQuestion() {
   return RegionController::tr("Hide the table and the holder? It is not certain which part is the body.");
 }
@@ -71,8 +88,9 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
   const QAction* open = context.actions.add(
       QStringLiteral("openLabels"), {.text = tr("Open &labels…"),
                                      .place = {Menu::file, 1, 4},
-                                     .toolTip = tr("Opens a segmentation of the volume: each label can be "
-                                                   "shown, hidden or faded."),
+                                     .toolTip = tr("Opens a segmentation of the volume, or the masks of "
+                                                   "several files at once: each label can be shown, hidden "
+                                                   "or faded."),
                                      .needsVolume = true});
   const QAction* openFolder = context.actions.add(
       QStringLiteral("openLabelFolder"),
@@ -117,14 +135,16 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
 }
 
 void RegionController::askForLabels() {
-  const QString path = askWhatToOpen(
+  QStringList paths = askForPaths(
       &m_context.window,
       {.title = tr("Open the labels of this volume"),
        .filters = {tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)"),
-                   tr("All files (*)")}},
+                   tr("All files (*)")},
+       .isMany = true},
       m_context.settings);
-  if (!path.isEmpty())
-    openLabels(path);
+  paths.sort(); // and not in the order in which they were clicked
+  if (!paths.isEmpty())
+    openLabelFiles(paths);
 }
 
 void RegionController::askForMasks() {
@@ -135,17 +155,22 @@ void RegionController::askForMasks() {
     openLabels(path);
 }
 
-void RegionController::openLabels(const QString& path) {
-  start(tr("Opening labels"), {nextGestureId(), tr("open labels")},
-        [path, body = m_body, hides = hidesTable(m_context.session.scene().keep)](const Volume& volume,
-                                                                                  const Progress& progress) {
-          const Segmentation labels =
-              readSegmentation(path.toStdString(), gridOfFile(volume), progress, volume.info().patient);
+void RegionController::openLabelFiles(const QStringList& paths) {
+  if (!m_volume)
+    return;
+  std::vector<std::filesystem::path> files;
+  for (const QString& path : paths)
+    files.emplace_back(path.toStdString());
+  start(tr("Opening labels"), {nextGestureId(), openingText(paths, *m_volume)},
+        [files, body = m_body, kept = m_context.session.scene().keep](const Volume& volume,
+                                                                      const Progress& progress) {
+          FoundRegion found = openedBeside(kept, files, volume, progress);
           // What was hidden beside the body stays hidden.
-          return FoundRegion{hides ? withBodyOf(labels.region, volume, body, progress).region : labels.region,
-                             labels.remark, false};
+          if (hidesTable(kept))
+            found.region = withBodyOf(found.region, volume, body, progress).region;
+          return found;
         });
-  m_opening = path;
+  m_opening = paths.front();
 }
 
 void RegionController::setBodyOnly(bool isOn) {
@@ -346,7 +371,8 @@ void RegionController::start(const QString& what, const Gesture& gesture, Work w
 }
 
 void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
-  const std::size_t before = m_context.session.scene().keep.cuts.size();
+  const Region kept = m_context.session.scene().keep;
+  const std::size_t before = kept.cuts.size();
   if (!m_goesOn && found.takesNothing && found.region.cuts.size() > before) {
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
     return;
@@ -357,12 +383,31 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
     emit curveGiven(*label);
   if (m_goesOn)
     return showScene(m_context.session.scene());
-  if (!found.remark.empty() && isRestricting(found.region))
+  if (found.region.kind == Region::Kind::labels && replacesLabels(found.region, kept))
+    sayWhatGaveWay(kept, found);
+  else if (!found.remark.empty() && isRestricting(found.region))
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
                             {tr("Show everything"), [this] { showEverything(); }});
   else if (!found.remark.empty())
     m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
   showScene(m_context.session.scene());
+}
+
+// Cuts that came since hold for the labels that come back, too.
+void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& found) {
+  const auto bringBack = [this, before, volume = m_volume] {
+    m_context.messages.hide();
+    if (m_context.session.scene().volume != volume)
+      return;
+    Region labels = withoutCuts(before);
+    labels.cuts = m_context.session.scene().keep.cuts;
+    setKeep(labels, {nextGestureId(), tr("labels of before")});
+  };
+  m_context.messages.show(
+      MessageBar::Kind::warning,
+      tr("The labels of %1 took the place of those of %2.").arg(namesOf(found.region), namesOf(before)),
+      found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
+      {tr("Bring those back"), bringBack});
 }
 
 void RegionController::cancel() {

@@ -11,6 +11,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -38,7 +39,9 @@ public:
 public slots:
   void askForLabels();
   void askForMasks();
-  void openLabels(const QString& path);
+  void openLabels(const QString& path) { openLabelFiles({path}); }
+  /// Several are masks, each of a structure.
+  void openLabelFiles(const QStringList& paths);
   void setBodyOnly(bool isOn);
   /// What is kept shall be this: of other labels that pieces hang on, those are found anew.
   void setKeep(const limn::Region& region, const limn::Gesture& gesture);
@@ -76,6 +79,7 @@ private:
   void start(const QString& what, const Gesture& gesture, Work work);
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
+  void sayWhatGaveWay(const Region& before, const FoundRegion& found);
   void measureLabels(const Scene& scene);
   void hideTableBesideLabels(bool isHidden, const Gesture& gesture);
   void offerCutsOfBefore(const Scene& scene);

@@ -252,6 +252,24 @@ TEST(SceneFile, whatIsKeptIsReadBack) {
   EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, (KeptPart{Region::Kind::body, "", {}, {}}));
 }
 
+TEST(SceneFile, masksInSeveralFilesAreReadBack) {
+  const KeptPart masks{Region::Kind::labels, "a.nrrd", {{2, 0.5}}, {}, {}, false, {"b/c.nrrd"}};
+  EXPECT_EQ(parseScene(withKeep(R"({"labels": ["a.nrrd", "b/c.nrrd"], "weights": {"2": 0.5}})"), "t").keep,
+            masks);
+  Scene scene;
+  scene.keep = {Region::Kind::labels,
+                "a.nrrd",
+                std::make_shared<const LabelMap>(glm::ivec3(1), std::vector<std::uint8_t>{0},
+                                                 std::vector<Label>{{0, "", {}}, {1, "", {}}, {2, "", {}}}),
+                {1.0, 1.0, 0.5}};
+  scene.keep.moreSources = {"b/c.nrrd"};
+  EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, masks);
+  SceneDocument document;
+  document.keep = masks;
+  EXPECT_EQ(located(document, "/scans/s.limn.json").keep.moreLabels,
+            std::vector<std::string>{"/scans/b/c.nrrd"});
+}
+
 TEST(SceneFile, looksOfLabelsAreReadBackAloneAndBesideCuts) {
   const TransferFunction bone{2.5, {{200.0, {1.0, 0.9, 0.8}, 0.0}, {900.0, {1.0, 1.0, 1.0}, 0.75}}};
   const TransferFunction vessel{1.0, {{100.0, {0.9, 0.1, 0.1}, 0.0}, {350.0, {1.0, 0.3, 0.2}, 0.5}}};
@@ -376,6 +394,9 @@ TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
            {R"(3)", "keep"},
            {R"({"weights": {}})", "keep.labels"},
            {R"({"labels": ""})", "keep.labels"},
+           {R"({"labels": []})", "keep.labels"},
+           {R"({"labels": ["s", 3]})", "keep.labels"},
+           {R"({"labels": ["s", ""]})", "keep.labels"},
            {R"({"labels": "s", "weights": {"3": 1.5}})", "keep.weights.3"},
            {R"({"labels": "s", "weights": {"3": "half"}})", "keep.weights.3"},
            {R"({"labels": "s", "weights": {"bone": 1}})", "keep.weights.bone"},

@@ -58,6 +58,7 @@ SessionDocument unusual() {
   session.scene.keep = {Region::Kind::labels, "seg.nrrd", {{2, 0.5}}};
   session.cropBoxIsShown = true;
   session.gradientCurveIsShown = true;
+  session.labelInHand = 2;
   session.label = "CT 3×2×4";
   session.savedAs = "/somewhere/else.json";
   session.isUnsaved = true;
@@ -122,6 +123,8 @@ TEST(SessionFile, unknownKeysAreRefusedByNameOnEveryLevel) {
 TEST(SessionFile, valuesOutsideTheirRangeAreRefusedWithTheRange) {
   const std::string head = R"({"limn_session": 1, "scene": {"limn_scene": 1, "volume": "a.nii"}, )";
   EXPECT_NE(sessionRefusal(head + R"("compare": {"wipe": 1.5}})").find("from 0 to 1"), std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("window": {"label_in_hand": -1}})").find("from 0 to 65535"),
+            std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("series": 0})").find("from 1 to 100000"), std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("spacing_mm": [1, 0, 1]})").find("above 0"), std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("compare": {"layout": "four"}})").find("side_by_side"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What assistive technology finds in the controls that paint themselves, asked as a screen reader asks.
+#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/FoldingSection.h"
 #include "widgets/controls/NumberSliders.h"
 #include "widgets/controls/TrackSlider.h"
@@ -8,7 +9,9 @@
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
+#include <QHelpEvent>
 #include <QTest>
+#include <QToolTip>
 
 #include <gtest/gtest.h>
 
@@ -181,6 +184,21 @@ TEST(AccessibleFolding, aHeaderIsAButtonThatIsExpandedOrCollapsed) {
   EXPECT_EQ(folded, std::vector<bool>{true});
   EXPECT_TRUE(header.state().collapsed);
   EXPECT_FALSE(header.state().expanded);
+}
+
+TEST(AccessiblePicker, aSwatchOfThePickerTellsItsTissueAndItsKeyWhereThePointerRests) {
+  ColorPicker picker;
+  picker.show();
+  const auto tipAt = [&picker](const QPoint& at) {
+    QHelpEvent help(QEvent::ToolTip, at, picker.mapToGlobal(at));
+    QApplication::sendEvent(&picker, &help);
+    return QToolTip::text();
+  };
+  // Swatches stand below the field, in a row as wide as the picker.
+  const int row = picker.height() - 26 - 8 - 13;
+  EXPECT_EQ(tipAt({13, row}), QStringLiteral("Bone (key 1)"));
+  EXPECT_EQ(tipAt({picker.width() - 13, row}), QStringLiteral("Metal (key 8)"));
+  EXPECT_EQ(tipAt({picker.width() / 2 + 13, row}), QStringLiteral("Vessel (key 5)"));
 }
 
 } // namespace

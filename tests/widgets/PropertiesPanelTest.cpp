@@ -13,7 +13,10 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
+#include <QScrollBar>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +58,49 @@ Shading unusual() {
 TEST_F(PropertiesPanelTest, everyChoiceIsWideEnoughForItsText) {
   for (const QComboBox* box : m_panel.findChildren<QComboBox*>())
     EXPECT_GE(box->width(), box->sizeHint().width()) << box->accessibleName().toStdString();
+}
+
+// A notch of the wheel as the window system tells it, which gives the keyboard to what takes it by the wheel.
+void turnWheelOver(QWidget& widget) {
+  const QPointF at = QRectF(widget.rect()).center();
+  QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+  QSpontaneKeyEvent::setSpontaneous(&event);
+  qApp->notify(&widget, &event);
+}
+
+TEST_F(PropertiesPanelTest, theWheelScrollsOverWhatDoesNotHaveTheKeyboardAndChangesNothing) {
+  m_panel.resize(320, 400);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&m_panel));
+  QCoreApplication::processEvents();
+  QScrollBar& bar = *m_panel.verticalScrollBar();
+  ASSERT_GT(bar.maximum(), 0);
+  const auto expectScrolls = [&bar](QWidget& below, const QWidget& control) {
+    bar.setValue(0);
+    turnWheelOver(below);
+    EXPECT_GT(bar.value(), 0) << control.accessibleName().toStdString();
+    EXPECT_FALSE(control.hasFocus()) << control.accessibleName().toStdString();
+  };
+  const auto isThere = [](const QWidget* control) { return control->isVisible() && control->isEnabled(); };
+  NumberField* turned = nullptr;
+  for (NumberField* field : m_panel.findChildren<NumberField*>())
+    if (isThere(field)) {
+      expectScrolls(*field->findChild<QLineEdit*>(), *field);
+      if (!turned && field->number() > field->minimum())
+        turned = field;
+    }
+  for (QComboBox* box : m_panel.findChildren<QComboBox*>())
+    if (isThere(box))
+      expectScrolls(*box, *box);
+  for (TrackSlider* slider : m_panel.findChildren<TrackSlider*>())
+    if (isThere(slider))
+      expectScrolls(*slider, *slider);
+  EXPECT_TRUE(m_edits.empty());
+  ASSERT_NE(turned, nullptr);
+  turned->setFocus();
+  bar.setValue(0);
+  const double before = turned->number();
+  turnWheelOver(*turned);
+  EXPECT_LT(turned->number(), before) << "who has gone to a field may turn the wheel there";
 }
 
 TEST_F(PropertiesPanelTest, settingEmitsNothing) {

@@ -3,7 +3,6 @@
 
 #include "widgets/controls/LabelledRow.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QStyleOptionComboBox>
 #include <QWheelEvent>
@@ -15,12 +14,10 @@ namespace {
 
 constexpr int shortestBox = 120; // pixels, about what tracks and fields of the rows around it need
 
-// Scrolling a panel must change nothing on the way. Longer words than there is room for end in an ellipsis,
-// so that they make no panel wider; the list that opens has them all.
-class QuietComboBox : public QComboBox {
+// Longer words than there is room for end in an ellipsis, so that they make no panel wider; the list that
+// opens has them all.
+class ElidedComboBox : public QuietComboBox {
 public:
-  QuietComboBox() { setFocusPolicy(Qt::StrongFocus); }
-
   QSize minimumSizeHint() const override {
     const QSize whole = QComboBox::minimumSizeHint();
     return {std::min(whole.width(), shortestBox), whole.height()};
@@ -33,23 +30,27 @@ protected:
         style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
     option->currentText = option->fontMetrics.elidedText(option->currentText, Qt::ElideRight, words.width());
   }
-
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QComboBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
 };
 
 } // namespace
+
+QuietComboBox::QuietComboBox(QWidget* parent) : QComboBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+void QuietComboBox::wheelEvent(QWheelEvent* event) {
+  if (hasFocus())
+    QComboBox::wheelEvent(event);
+  else
+    event->ignore();
+}
 
 ChoiceRow::ChoiceRow(const QString& label, const QString& help, const QStringList& choices, int defaultIndex,
                      QWidget* parent)
     : QWidget(parent), m_name(label),
       m_toolTip(tr("<p>%1</p><p>%2; default %3. Double click on the name to reset.</p>")
                     .arg(help, choices.join(QStringLiteral(", ")), choices.at(defaultIndex))),
-      m_default(defaultIndex), m_label(new ResetLabel(label)), m_box(new QuietComboBox) {
+      m_default(defaultIndex), m_label(new ResetLabel(label)), m_box(new ElidedComboBox) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);

@@ -3,14 +3,23 @@
 
 #include "widgets/Gesture.h"
 
+#include <QComboBox>
 #include <QStringList>
 #include <QWidget>
-
-class QComboBox;
 
 namespace limn {
 
 class ResetLabel;
+
+/// A drop-down list that the wheel changes only while it has the keyboard, which the wheel does not give it, so
+/// that scrolling a panel changes nothing on the way.
+class QuietComboBox : public QComboBox {
+public:
+  explicit QuietComboBox(QWidget* parent = nullptr);
+
+protected:
+  void wheelEvent(QWheelEvent* event) override;
+};
 
 /// One of a few: its name and a drop-down list. A double click on the name resets.
 class ChoiceRow : public QWidget {

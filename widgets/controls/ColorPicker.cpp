@@ -6,10 +6,12 @@
 #include "widgets/theme/Theme.h"
 
 #include <QFrame>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -19,9 +21,15 @@
 namespace limn {
 namespace {
 
-// Bone, fat, skin, muscle, vessel, brain, lung, metal.
 constexpr std::array<const char*, 8> swatches{"#f4ecd8", "#f0cf7a", "#e0a98c", "#a8473d",
                                               "#d8261c", "#e6b7b0", "#8fb8d8", "#cfd6de"};
+
+QString swatchName(int index) {
+  const std::array<QString, swatches.size()> names{
+      ColorPicker::tr("Bone"),   ColorPicker::tr("Fat"),   ColorPicker::tr("Skin"), ColorPicker::tr("Muscle"),
+      ColorPicker::tr("Vessel"), ColorPicker::tr("Brain"), ColorPicker::tr("Lung"), ColorPicker::tr("Metal")};
+  return names[static_cast<std::size_t>(index)];
+}
 
 constexpr double barWidth = 16.0;
 constexpr double gap = 8.0;
@@ -160,6 +168,25 @@ QRectF ColorPicker::swatchRect(int index) const {
   return {left, fieldRect().bottom() + gap, std::round((index + 1) * pitch) - 4.0 - left, rowHeight};
 }
 
+std::optional<int> ColorPicker::swatchAt(const QPointF& position) const {
+  for (int i = 0; i < static_cast<int>(swatches.size()); ++i)
+    if (swatchRect(i).contains(position))
+      return i;
+  return std::nullopt;
+}
+
+bool ColorPicker::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip)
+    return QWidget::event(event);
+  const auto& help = static_cast<const QHelpEvent&>(*event);
+  if (const std::optional<int> index = swatchAt(help.pos()))
+    QToolTip::showText(help.globalPos(), tr("%1 (key %2)").arg(swatchName(*index)).arg(*index + 1), this,
+                       swatchRect(*index).toRect());
+  else
+    QToolTip::hideText();
+  return true;
+}
+
 void ColorPicker::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -217,9 +244,8 @@ void ColorPicker::mousePressEvent(QMouseEvent* event) {
   m_part = fieldRect().contains(position) ? Part::field : Part::none;
   if (position.x() >= hueRect().left() && position.y() <= hueRect().bottom())
     m_part = Part::hue;
-  for (int i = 0; i < static_cast<int>(swatches.size()); ++i)
-    if (swatchRect(i).contains(position))
-      return pick(swatch(i));
+  if (const std::optional<int> index = swatchAt(position))
+    return pick(swatch(*index));
   pickAt(position);
 }
 

@@ -9,16 +9,17 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 
 class QLineEdit;
 
 namespace limn {
 
 /// Picks a colour: a field of saturation (right) and brightness (up), a bar of hues, swatches of tissues, and
-/// the hex code to type, or the English name. Live: every move of the mouse reports, and all that is picked
-/// until another colour is set is one gesture, which can be taken back. With the keyboard arrows move in the
-/// field (Shift: ten steps), Page Up and Page Down along the hues, digits are the swatches from left to
-/// right.
+/// the hex code to type, or the English name. A tool tip names a swatch and its key. Live: every move of the
+/// mouse reports, and all that is picked until another colour is set is one gesture, which can be taken back.
+/// With the keyboard arrows move in the field (Shift: ten steps), Page Up and Page Down along the hues,
+/// digits are the swatches from left to right.
 class ColorPicker : public QWidget {
   Q_OBJECT
 
@@ -46,6 +47,7 @@ signals:
   void takenBack(std::uint64_t gestureId);
 
 protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -58,6 +60,7 @@ private:
   QRectF fieldRect() const;
   QRectF hueRect() const;
   QRectF swatchRect(int index) const;
+  std::optional<int> swatchAt(const QPointF& position) const;
   void pickAt(const QPointF& position);
   void pick(const QColor& color);
   void pickShown();

@@ -35,6 +35,7 @@ NumberField::NumberField(double lowest, double highest, int decimals, QWidget* p
   setDecimals(decimals);
   setRange(lowest, highest);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
+  setFocusPolicy(Qt::StrongFocus); // the wheel would give it the keyboard on its way through a panel
   setKeyboardTracking(false);
   setAlignment(Qt::AlignRight);
   setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);

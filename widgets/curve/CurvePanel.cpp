@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/CurvePanel.h"
 
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPixmap>
@@ -41,7 +41,7 @@ QIcon curveSwatch(const QColor& color) {
 
 CurvePanel::CurvePanel(QWidget* parent)
     : QStackedWidget(parent), m_value(new TransferFunctionEditor), m_gradient(new GradientOpacityEditor),
-      m_whose(new QComboBox) {
+      m_whose(new QuietComboBox) {
   addWidget(m_value);
   addWidget(m_gradient);
   m_whose->setAccessibleName(tr("Whose curve"));

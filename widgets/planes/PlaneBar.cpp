@@ -4,12 +4,12 @@
 #include "planes/GreyWindows.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/ValueText.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/Popups.h"
 #include "widgets/theme/Icons.h"
 #include "widgets/theme/Theme.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -180,7 +180,7 @@ QWidget* PlaneBar::makeSlabGroup() {
   addLabelled(*row, tr("Slab"), m_thickness);
   connect(m_thickness, &NumberField::numberEdited, this,
           [this](double mm) { edit([&](PlaneSettings& s) { s.slab.thicknessMm = mm; }); });
-  m_mode = new QComboBox;
+  m_mode = new QuietComboBox;
   m_mode->addItems({tr("Mean"), tr("Maximum")});
   m_mode->setAccessibleName(tr("Slab shows"));
   m_mode->setToolTip(tr("What a slab shows of the values across it."));

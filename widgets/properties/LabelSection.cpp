@@ -191,9 +191,9 @@ void LabelSection::setScene(const Scene& scene) {
   // Cuts leave a segmentation what it is, and so does a hidden table.
   // Nor does another place of the same voxels.
   const bool isSame = m_volume && scene.volume && m_volume->sharesVoxelsWith(*scene.volume);
-  const bool isOther = rows > 0 && (!hadRows || !isSame || scene.keep.source != m_source);
+  const bool isOther = rows > 0 && (!hadRows || !isSame || sourcesOf(scene.keep) != m_sources);
   m_volume = rows > 0 ? scene.volume : nullptr;
-  m_source = scene.keep.source;
+  m_sources = sourcesOf(scene.keep);
   m_search->setVisible(rows > mostRowsShown);
   if (rows <= mostRowsShown)
     m_search->clear();

@@ -60,7 +60,7 @@ private:
   QPushButton* m_open;
   QPushButton* m_showAll;
   std::shared_ptr<const Volume> m_volume; ///< of which labels are listed, null where none are
-  std::string m_source;                   ///< of these
+  std::vector<std::string> m_sources;     ///< of these
 };
 
 } // namespace limn

@@ -6,6 +6,7 @@
 #include "scene/Scene.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace limn {
 
@@ -37,6 +38,14 @@ FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<
 /// goes before one on the cuts.
 FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
                   const Progress& progress = {});
+
+/// Labels that are opened beside what is kept of a volume: masks come to the masks that are open, which stay
+/// shown as they are, and other labels take the place of those. Throws as readSegmentations does.
+FoundRegion openedBeside(const Region& kept, const std::vector<std::filesystem::path>& files,
+                         const Volume& volume, const Progress& progress = {});
+
+/// Whether labels of a file that a region had gave way to those of another.
+bool replacesLabels(const Region& region, const Region& before);
 
 /// What a scene asks to be kept of its volume; the label map is read from where the scene says. Throws Error
 /// (input) where it cannot be read or lacks a label that has a weight; Cancelled.

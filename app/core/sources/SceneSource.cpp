@@ -246,6 +246,8 @@ std::string labelsOf(const std::string& written, const std::string& volume, cons
 
 void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
   part.labels = labelsOf(part.labels, loaded.volumePath, options);
+  for (std::string& mask : part.moreLabels)
+    mask = labelsOf(mask, loaded.volumePath, options);
   FoundRegion kept = regionOf(part, *loaded.scene.volume, progress);
   loaded.scene.keep = std::move(kept.region);
   if (!kept.remark.empty())

@@ -297,7 +297,8 @@ Turntable TurntableDialog::wanted() const {
   turntable.scene = m_context.view.sceneOfSide(std::max(0, m_picture->currentIndex()));
   if (const auto& views = m_context.session.views(); m_start->currentIndex() > 0)
     turntable.scene.camera = views.at(static_cast<std::size_t>(m_start->currentIndex()) - 1).camera;
-  turntable.scene.keep.source = m_saving.labelsInPicture();
+  nameSources(turntable.scene.keep,
+              [this](const std::string& labels) { return m_saving.labelsInPicture(labels); });
   turntable.size = size();
   turntable.frames = frames();
   turntable.angleDeg = m_angle->number();

@@ -24,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace limn {
@@ -388,17 +389,20 @@ void FigureDialog::describe(const QString& text, bool canBeMade) {
 void FigureDialog::save() {
   const QString usual = suggestedName(m_context.document) + QStringLiteral("-figure.png");
   const std::string volumePath = m_context.document.volumePath();
-  const NameInFile named = [volumePath, volume = m_saving.volumeInPicture(),
-                            labels = m_saving.labelsInPicture()](const std::string& name, const Volume&) {
-    return name == volumePath ? volume : labels;
-  };
+  const Figure figure = wanted();
+  std::map<std::string, std::string> names; // found here: the settings are no thread's beside this one
+  for (const FigurePanel& panel : figure.panels)
+    for (const std::string& labels : sourcesOf(panel.scene.keep))
+      names[labels] = m_saving.labelsInPicture(labels);
+  names[volumePath] = m_saving.volumeInPicture();
+  const NameInFile named = [names](const std::string& name, const Volume&) { return names.at(name); };
   exportTo({.title = tr("Save the figure"),
             .suggested = usual,
             .filters = {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"),
                         tr("TIFF picture (*.tif)"), tr("OpenEXR with floats (*.exr)")},
             .isPicture = true},
-           [figure = wanted(), named, volumePath,
-            order = m_context.drawnLikeTheView()](const std::string& path, const Effort& effort) {
+           [figure, named, volumePath, order = m_context.drawnLikeTheView()](const std::string& path,
+                                                                             const Effort& effort) {
              const MadeFigure made =
                  makeFigure(figure, withEffort(order, effort), pixelsFor(figureFormatOf(path)));
              const std::vector<std::string> volumes(made.figure.panels.size(), volumePath);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/figure/PanelList.h"
 
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/figure/FigureText.h"
 
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,7 +12,7 @@
 
 namespace limn {
 
-PanelList::PanelList(QWidget* parent) : QWidget(parent), m_count(new QComboBox(this)) {
+PanelList::PanelList(QWidget* parent) : QWidget(parent), m_count(new QuietComboBox(this)) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
@@ -43,7 +43,7 @@ void PanelList::addRow(std::size_t index) {
   const QString letter = panelLetter(index);
   row.letter = new QLabel(letter, this);
   row.letter->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  row.source = new QComboBox(this);
+  row.source = new QuietComboBox(this);
   row.source->setObjectName(QStringLiteral("panelSource-") + letter);
   row.source->setAccessibleName(tr("What panel %1 shows").arg(letter));
   row.source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

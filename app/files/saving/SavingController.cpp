@@ -273,7 +273,9 @@ void SavingController::writeSession(const QString& path) {
   SessionDocument session = m_session();
   const std::filesystem::path target(path.toStdString());
   session.scene.volume = volumeSeenFrom(target);
-  session.scene.keep.labels = labelsSeenFrom(target);
+  session.scene.keep.labels = labelsSeenFrom(target, session.scene.keep.labels);
+  for (std::string& mask : session.scene.keep.moreLabels)
+    mask = labelsSeenFrom(target, mask);
   const auto write = [&] {
     writeFileAtomically(target, sessionToJson(session));
     m_context.document.settleIn(path, m_session());
@@ -285,7 +287,7 @@ void SavingController::writeSession(const QString& path) {
 void SavingController::writeScene(const QString& path) {
   const std::filesystem::path target(path.toStdString());
   Scene scene = m_context.document.scene();
-  scene.keep.source = labelsSeenFrom(target);
+  nameSources(scene.keep, [&](const std::string& labels) { return labelsSeenFrom(target, labels); });
   SceneDocument document = documentOf(scene, volumeSeenFrom(target));
   document.measurements = m_context.session.measurements();
   document.views = m_context.session.views();
@@ -344,7 +346,7 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
     for (Scene& drawn : scenes)
       drawn.quality.paths.reset(); // as many as are asked for, and not those on screen
   Scene scene = scenes.at(static_cast<std::size_t>(view.ownSide()));
-  scene.keep.source = labelsInPicture();
+  nameSources(scene.keep, [this](const std::string& labels) { return labelsInPicture(labels); });
   scene.image.background = groundOf(options.ground, m_context.document.scene().image.background);
   PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
                    scene.image.background, 0.0,     {},     {view.order(), shown}};
@@ -410,8 +412,9 @@ std::string SavingController::volumeInPicture() const {
   return volumeSeenFrom(std::filesystem::path(m_context.document.volumePath()).parent_path() / "picture");
 }
 
-std::string SavingController::labelsInPicture() const {
-  return labelsSeenFrom(std::filesystem::path(m_context.document.volumePath()).parent_path() / "picture");
+std::string SavingController::labelsInPicture(const std::string& labels) const {
+  return labelsSeenFrom(std::filesystem::path(m_context.document.volumePath()).parent_path() / "picture",
+                        labels);
 }
 
 // How a file at this place names the volume and the label map. A relative path survives moving both together;
@@ -432,8 +435,9 @@ std::string SavingController::volumeSeenFrom(const std::filesystem::path& file) 
                   plainFileName(*m_context.document.scene().volume).toStdString());
 }
 
-std::string SavingController::labelsSeenFrom(const std::filesystem::path& file) const {
-  return seenFrom(file, m_context.document.scene().keep.source, "labels");
+std::string SavingController::labelsSeenFrom(const std::filesystem::path& file,
+                                             const std::string& labels) const {
+  return seenFrom(file, labels, "labels");
 }
 
 } // namespace limn

@@ -122,9 +122,9 @@ public:
                                              .ground = PictureOptions::Ground::shown, .marks = noMarks});
   void cancelPicture();
 
-  /// How a picture that may travel calls the volume and the label map: without folders.
+  /// How a picture that may travel calls the volume and a file of labels: without folders.
   std::string volumeInPicture() const;
-  std::string labelsInPicture() const;
+  std::string labelsInPicture(const std::string& labels) const;
 
 signals:
   void sessionSaved();
@@ -138,7 +138,7 @@ private:
   std::string seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
                        const std::string& kind) const;
   std::string volumeSeenFrom(const std::filesystem::path& file) const;
-  std::string labelsSeenFrom(const std::filesystem::path& file) const; ///< empty where there are none
+  std::string labelsSeenFrom(const std::filesystem::path& file, const std::string& labels) const;
 
   WindowContext& m_context;
   std::function<SessionDocument()> m_session;

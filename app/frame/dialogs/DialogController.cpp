@@ -102,6 +102,8 @@ QList<HelpRow> curveRows() {
       {{}, QObject::tr("Curve")},
       {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
       {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt moves finely")},
+      {QObject::tr("Ctrl+click points, drag a frame"),
+       QObject::tr("select several, to move or change together")},
       {QObject::tr("Middle click, Del"), QObject::tr("delete")},
       {QObject::tr("Rest on a point, H"), QObject::tr("what it governs lights up in slices and picture")},
       {QObject::tr("Double click a point"),

@@ -129,6 +129,12 @@ Segmentation readSegmentation(const fs::path& path, const Grid& grid, const Prog
   });
 }
 
+Segmentation readSegmentations(const std::vector<fs::path>& paths, const Grid& grid, const Progress& progress,
+                               const PatientLabel& patient) {
+  return paths.size() == 1 ? readSegmentation(paths.front(), grid, progress, patient)
+                           : readMasks(paths, grid, progress, patient);
+}
+
 Region readLabels(const fs::path& path, const Grid& grid, const Progress& progress) {
   return readSegmentation(path, grid, progress).region;
 }

@@ -6,6 +6,7 @@
 #include "scene/volume/Volume.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace limn {
 
@@ -23,6 +24,10 @@ struct Segmentation {
 /// naming the file; Cancelled.
 Segmentation readSegmentation(const std::filesystem::path& path, const Grid& grid,
                               const Progress& progress = {}, const PatientLabel& patient = {});
+
+/// The same of several files, which are masks (readMasks in MaskFolder.h), or of one.
+Segmentation readSegmentations(const std::vector<std::filesystem::path>& paths, const Grid& grid,
+                               const Progress& progress = {}, const PatientLabel& patient = {});
 
 /// The same without the remark, for volumes of nobody.
 Region readLabels(const std::filesystem::path& path, const Grid& grid, const Progress& progress = {});

@@ -45,27 +45,35 @@ Message listOf(const std::vector<std::string>& names) {
   return names.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list, names.size() - mostNamed) : list;
 }
 
-Message overlapIn(const MasksOnGrid& masks) {
+// Whether masks come by name, as those of a folder, or in the order in which they were chosen.
+enum class Order { byName, asChosen };
+
+Message overlapIn(const MasksOnGrid& masks, Order order) {
   const auto& largest = masks.largestOverlap();
   if (!largest)
     return {};
   if (largest->voxels == masks.overlapping())
-    return Message::tr(
-               "%1 voxels lie in two masks and belong to the one whose name comes last: to %2 and not "
-               "to %3.")
+    return (order == Order::byName
+                ? Message::tr("%1 voxels lie in two masks and belong to the one whose name comes last: to %2 "
+                              "and not to %3.")
+                : Message::tr("%1 voxels lie in two masks and belong to the one that was opened last: to %2 "
+                              "and not to %3."))
         .arg(largest->voxels, largest->winner, largest->loser);
-  return Message::tr("%1 voxels lie in more than one mask and belong to the one whose name comes last; most "
-                     "of them, %2, to %3 and not to %4.")
+  return (order == Order::byName
+              ? Message::tr("%1 voxels lie in more than one mask and belong to the one whose name comes "
+                            "last; most of them, %2, to %3 and not to %4.")
+              : Message::tr("%1 voxels lie in more than one mask and belong to the one that was opened "
+                            "last; most of them, %2, to %3 and not to %4."))
       .arg(masks.overlapping(), largest->voxels, largest->winner, largest->loser);
 }
 
-Message remarkOn(const std::vector<std::string>& skipped, const MasksOnGrid& masks) {
+Message remarkOn(const std::vector<std::string>& skipped, const MasksOnGrid& masks, Order order) {
   Message remark;
   if (skipped.size() == 1)
     remark = Message::tr("%1 is no mask and was left out.").arg(listOf(skipped));
   else if (!skipped.empty())
     remark = Message::tr("%1 files are no masks and were left out: %2.").arg(skipped.size(), listOf(skipped));
-  return remark.followedBy(" ", overlapIn(masks));
+  return remark.followedBy(" ", overlapIn(masks, order));
 }
 
 } // namespace
@@ -80,39 +88,82 @@ bool isMaskFolder(const fs::path& path) {
   }
 }
 
-Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Progress& progress,
-                            const PatientLabel& patient) {
-  const std::vector<fs::path> files = filesIn(folder);
-  std::vector<std::string> skipped;
-  std::optional<MasksOnGrid> masks;
+namespace {
+
+// Masks on a grid, and of which files they are; none where no file is one.
+struct ReadMasks {
+  std::optional<MasksOnGrid> masks{};
+  std::vector<fs::path> files{};
+  std::vector<std::string> skipped{};
+};
+
+ReadMasks readInOrder(const std::vector<fs::path>& files, Order order, const Grid& grid,
+                      const Progress& progress, const PatientLabel& patient) {
+  ReadMasks read;
   int value = 0;
   for (std::size_t n = 0; n < files.size(); ++n) {
     const bool isVolume = !volumeStem(files[n]).empty();
-    value += isVolume ? 1 : 0;
     const auto share = [&](double done) {
       return (static_cast<double>(n) + done) / static_cast<double>(files.size());
     };
     const auto mask = isVolume ? readVolume(files[n], {}, part(progress, share(0.0), share(0.8))) : nullptr;
-    if (!mask || !isMask(*mask)) {
-      skipped.push_back(files[n].filename().string());
+    const bool isTaken = mask && isMask(*mask);
+    // A folder's numbers hold whatever its files hold; of others those that are no masks are left out for
+    // good.
+    value += (order == Order::byName ? isVolume : isTaken) ? 1 : 0;
+    if (!isTaken) {
+      read.skipped.push_back(files[n].filename().string());
       continue;
     }
     requireNear(files[n], mask->grid(), grid);
-    if (!masks)
-      masks.emplace(grid, files.size(), mask->room());
-    masks->add(*mask, value, maskName(files[n], value, files, patient),
-               effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
+    if (!read.masks)
+      read.masks.emplace(grid, files.size(), mask->room());
+    read.files.push_back(files[n]);
+    read.masks->add(*mask, value, maskName(files[n], value, files, patient),
+                    effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
   }
-  if (!masks)
+  return read;
+}
+
+Region regionOf(MasksOnGrid& masks, const std::string& source) {
+  const auto map = masks.finished();
+  return {Region::Kind::labels, source, map, std::vector<double>(map->labels().size(), 1.0)};
+}
+
+} // namespace
+
+Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Progress& progress,
+                            const PatientLabel& patient) {
+  ReadMasks read = readInOrder(filesIn(folder), Order::byName, grid, progress, patient);
+  if (!read.masks)
     failReading(folder, Message::tr("no file in it is the mask of a structure: 0, and one value inside"),
                 Message::tr("open the folder that the segmentation was written to"));
-  const Message remark = remarkOn(skipped, *masks);
-  const auto map = masks->finished();
-  if (map->labels().size() == 1)
+  const Message remark = remarkOn(read.skipped, *read.masks, Order::byName);
+  const Region region = regionOf(*read.masks, sourceOf(folder));
+  if (region.weights.size() == 1)
     failReading(folder, Message::tr("all of its masks are empty"),
                 Message::tr("open the segmentation of this volume"));
-  return {{Region::Kind::labels, sourceOf(folder), map, std::vector<double>(map->labels().size(), 1.0)},
-          remark};
+  return {region, remark};
+}
+
+Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, const Progress& progress,
+                       const PatientLabel& patient) {
+  ReadMasks read = readInOrder(files, Order::asChosen, grid, progress, patient);
+  if (!read.masks)
+    failReading(files.front(),
+                Message::tr("neither it nor another file that was chosen is the mask of a structure: 0, and "
+                            "one value inside"),
+                Message::tr("open a file of several labels by itself"));
+  const Message remark = remarkOn(read.skipped, *read.masks, Order::asChosen);
+  Region region = regionOf(*read.masks, sourceOf(read.files.front()));
+  if (region.weights.size() == 1)
+    failReading(files.front(), Message::tr("it and the other masks that were chosen are empty"),
+                Message::tr("open the segmentation of this volume"));
+  if (read.files.size() == 1) // with the number that its file gives it, as it is read again
+    return {readSegmentation(read.files.front(), grid, progress, patient).region, remark};
+  for (std::size_t n = 1; n < read.files.size(); ++n)
+    region.moreSources.push_back(sourceOf(read.files[n]));
+  return {region, remark};
 }
 
 } // namespace limn

@@ -3,6 +3,9 @@
 
 #include "io/labels/LabelReader.h"
 
+#include <filesystem>
+#include <vector>
+
 namespace limn {
 
 /// Whether a path is a folder with volume files in it, as segmentations have that are written with one mask a
@@ -14,5 +17,11 @@ bool isMaskFolder(const std::filesystem::path& path);
 /// masks with a voxel in common the later by name has it. Throws as readLabels does.
 Segmentation readMaskFolder(const std::filesystem::path& folder, const Grid& grid,
                             const Progress& progress = {}, const PatientLabel& patient = {});
+
+/// Reads masks in several files as one label map, as those of a folder. The value of a label is the number of
+/// its file in the list, from 1 on, without those that are no masks; of two masks with a voxel in common the
+/// later has it. Where one alone is a mask it is read as by itself. Throws as readLabels does.
+Segmentation readMasks(const std::vector<std::filesystem::path>& files, const Grid& grid,
+                       const Progress& progress = {}, const PatientLabel& patient = {});
 
 } // namespace limn

@@ -33,6 +33,7 @@ KeptPart keptPartOf(const Region& region) {
   if (region.kind != Region::Kind::labels || !region.labels)
     return part;
   part.hidesTable = hidesTable(region);
+  part.moreLabels = region.moreSources;
   for (std::size_t place = 0; place < listedLabels(region); ++place) {
     const int value = region.labels->labels()[place].value;
     if (region.weights[place] != 1.0)
@@ -78,10 +79,27 @@ std::vector<double> weightsOf(const std::vector<Label>& labels, const std::map<i
 
 namespace {
 
+// One label map, or a list of masks.
+void readPaths(JsonFields& fields, KeptPart& part) {
+  if (!fields.has("labels") || !fields.child("labels").is_array()) {
+    if (!fields.text("labels", part.labels) || part.labels.empty())
+      fields.fail("labels", Message::tr("is missing, which names the file of the label map"));
+    return;
+  }
+  for (const nlohmann::json& path : fields.child("labels")) {
+    if (!path.is_string() || path.get<std::string>().empty())
+      fields.fail("labels", Message::tr("must name a file, or be a list of the files of masks"));
+    part.moreLabels.push_back(path.get<std::string>());
+  }
+  if (part.moreLabels.empty())
+    fields.fail("labels", Message::tr("must name a file, or be a list of the files of masks"));
+  part.labels = part.moreLabels.front();
+  part.moreLabels.erase(part.moreLabels.begin());
+}
+
 void readLabelsPart(JsonFields fields, KeptPart& part) {
   part.kind = Region::Kind::labels;
-  if (!fields.text("labels", part.labels) || part.labels.empty())
-    fields.fail("labels", Message::tr("is missing, which names the file of the label map"));
+  readPaths(fields, part);
   if (fields.has("weights")) {
     JsonFields weights = fields.object("weights");
     for (const auto& [key, ignored] : fields.child("weights").items())
@@ -243,6 +261,11 @@ nlohmann::ordered_json baseJson(const KeptPart& part) {
   for (const auto& [value, weight] : part.weights)
     weights[std::to_string(value)] = weight;
   nlohmann::ordered_json json{{"labels", part.labels}, {"weights", weights}};
+  if (!part.moreLabels.empty()) {
+    json["labels"] = nlohmann::ordered_json::array({part.labels});
+    for (const std::string& path : part.moreLabels)
+      json["labels"].push_back(path);
+  }
   if (part.looks.empty())
     return json;
   nlohmann::ordered_json looks = nlohmann::ordered_json::object();

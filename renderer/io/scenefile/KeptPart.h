@@ -12,11 +12,13 @@ namespace limn {
 /// What a scene file says of the kept region: a Region is made of it once the volume is read.
 struct KeptPart {
   Region::Kind kind = Region::Kind::all;
-  std::string labels;            ///< of kind labels: the path of the label map, as written in the file
-  std::map<int, double> weights; ///< 0..1, by the labels' values; what is not named weighs 1
-  std::vector<Cut> cuts{};       ///< in order
+  std::string
+      labels; ///< of kind labels: the path of the label map, as written in the file; the first of masks
+  std::map<int, double> weights;           ///< 0..1, by the labels' values; what is not named weighs 1
+  std::vector<Cut> cuts{};                 ///< in order
   std::map<int, TransferFunction> looks{}; ///< of their own, by the labels' values
   bool hidesTable = false;                 ///< of kind labels: what is not the body is hidden, too
+  std::vector<std::string> moreLabels{};   ///< of masks in several files: the paths of the others, in order
   bool operator==(const KeptPart&) const = default;
 };
 

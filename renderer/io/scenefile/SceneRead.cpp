@@ -389,6 +389,8 @@ SceneDocument located(SceneDocument document, const std::filesystem::path& file)
   for (std::string* path : {&document.volume, &document.keep.labels})
     if (!path->empty())
       *path = (folder / *path).lexically_normal().string();
+  for (std::string& path : document.keep.moreLabels)
+    path = (folder / path).lexically_normal().string();
   return document;
 }
 

@@ -13,6 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Panel = SessionDocument::Panel;
 
+constexpr int mostLabels = 65535;
 constexpr Words<Panel, 4> panelWords{{"none", "properties", "effects", "accuracy"}};
 
 void readComparison(JsonFields fields, SessionDocument& session) {
@@ -44,6 +45,8 @@ void readWindow(JsonFields fields, SessionDocument& session) {
   }
   fields.boolean("crop_box", session.cropBoxIsShown);
   fields.boolean("gradient_curve", session.gradientCurveIsShown);
+  if (int place = 0; fields.integer("label_in_hand", place, 0, mostLabels))
+    session.labelInHand = place;
   fields.finish();
 }
 
@@ -155,6 +158,8 @@ std::string sessionToJson(const SessionDocument& session) {
                     {"preset", session.preset},
                     {"crop_box", session.cropBoxIsShown},
                     {"gradient_curve", session.gradientCurveIsShown}};
+  if (session.labelInHand)
+    json["window"]["label_in_hand"] = *session.labelInHand;
   if (session.changedPreset)
     json["window"]["changed_preset"] = presetJson(*session.changedPreset);
   if (session.opening)

@@ -48,6 +48,7 @@ struct SessionDocument {
   bool cropBoxIsShown = false;
   std::optional<CutOpening> opening;
   bool gradientCurveIsShown = false; ///< instead of the curve over the value
+  std::optional<int> labelInHand{}; ///< whose curve is shown, by its place in the list; absent: of all tissue
 
   std::string label;      ///< what it shows, for a list of sessions that nobody saved; names nobody
   std::string savedAs;    ///< absolute path of the file it was saved to, empty where there is none

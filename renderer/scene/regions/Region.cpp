@@ -95,6 +95,20 @@ Region withLooks(const Region& region, const std::map<std::size_t, TransferFunct
   return changed;
 }
 
+std::vector<std::string> sourcesOf(const Region& region) {
+  std::vector<std::string> sources;
+  if (!region.source.empty())
+    sources.push_back(region.source);
+  sources.insert(sources.end(), region.moreSources.begin(), region.moreSources.end());
+  return sources;
+}
+
+void nameSources(Region& region, const std::function<std::string(const std::string&)>& named) {
+  if (!region.source.empty())
+    region.source = named(region.source);
+  std::ranges::transform(region.moreSources, region.moreSources.begin(), named);
+}
+
 bool takesAway(const Cut& cut) {
   return cut.isOn && !pieceWithLook(cut);
 }
@@ -124,6 +138,7 @@ std::optional<std::size_t> labelOfCut(const Region& region, std::size_t n) {
 
 Region withoutCuts(const Region& region) {
   Region whole{region.kind, region.source, region.isCut ? region.uncut : region.labels, region.weights};
+  whole.moreSources = region.moreSources;
   if (region.isCut)
     whole.weights.resize(whole.labels ? ownLabels(region) : 0);
   if (!region.isCut) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -63,7 +64,7 @@ inline constexpr std::size_t mostLooks = 32;
 struct Region {
   enum class Kind { all, body, labels };
   Kind kind = Kind::all;
-  std::string source;                     ///< of labels: the file that they were read from
+  std::string source; ///< of labels: the file that they were read from, the first of masks
   std::shared_ptr<const LabelMap> labels; ///< none where all is kept; of a body: 0 falls away, 1 is kept
   std::vector<double> weights;            ///< 0..1 of each of the labels
 
@@ -76,8 +77,16 @@ struct Region {
       looks{};                        ///< of their own that labels have, at most `mostLooks`, all different
   std::vector<std::uint8_t> lookOf{}; ///< of each label: 0 the scene's, n `looks[n - 1]`; behind its end: 0
 
+  std::vector<std::string> moreSources{}; ///< of masks in several files: the others, in order
+
   bool operator==(const Region&) const = default;
 };
+
+/// All files that the labels of a region were read from, in order.
+std::vector<std::string> sourcesOf(const Region& region);
+
+/// Each of them gets another name. `named` tells it by the one before.
+void nameSources(Region& region, const std::function<std::string(const std::string&)>& named);
 
 /// The look of a label by its place in the list: 0 the scene's, n `looks[n - 1]`.
 std::size_t lookOfLabel(const Region& region, std::size_t place);

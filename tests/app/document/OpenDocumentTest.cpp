@@ -66,6 +66,8 @@ TEST_F(OpenDocumentTest, anotherArrangementIsKeptWithoutCountingAsAnEditAndAPane
   SessionDocument now = document.described();
   now.panel = SessionDocument::Panel::accuracy;
   EXPECT_FALSE(document.unsaved(now));
+  now.labelInHand = 1;
+  EXPECT_FALSE(document.unsaved(now)) << "whose curve is looked at is no work";
   now.layout = CompareLayout::wipe;
   const auto unsaved = document.unsaved(now);
   ASSERT_TRUE(unsaved);
@@ -163,7 +165,15 @@ TEST_F(OpenDocumentTest, thePatientIsNamedInTheTitleOnlyWhereThatIsWanted) {
             QStringLiteral("quillon.json · zebedee.nii · ZEBEDEE^QUILLON · PID7 · 19870615") + program);
   EXPECT_EQ(titleOf(document, false), QStringLiteral("ct-4x3x2") + program);
   EXPECT_EQ(labelOf(document), QStringLiteral("CT 4×3×2"));
+  EXPECT_EQ(labelOf(document, document.sessionFile()), QStringLiteral("CT 4×3×2"));
   EXPECT_EQ(suggestedName(document), QStringLiteral("ct-4x3x2"));
+}
+
+TEST_F(OpenDocumentTest, aSessionIsCalledAfterItsOwnFileAndNotAsItsVolume) {
+  openAndSettle("/data/head.nii");
+  document.settleIn(QStringLiteral("/data/t1.limn.json"), document.described());
+  EXPECT_EQ(labelOf(document), QStringLiteral("head.nii · CT 4×3×2"));
+  EXPECT_EQ(labelOf(document, document.sessionFile()), QStringLiteral("t1.limn.json · CT 4×3×2"));
 }
 
 TEST_F(OpenDocumentTest, theSampleIsCalledSo) {

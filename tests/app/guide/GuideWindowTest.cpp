@@ -16,6 +16,7 @@
 #include <QTreeWidget>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <set>
 
 // The guide in its window, and what it says of the program's own window.
@@ -229,6 +230,14 @@ TEST_F(GuideWindowTest, everyKeyThatDocumentsNameExists) {
           << document.path << ": " << match[1];
     });
   EXPECT_GT(count, 20);
+}
+
+TEST_F(GuideWindowTest, theListOfKeysSaysHowSeveralPointsAreSelected) {
+  const QList<HelpRow> rows = helpRows(*window->findChild<ActionList*>()).curve;
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const HelpRow& row) {
+    return row.gesture.startsWith(QStringLiteral("Ctrl+click points")) &&
+           row.effect.startsWith(QStringLiteral("select several"));
+  }));
 }
 
 // The chapter is read on the forge, too, so it is written out; this says what is missing from it.

@@ -181,5 +181,20 @@ TEST_F(LabelCurveWindow, sessionsKeepTheCurvesOfLabels) {
   EXPECT_EQ(scene().transferFunction, function);
 }
 
+TEST_F(LabelCurveWindow, sessionsComeBackToTheCurveThatWasInHand) {
+  toggleCurve(1);
+  toggleCurve(2);
+  std::ofstream(folder.path() / "of_label.json") << sessionToJson(window->sessionDocument());
+  emit whose().activated(0);
+  std::ofstream(folder.path() / "of_all.json") << sessionToJson(window->sessionDocument());
+  ASSERT_TRUE(open(pathTo("of_label.json")));
+  EXPECT_EQ(whose().currentText(), QStringLiteral("Label 8"));
+  EXPECT_EQ(canvas().transferFunction(), curveOf(2));
+  EXPECT_FALSE(window->isWindowModified());
+  ASSERT_TRUE(open(pathTo("of_all.json")));
+  EXPECT_EQ(whose().currentIndex(), 0);
+  EXPECT_EQ(canvas().transferFunction(), scene().transferFunction);
+}
+
 } // namespace
 } // namespace limn

@@ -266,7 +266,7 @@ TEST_F(LabelPickWindow, aFolderOfMasksThatIsDroppedBecomesTheLabels) {
   EXPECT_EQ(messages().sentence(), QStringLiteral("ct.nii.gz is no mask and was left out."));
   EXPECT_EQ(table().model()->rowCount(), 3);
   EXPECT_EQ(table().model()->index(1, 0).data().toString(), QStringLiteral("kidney"));
-  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels segmentations"));
   // A session comes back to it.
   giveCurve(1, {1.0, 0.0, 0.0});
   std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());

@@ -248,7 +248,7 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   drop(pathTo("bone.seg.nrrd"));
   ASSERT_TRUE(ready());
   ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
-  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels bone.seg.nrrd"));
   EXPECT_TRUE(bodyOnly().isChecked()) << "the table stays hidden";
   const QAbstractItemModel* rows = window->findChild<LabelSection*>()->findChild<QTreeView*>()->model();
   EXPECT_TRUE(test::waitUntil([&] {

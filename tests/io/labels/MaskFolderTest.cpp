@@ -5,6 +5,7 @@
 
 #include "io/NiftiBytes.h"
 
+#include <algorithm>
 #include <fstream>
 #include <numeric>
 
@@ -151,6 +152,39 @@ TEST_F(MaskFolder, leavesOutWhatIsNoMaskAndSaysSo) {
   const Segmentation read = readSegmentation(masks(), grid);
   EXPECT_EQ(read.remark.english(), "2 files are no masks and were left out: ct.nii.gz, statistics.json.");
   EXPECT_EQ(namesIn(read.region), (std::vector<std::string>{"Background", "liver"}));
+}
+
+TEST_F(MaskFolder, masksThatAreChosenComeInTheirOrderWithoutWhatIsNone) {
+  mask("stomach.nii.gz", boxOf({0, 0, 0}, {4, 1, 1}));
+  mask("colon.nii.gz", boxOf({2, 0, 0}, {6, 1, 1}));
+  mask("ct.nii.gz", test::rising<std::uint8_t>(maskVoxels));
+  const std::vector<std::filesystem::path> files{masks() / "stomach.nii.gz", masks() / "ct.nii.gz",
+                                                 masks() / "colon.nii.gz"};
+  const Segmentation read = readSegmentations(files, grid);
+  EXPECT_EQ(namesIn(read.region), (std::vector<std::string>{"Background", "stomach", "colon"}));
+  EXPECT_EQ(read.region.labels->labels()[2].value, 2) << "what is no mask has no number";
+  EXPECT_EQ(sourcesOf(read.region), (std::vector<std::string>{files[0].string(), files[2].string()}));
+  EXPECT_EQ(read.remark.english(),
+            "ct.nii.gz is no mask and was left out. 2 voxels lie in two masks and belong to the one that was "
+            "opened last: to colon and not to stomach.");
+  // One is read as it is by itself, also where the others are no masks.
+  mask("liver.nii.gz", [] {
+    std::vector<std::uint8_t> sevens = boxOf({0, 0, 0}, {3, 2, 2});
+    std::ranges::replace(sevens, std::uint8_t{1}, std::uint8_t{7});
+    return sevens;
+  }());
+  const Segmentation liver = readSegmentations({files[1], masks() / "liver.nii.gz"}, grid);
+  EXPECT_EQ(liver.region.labels->labels()[1].value, 7);
+  EXPECT_EQ(liver.remark.english(), "ct.nii.gz is no mask and was left out.");
+  EXPECT_EQ(readSegmentations({files[0]}, grid).region.source, files[0].string());
+  try {
+    (void)readSegmentations({files[1], files[1]}, grid);
+    ADD_FAILURE() << "no mask was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("ct.nii.gz: neither it nor another file that was chosen"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(MaskFolder, isRefusedWithoutAnyMask) {

@@ -124,6 +124,40 @@ TEST_F(LabelledScene, findsALabelMapThatLiesBesideTheVolume) {
   EXPECT_EQ(loadScene(path, options, {}).scene.keep.source, (folder.path() / "seg.nrrd").string());
 }
 
+TEST_F(LabelledScene, aMaskComesToTheMasksThatAreOpenAndOtherLabelsReplaceThem) {
+  write("a.nrrd", "0 7 7 0 0 0 0 0");
+  write("b.nrrd", "0 0 1 0 0 0 1 1");
+  const TransferFunction look{2.0, {{20.0, {1.0, 0.0, 0.0}, 0.5}}};
+  LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.nrrd", "weights": {"7": 0.5}})"), {}, {});
+  Region& keep = loaded.scene.keep;
+  keep = withLooks(keep, {{1, look}});
+  const FoundRegion both = openedBeside(keep, {folder.path() / "b.nrrd"}, *loaded.scene.volume);
+  EXPECT_EQ(both.remark.english(), "1 voxels lie in two masks and belong to the one that was opened last: to "
+                                   "b and not to a.");
+  EXPECT_EQ(sourcesOf(both.region), (std::vector<std::string>{(folder.path() / "a.nrrd").string(),
+                                                              (folder.path() / "b.nrrd").string()}));
+  EXPECT_EQ(both.region.weights, (std::vector<double>{1.0, 0.5, 1.0})) << "as they were shown";
+  EXPECT_EQ(lookOfLabel(both.region, 1), 1u);
+  EXPECT_EQ(lookOfLabel(both.region, 2), 0u);
+  EXPECT_EQ(both.region.labels->placeAt(1), 1u);
+  EXPECT_EQ(both.region.labels->placeAt(2), 2u);
+  EXPECT_FALSE(replacesLabels(both.region, keep));
+  // Once more it is the same; what is no mask takes the place of all.
+  EXPECT_EQ(sourcesOf(openedBeside(both.region, {folder.path() / "b.nrrd"}, *loaded.scene.volume).region),
+            sourcesOf(both.region));
+  const Region seg = openedBeside(both.region, {folder.path() / "seg.nrrd"}, *loaded.scene.volume).region;
+  EXPECT_EQ(seg.weights.size(), 3u);
+  EXPECT_EQ(sourcesOf(seg), std::vector<std::string>{(folder.path() / "seg.nrrd").string()});
+  EXPECT_TRUE(replacesLabels(seg, both.region));
+  // Written and read again, both are there.
+  keep = both.region;
+  std::ofstream(folder.path() / "again.json") << sceneToJson(loaded.scene, "v.nrrd");
+  const Region again = loadScene((folder.path() / "again.json").string(), {}, {}).scene.keep;
+  EXPECT_EQ(sourcesOf(again), sourcesOf(keep));
+  EXPECT_EQ(again.weights, keep.weights);
+  EXPECT_EQ(again.looks, keep.looks);
+}
+
 TEST_F(LabelledScene, isRefusedInASentenceWithoutItsLabelMapOrLabel) {
   for (const auto& [keep, named] : std::map<std::string, std::string>{
            {R"({"labels": "gone.nrrd"})", "gone.nrrd: there is no such file"},

@@ -58,6 +58,8 @@ TEST_F(Saving, aSessionNamedWithoutEndingOpensAgain) {
   const QList<RecentSource> recent = Settings(UserFolders::below(folder.path()).settings).recentSources();
   ASSERT_FALSE(recent.isEmpty());
   EXPECT_EQ(recent.front().path, pathTo("mysession.limn.json")) << "listed as soon as it is saved";
+  EXPECT_TRUE(recent.front().label.startsWith(QStringLiteral("mysession.limn.json · ")))
+      << recent.front().label.toStdString();
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(pathTo("mysession.limn.json")));
   EXPECT_EQ(window->sessionDocument(), before);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/picture/RegionController.h"
+#include "scene/LabelLooks.h"
+#include "support/ShortVolume.h"
+#include "widgets/controls/MessageBar.h"
+
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QToolButton>
+
+#include <fstream>
+
+// Labels that lie in several files: chosen together, dropped together, and opened one after the other.
+
+namespace limn {
+namespace {
+
+constexpr int filesSize = 32;
+
+class LabelFilesWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    write("two.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 300 : -1000; });
+    write("label_Skull.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) && v.x < 16 ? 1 : 0; });
+    write("label_Brain.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) && v.x >= 16 ? 1 : 0; });
+    write("parts.seg.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 1 + v.z / 16 : 0; });
+    ASSERT_TRUE(open(pathTo("two.nrrd")));
+  }
+
+  static bool isInBoxes(const glm::ivec3& v) {
+    return glm::all(glm::greaterThan(v, glm::ivec3(5))) && glm::all(glm::lessThan(v, glm::ivec3(26)));
+  }
+
+  template <class Value>
+  void write(const char* name, const Value& value) {
+    test::writeShorts(folder.path() / name, filesSize, value);
+  }
+
+  RegionController& regions() { return *window->findChild<RegionController*>(); }
+  [[nodiscard]] bool ready() {
+    return test::waitUntil([this] { return !regions().isBusy(); });
+  }
+  [[nodiscard]] bool openLabels(const char* name) {
+    regions().openLabels(pathTo(name));
+    return ready() && scene().keep.kind == Region::Kind::labels;
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const Label& label : scene().keep.labels->labels())
+      names.push_back(label.name);
+    return names;
+  }
+
+  QToolButton* offered(const QString& text) {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == text)
+        return button;
+    return nullptr;
+  }
+};
+
+const std::vector<std::string> brainAndSkull{"Background", "Brain", "Skull"};
+
+TEST_F(LabelFilesWindow, masksThatAreChosenTogetherAreOneSegmentation) {
+  typeName(QStringLiteral("\"%1\" \"%2\"").arg(pathTo("label_Skull.nrrd"), pathTo("label_Brain.nrrd")));
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  EXPECT_EQ(names(), brainAndSkull);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels of 2 files"));
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+}
+
+TEST_F(LabelFilesWindow, masksThatAreDroppedTogetherAreOneSegmentation) {
+  QMimeData data;
+  data.setUrls(
+      {QUrl::fromLocalFile(pathTo("label_Brain.nrrd")), QUrl::fromLocalFile(pathTo("label_Skull.nrrd"))});
+  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(window.get(), &enter);
+  QDropEvent event({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(window.get(), &event);
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  EXPECT_EQ(names(), brainAndSkull);
+}
+
+TEST_F(LabelFilesWindow, aMaskComesToTheOneThatIsOpenWhichStaysAsItWas) {
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels label_Skull.nrrd"));
+  Region faded = scene().keep;
+  faded.weights[1] = 0.5;
+  const TransferFunction red{1.0, {{200.0, {1.0, 0.0, 0.0}, 0.0}, {300.0, {1.0, 0.0, 0.0}, 0.9}}};
+  session().setKeep(withLookOf(faded, 1, red), {nextGestureId(), QStringLiteral("fade")});
+  ASSERT_TRUE(openLabels("label_Brain.nrrd"));
+  EXPECT_EQ(names(), (std::vector<std::string>{"Background", "Skull", "Brain"}));
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5, 1.0}));
+  EXPECT_EQ(lookOfLabel(scene().keep, 1), 1u);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels label_Brain.nrrd"));
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+  // A session comes back to both.
+  const Region both = scene().keep;
+  std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
+  undo().undo();
+  EXPECT_EQ(names(), (std::vector<std::string>{"Background", "Skull"}));
+  ASSERT_TRUE(open(pathTo("session.json")));
+  ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_EQ(sourcesOf(scene().keep), sourcesOf(both));
+  EXPECT_EQ(scene().keep.weights, both.weights);
+  EXPECT_EQ(scene().keep.looks, both.looks);
+}
+
+TEST_F(LabelFilesWindow, labelsThatGaveWayAreNamedAndComeBack) {
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  const Region before = scene().keep;
+  ASSERT_TRUE(openLabels("parts.seg.nrrd"));
+  EXPECT_EQ(names().size(), 3u);
+  ASSERT_TRUE(messages().isVisible());
+  EXPECT_EQ(messages().sentence(),
+            QStringLiteral("The labels of parts.seg.nrrd took the place of those of label_Skull.nrrd."));
+  QToolButton* back = offered(QStringLiteral("Bring those back"));
+  ASSERT_NE(back, nullptr);
+  QTest::mouseClick(back, Qt::LeftButton);
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep, before);
+  EXPECT_FALSE(messages().isVisible());
+  undo().undo();
+  EXPECT_EQ(names().size(), 3u) << "which is a step";
+}
+
+} // namespace
+} // namespace limn
