@@ -60,8 +60,7 @@ MarkPicture marksOver(OverlaySource window, const glm::ivec2& size) {
 } // namespace
 
 TurntableDialog::TurntableDialog(WindowContext& context, const SavingController* saving)
-    : ExportDialog(context, {QStringLiteral("turntable"), tr("Drawing the turntable"),
-                             tr("Cancelled; frames that were drawn stay.")}),
+    : ExportDialog(context, {QStringLiteral("turntable"), tr("Drawing the turntable"), tr("Cancelled.")}),
       m_saving(*saving), m_width(new NumberField(16.0, mostSide, 0, this)),
       m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
       m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_angle(new NumberField(1.0, 360.0, 1, this)),
@@ -310,6 +309,8 @@ void TurntableDialog::save() {
   const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
   const bool isVideo = this->isVideo();
   const Turntable turntable = wanted();
+  setCancelled(isVideo ? tr("Cancelled; no video was saved.")
+                       : tr("Cancelled; frames that were drawn stay in their folder."));
   exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
             .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
             .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},

@@ -177,7 +177,24 @@ TEST_F(TurntableWindow, isCancelledByEsc) {
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   EXPECT_FALSE(dialog().isWorking());
   EXPECT_TRUE(dialog().isVisible());
-  EXPECT_TRUE(said().startsWith(QStringLiteral("Cancelled"))) << said().toStdString();
+  EXPECT_EQ(said(), QStringLiteral("Cancelled; frames that were drawn stay in their folder."));
+}
+
+TEST_F(TurntableWindow, ofAVideoThatIsCancelledNothingStays) {
+  if (videoProgram().empty())
+    GTEST_SKIP() << "ffmpeg is not installed";
+  auto& kind = *dialog().findChild<QComboBox*>(QStringLiteral("turntableKind"));
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Down);
+  type("turntableFrames", QStringLiteral("5000"));
+  save("turn.mp4");
+  ASSERT_TRUE(dialog().isWorking());
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Up); // for the next one
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog().isWorking());
+  EXPECT_EQ(said(), QStringLiteral("Cancelled; no video was saved."));
+  EXPECT_FALSE(fs::exists(folder.path() / "turn.mp4"));
 }
 
 } // namespace
