@@ -3,6 +3,7 @@
 #include "app/core/making/Turntable.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/exports/TurntableDialog.h"
+#include "scene/light/LightPresets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -161,6 +162,15 @@ TEST_F(TurntableWindow, saysWhatHoldsOfThePictureOfNowWhileItIsOpen) {
   session().setCamera(zoomed(framed, 2.0));
   ASSERT_TRUE(rest());
   EXPECT_EQ(said(), QStringLiteral("Saved turn.frames.")) << "what came of drawing stays to be read";
+}
+
+TEST_F(TurntableWindow, saysThatItsTimeIsNotKnownOnceALampTurnsWithIt) {
+  EXPECT_FALSE(said().contains(QStringLiteral("How long drawing takes"))) << said().toStdString();
+  session().setShading(withLight(scene().shading, LightPreset::softStudio),
+                       {nextGestureId(), QStringLiteral("light")});
+  EXPECT_TRUE(test::waitUntil([this] {
+    return said().contains(QStringLiteral("light is found anew for each frame"));
+  })) << said().toStdString();
 }
 
 TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
