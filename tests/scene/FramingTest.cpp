@@ -356,6 +356,28 @@ TEST(Framing, ofSeveralViewsWithOneDistanceIsCentredInEachAndFillsTheWidest) {
   }
 }
 
+TEST(Framing, whatLiesBeyondAnEdgeOrBehindTheEyeIsNotSeen) {
+  const Scene scene = sceneWithBox();
+  const Grid& grid = scene.volume->grid();
+  const VisibleVoxels visible = visibleVoxels(scene);
+  for (const Rays projection : cameraProjections)
+    for (const double aspect : {0.5, 2.0}) {
+      Camera camera = orbited(scene.camera, 0.7, 0.4);
+      camera.projection = projection;
+      camera = framed(camera, grid, visible, aspect);
+      const auto sees = [&](const Camera& other) { return seesAny(other, grid, visible, aspect); };
+      EXPECT_TRUE(sees(camera));
+      EXPECT_TRUE(sees(panned(camera, 0.4 * aspect, 0.0))) << "part of it is left";
+      for (const double side : {-1.0, 1.0}) {
+        EXPECT_FALSE(sees(panned(camera, 2.0 * side * aspect, 0.0)));
+        EXPECT_FALSE(sees(panned(camera, 0.0, 2.0 * side)));
+      }
+      Camera away = camera;
+      away.target = 2.0 * camera.position - camera.target;
+      EXPECT_FALSE(sees(away));
+    }
+}
+
 TEST(Framing, ofAScanTakesLessThanTenthsOfASecond) {
   const Grid grid = shownGrid({512, 512, 300}, {0.45, 0.45, 1.0});
   const Scene scene = sceneWhere(grid, [&](const glm::ivec3& at) {

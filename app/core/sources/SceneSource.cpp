@@ -405,6 +405,22 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   return loaded;
 }
 
+// A scene for another patient may look to where that one lay: what is there is framed, from the same side.
+static void frameWhatIsPassed(LoadedScene& loaded, const Progress& progress) {
+  const Grid& grid = loaded.scene.volume->grid();
+  const ImageSettings& image = loaded.scene.image;
+  const double aspect = 1.0 * image.width / image.height;
+  const VisibleVoxels visible =
+      visibleVoxels(loaded.scene, effortOf(progress, Message::tr("Finding what is visible")));
+  if (seesAny(loaded.scene.camera, grid, visible, aspect))
+    return;
+  loaded.scene.camera = framed(loaded.scene.camera, grid, visible, aspect);
+  loaded.hasOwnCamera = false;
+  loaded.notes.insert(loaded.notes.begin(),
+                      Message::tr("The saved view looks past this volume: the look was taken over, and the "
+                                  "view is fitted to this volume."));
+}
+
 std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
                                        const Progress& progress) {
   const std::optional<FigureDocument> figure = figureIn(source);
@@ -415,7 +431,9 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   for (const FigurePanelDocument& panel : figure->panels) {
     loaded.panels.push_back(
         {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
-    const LoadedScene& scene = loaded.panels.back().scene;
+    LoadedScene& scene = loaded.panels.back().scene;
+    if (options.volume && scene.hasOwnCamera && !options.wantsVolumeAlone)
+      frameWhatIsPassed(scene, progress);
     // One that was turned by hand is another volume.
     if (panel.scene.orientation.empty())
       more.opened.emplace(scene.volumePath, scene.scene.volume);
@@ -430,6 +448,8 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   if (const Message remark = thickSlices(loaded.scene.volume->grid(), smoothsNormals(loaded.scene));
       !remark.empty())
     loaded.notes.push_back(remark);
+  if (options.volume && loaded.hasOwnCamera)
+    frameWhatIsPassed(loaded, progress);
   const ImageSettings& image = loaded.scene.image;
   if (!loaded.hasOwnCamera)
     loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,

@@ -51,7 +51,9 @@ private:
 /// What a person adds when naming a source.
 struct SourceOptions {
   ReadOptions read;
-  std::optional<std::filesystem::path> volume; ///< replaces the volume that a scene or picture names
+  /// Replaces the volume that a scene or picture names; where its view looks past this one, what is visible
+  /// is framed, and `notes` say so.
+  std::optional<std::filesystem::path> volume;
   /// Where else a scene's volume may be: files and folders opened before. The one of the same name is taken;
   /// of several none, because they may be of several patients.
   std::vector<std::filesystem::path> knownVolumes;

@@ -69,6 +69,8 @@ protected:
   /// Whether its fields ask for something that can be made.
   void setStartable(bool isStartable);
   QLabel* text() const { return m_text; }
+  /// What is said once work is ended: what is true of that which begins now.
+  void setCancelled(const QString& sentence) { m_cancelled = sentence; }
 
   /// Nothing is worked at any more; `sentence` says what came of it.
   void end(const QString& sentence);

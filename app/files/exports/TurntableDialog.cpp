@@ -60,8 +60,7 @@ MarkPicture marksOver(OverlaySource window, const glm::ivec2& size) {
 } // namespace
 
 TurntableDialog::TurntableDialog(WindowContext& context, const SavingController* saving)
-    : ExportDialog(context, {QStringLiteral("turntable"), tr("Drawing the turntable"),
-                             tr("Cancelled; frames that were drawn stay.")}),
+    : ExportDialog(context, {QStringLiteral("turntable"), tr("Drawing the turntable"), tr("Cancelled.")}),
       m_saving(*saving), m_width(new NumberField(16.0, mostSide, 0, this)),
       m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
       m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_angle(new NumberField(1.0, 360.0, 1, this)),
@@ -203,24 +202,23 @@ void TurntableDialog::sayLength() {
   if (m_sizeAtFirst && *m_sizeAtFirst < noticed)
     parts << tr("It begins at %1 % of the size on screen, so that nothing is cut off while it turns.")
                  .arg(qRound(100.0 * *m_sizeAtFirst));
-  if (const std::optional<double> seconds = drawingSeconds(); seconds && *seconds >= longSeconds)
-    parts << tr("Drawing takes %1.", "a time").arg(aboutText(*seconds));
+  if (const QString drawing = drawingText(); !drawing.isEmpty())
+    parts << drawing;
   m_length = parts.join(QLatin1Char(' '));
   say(m_length);
 }
 
 // By what the picture on screen took.
-std::optional<double> TurntableDialog::drawingSeconds() const {
+QString TurntableDialog::drawingText() const {
   const PictureState shown = m_context.view.pictureState();
   const auto side = static_cast<std::size_t>(std::max(0, m_picture->currentIndex()));
   const std::vector<PixelRect> places = pictureRects(m_context.view.order().geometry);
   if (side >= shown.sides.size() || places.empty() || !m_context.session.scene().volume)
-    return std::nullopt;
+    return {};
   const glm::dvec2 onScreen = places.front().size, its = size();
   const double timesThePixels = its.x * its.y / std::max(1.0, onScreen.x * onScreen.y);
-  const std::optional<double> one =
-      secondsToDraw(m_context.view.sceneOfSide(static_cast<int>(side)), shown.sides[side], timesThePixels);
-  return one ? std::optional(frames() * *one) : std::nullopt;
+  return framesTimeText(m_context.view.sceneOfSide(static_cast<int>(side)), shown.sides[side], timesThePixels,
+                        frames());
 }
 
 void TurntableDialog::takeTurn(int choice) {
@@ -311,6 +309,8 @@ void TurntableDialog::save() {
   const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
   const bool isVideo = this->isVideo();
   const Turntable turntable = wanted();
+  setCancelled(isVideo ? tr("Cancelled; no video was saved.")
+                       : tr("Cancelled; frames that were drawn stay in their folder."));
   exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
             .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
             .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},

@@ -55,8 +55,8 @@ private:
   /// Says how long it is; finds out beside the event loop whether it begins smaller than what is shown.
   void showLength();
   void sayLength();
-  bool saysLength() const;                      ///< and not how far drawing is, or what came of it
-  std::optional<double> drawingSeconds() const; ///< absent where nobody knows
+  bool saysLength() const;     ///< and not how far drawing is, or what came of it
+  QString drawingText() const; ///< how long drawing takes
 
   const SavingController& m_saving;
   NumberField* m_width;

@@ -3,7 +3,9 @@
 
 #include "app/core/drawing/PathDrawing.h"
 #include "scene/effects/EffectPlan.h"
+#include "scene/light/LightingTerms.h"
 #include "widgets/ValueText.h"
+#include "widgets/controls/TimeLeft.h"
 
 #include <QObject>
 
@@ -34,8 +36,11 @@ bool isAsSaved(const Scene& scene, const SideState& shown) {
 }
 
 std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, double timesThePixels) {
+  // Until it is complete, what the last one took is known, which may have been of another light.
   if (!isPhysical(scene))
-    return shown.completeMs ? std::optional(1e-3 * timesThePixels * *shown.completeMs) : std::nullopt;
+    return shown.completeMs && shown.fraction >= 1.0
+               ? std::optional(1e-3 * timesThePixels * *shown.completeMs)
+               : std::nullopt;
   const PhysicalLight& light = scene.shading.physical;
   const double share = light.filtersNoise ? shareOfPaths : 1.0;
   if (const auto* seconds = std::get_if<UntilSeconds>(&light.until))
@@ -44,6 +49,22 @@ std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, 
   if (!paths || !shown.msPerPath)
     return std::nullopt;
   return 1e-3 * timesThePixels * *paths * *shown.msPerPath / share;
+}
+
+bool findsLightForEachView(const Scene& scene) {
+  const LightingTerms terms = lightingTerms(scene.shading);
+  return hasTravellingLight(scene) && terms.shadow.strength > 0.0 && terms.lightAxes == LightAxes::camera;
+}
+
+QString framesTimeText(const Scene& scene, const SideState& shown, double timesThePixels, int frames) {
+  if (findsLightForEachView(scene))
+    return QObject::tr("How long drawing takes is not known: light is found anew for each frame.");
+  const std::optional<double> one = secondsToDraw(scene, shown, timesThePixels);
+  if (one && frames * *one >= longSeconds)
+    return QObject::tr("Drawing takes %1.", "a time").arg(aboutText(frames * *one));
+  return one || shown.fraction >= 1.0
+             ? QString()
+             : QObject::tr("How long drawing takes is known once the picture is complete.");
 }
 
 QString savedPathsText(const PhysicalLight& light) {

@@ -18,8 +18,15 @@ inline constexpr double longSeconds = 10.0;
 bool isAsSaved(const Scene& scene, const SideState& shown);
 
 /// How long a picture of a scene takes whose like stands on screen, s, if it has so many times its pixels;
-/// absent where what was drawn for the screen does not tell.
+/// absent where what was drawn for the screen does not tell, as before it is complete.
 std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, double timesThePixels);
+
+/// Whether light is found anew for each direction of view: a lamp that turns with the camera casts shadows.
+bool findsLightForEachView(const Scene& scene);
+
+/// What is to be said of how long the frames of a turntable take to draw, as for secondsToDraw; empty where
+/// that is short.
+QString framesTimeText(const Scene& scene, const SideState& shown, double timesThePixels, int frames);
 
 /// How far a saved picture of physical light is drawn, in words: "256 paths a pixel, noise filtered".
 QString savedPathsText(const PhysicalLight& light);

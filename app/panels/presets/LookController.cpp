@@ -57,7 +57,7 @@ bool isRelative(const std::string& text, const std::string& name) {
 
 std::vector<ReadLook> looksIn(const QString& path, const std::optional<LookTarget>& target) {
   const std::string name = QFileInfo(path).fileName().toStdString();
-  const std::string text = readTextFile(path.toStdString());
+  const std::string text = lookText(path.toStdString());
   if (!target && isRelative(text, name))
     failReading(name, Message::tr("its values are fractions of a volume's range"),
                 Message::tr("open the volume that it is for, then import it again"));

@@ -31,7 +31,7 @@ struct LookTarget {
 /// What a volume gives such formats; a constant one has a range of 1.
 LookTarget lookTargetOf(const Volume& volume);
 
-/// A look of another program as Limn shows it.
+/// A look of a file as Limn shows it.
 struct ReadLook {
   Preset preset;
   std::vector<Message> changes; ///< what was changed or lost on the way, a sentence each
@@ -70,6 +70,10 @@ const LookFormat* lookFormatOf(std::string_view text);
 /// in a file, all but the first (`index` 0) have their number behind it.
 std::string lookNameOf(const std::string& file, std::size_t index = 0);
 
+/// The text in which a file keeps its looks: all of it, or what Limn wrote into a picture. Throws Error
+/// (input) where it cannot be read, or is a picture that holds none.
+std::string lookText(const std::filesystem::path& path);
+
 /// Reads the looks in a text, at least one; a byte order mark before it is passed over. Throws Error (input)
 /// where no family knows it, or where it is damaged, contradictory or empty.
 std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
@@ -82,7 +86,7 @@ std::vector<ReadLook> readLooks(const std::filesystem::path& path,
 /// Throws Error (usage) where no family is written under the ending of `path`, with the endings that are.
 void requireLookEnding(const std::filesystem::path& path);
 
-/// Whether a text ends as files of some family do, such as "bone.vp.json".
+/// Whether a text ends as files of some family do that hold looks alone, such as "bone.vp.json".
 bool hasLookEnding(const std::string& fileName);
 
 /// A look in the format that the ending of `path` asks for. Throws Error (usage) where no family is written

@@ -179,4 +179,21 @@ bool isFramed(const Camera& camera, const Grid& grid, const VisibleVoxels& visib
          glm::distance(camera.position, fit.position) <= allowed;
 }
 
+bool seesAny(const Camera& camera, const Grid& grid, const VisibleVoxels& visible, double aspect) {
+  const CameraBasis basis = basisOf(camera);
+  const Outermost outermost(grid, visible);
+  // How far the voxels reach from the eye along a direction of any length.
+  const auto reach = [&](const glm::dvec3& direction) {
+    return glm::dot(outermost.along(direction) - camera.position, direction);
+  };
+  const auto isWithinEdge = [&](const glm::dvec3& inwards, double half) {
+    return camera.projection == Camera::Projection::orthographic
+               ? reach(inwards) >= -half
+               : reach(inwards + half * basis.forward) >= 0.0;
+  };
+  const double high = halfHeight(camera);
+  return reach(basis.forward) > 0.0 && isWithinEdge(basis.up, high) && isWithinEdge(-basis.up, high) &&
+         isWithinEdge(basis.right, aspect * high) && isWithinEdge(-basis.right, aspect * high);
+}
+
 } // namespace limn

@@ -41,4 +41,8 @@ Camera refitted(const Camera& camera, const Grid& grid, const VisibleVoxels& vis
 /// Whether the camera is the one that `framed` gives for its own direction, but for rounding.
 bool isFramed(const Camera& camera, const Grid& grid, const VisibleVoxels& visible, double aspect);
 
+/// Whether a picture of `aspect` shows any of the voxels, specks left out: it does unless all lie behind the
+/// eye or beyond one of its edges.
+bool seesAny(const Camera& camera, const Grid& grid, const VisibleVoxels& visible, double aspect);
+
 } // namespace limn

@@ -115,6 +115,16 @@ TEST_F(LookCommand, ofSeveralLooksOneIsChosenByName) {
   EXPECT_FALSE(std::filesystem::exists(path("c.json")));
 }
 
+TEST_F(LookCommand, aPictureThatWasDrawnIsALook) {
+  ASSERT_EQ(run("render phantom:8 --preset \"CT skin\" --size 32x24 -o " + path("look.png")).status, 0);
+  const Outcome outcome = run("presets convert " + path("look.png") + " " + path("look.json"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("its view, quality and background were not"), std::string::npos) << outcome.err;
+  const json preset = readJson("look.json"), drawn = json::parse(readImageDescription(path("look.png")));
+  EXPECT_EQ(preset["name"], "look");
+  EXPECT_EQ(preset["transfer_function"], drawn["transfer_function"]);
+}
+
 TEST_F(LookCommand, aPresetIsConvertedByItsName) {
   ASSERT_EQ(run("presets convert \"CT bone\" " + path("bone.vp.json")).status, 0);
   EXPECT_EQ(readJson("bone.vp.json")["volumeProperties"].size(), 1u);

@@ -6,6 +6,7 @@
 namespace limn {
 
 // One function a family.
+LookFormat limnSceneFormat();
 LookFormat limnPresetFormat();
 LookFormat dicomFormat();
 LookFormat slicerJsonFormat();

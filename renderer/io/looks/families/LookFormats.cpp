@@ -111,10 +111,10 @@ LookFormat limnPresetFormat() {
 
 const std::vector<LookFormat>& lookFormats() {
   static const std::vector<LookFormat> formats{
-      limnPresetFormat(),   dicomFormat(),         slicerJsonFormat(),     weasisJsonFormat(),
-      weasisMapsFormat(),   paraViewJsonFormat(),  niivueMapFormat(),      osirixPlistFormat(),
-      mrmlFormat(),         mitkFunctionFormat(),  inviwoFunctionFormat(), voreenFunctionFormat(),
-      mricroglClutFormat(), imageVisTableFormat(), slicerTextFormat()};
+      limnSceneFormat(),      limnPresetFormat(),   dicomFormat(),         slicerJsonFormat(),
+      weasisJsonFormat(),     weasisMapsFormat(),   paraViewJsonFormat(),  niivueMapFormat(),
+      osirixPlistFormat(),    mrmlFormat(),         mitkFunctionFormat(),  inviwoFunctionFormat(),
+      voreenFunctionFormat(), mricroglClutFormat(), imageVisTableFormat(), slicerTextFormat()};
   return formats;
 }
 
@@ -143,14 +143,14 @@ std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
                                  const std::optional<LookTarget>& target) {
   if (const LookFormat* format = lookFormatOf(text))
     return format->read(withoutMark(text), name, target);
-  failReading(
-      name, Message::tr("it is no look that Limn knows"),
-      Message::tr("choose a preset of Limn, or a look that 3D Slicer, OsiriX, Horos, InVesalius, ParaView, "
-                  "Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue or ImageVis3D saved"));
+  failReading(name, Message::tr("it is no look that Limn knows"),
+              Message::tr("choose a preset or picture of Limn, or a look that 3D Slicer, OsiriX, Horos, "
+                          "InVesalius, ParaView, "
+                          "Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue or ImageVis3D saved"));
 }
 
 std::vector<ReadLook> readLooks(const std::filesystem::path& path, const std::optional<LookTarget>& target) {
-  return parseLooks(readTextFile(path), path.filename().string(), target);
+  return parseLooks(lookText(path), path.filename().string(), target);
 }
 
 // The longest ending wins (".vp.json" before ".json").
@@ -178,7 +178,7 @@ bool hasLookEnding(const std::string& fileName) {
   const std::string name = lowerCase(fileName);
   for (const LookFormat& format : lookFormats())
     for (const std::string& ending : format.endings)
-      if (name.size() > ending.size() && name.ends_with(ending))
+      if (!format.isScene && name.size() > ending.size() && name.ends_with(ending))
         return true;
   return false;
 }

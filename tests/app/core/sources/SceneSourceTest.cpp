@@ -129,6 +129,37 @@ TEST(SceneSource, whatWasMeasuredStaysWithItsVolumeAndItsSeries) {
   EXPECT_EQ(loadScene(path.string(), options, {}).measurements, session.scene.measurements);
 }
 
+// As another scanner puts the patient's head a metre away.
+TEST(SceneSource, aViewThatLooksPastTheVolumeOfAnotherPatientIsFittedToIt) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json", volume = folder.path() / "other.nrrd";
+  std::ofstream(volume)
+      << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n"
+         "space directions: (9,0,0) (0,9,0) (0,0,9)\nspace origin: (1000,0,0)\n"
+         "encoding: ascii\n\n0 1 1 1 1 1 1 1\n";
+  SessionDocument session = sessionOfPhantom();
+  Camera& camera = session.scene.scene.camera;
+  camera.position = {300, 0, 0}; // from the patient's left
+  camera.target = {0, 0, 0};
+  std::ofstream(path) << sessionToJson(session);
+  const auto saysThatItIsFitted = [](const LoadedScene& loaded) {
+    return !loaded.notes.empty() &&
+           loaded.notes.front().english().starts_with("The saved view looks past this volume");
+  };
+  SourceOptions options;
+  options.volume = volume;
+  const LoadedScene fitted = loadScene(path.string(), options, {});
+  EXPECT_TRUE(saysThatItIsFitted(fitted));
+  EXPECT_FALSE(fitted.hasOwnCamera) << "whoever shows it may fit it to the window";
+  EXPECT_EQ(fitted.scene.transferFunction, session.scene.scene.transferFunction);
+  EXPECT_NEAR(fitted.scene.camera.target.x, 1004.5, 9.0);
+  EXPECT_NEAR(glm::distance(basisOf(fitted.scene.camera).forward, basisOf(camera).forward), 0.0, 1e-9);
+  options.volume = "phantom:10"; // another one, which lies where that lay
+  const LoadedScene seen = loadScene(path.string(), options, {});
+  EXPECT_FALSE(saysThatItIsFitted(seen));
+  EXPECT_EQ(seen.scene.camera, camera);
+}
+
 TEST(SceneSource, aSessionIsASourceLikeAScene) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "session.json";

@@ -3,6 +3,7 @@
 #include "app/core/making/Turntable.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/exports/TurntableDialog.h"
+#include "scene/light/LightPresets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -163,6 +164,15 @@ TEST_F(TurntableWindow, saysWhatHoldsOfThePictureOfNowWhileItIsOpen) {
   EXPECT_EQ(said(), QStringLiteral("Saved turn.frames.")) << "what came of drawing stays to be read";
 }
 
+TEST_F(TurntableWindow, saysThatItsTimeIsNotKnownOnceALampTurnsWithIt) {
+  EXPECT_FALSE(said().contains(QStringLiteral("How long drawing takes"))) << said().toStdString();
+  session().setShading(withLight(scene().shading, LightPreset::softStudio),
+                       {nextGestureId(), QStringLiteral("light")});
+  EXPECT_TRUE(test::waitUntil([this] {
+    return said().contains(QStringLiteral("light is found anew for each frame"));
+  })) << said().toStdString();
+}
+
 TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   window->findChild<QAction*>(QStringLiteral("layout-single"))->trigger();
@@ -177,7 +187,24 @@ TEST_F(TurntableWindow, isCancelledByEsc) {
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   EXPECT_FALSE(dialog().isWorking());
   EXPECT_TRUE(dialog().isVisible());
-  EXPECT_TRUE(said().startsWith(QStringLiteral("Cancelled"))) << said().toStdString();
+  EXPECT_EQ(said(), QStringLiteral("Cancelled; frames that were drawn stay in their folder."));
+}
+
+TEST_F(TurntableWindow, ofAVideoThatIsCancelledNothingStays) {
+  if (videoProgram().empty())
+    GTEST_SKIP() << "ffmpeg is not installed";
+  auto& kind = *dialog().findChild<QComboBox*>(QStringLiteral("turntableKind"));
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Down);
+  type("turntableFrames", QStringLiteral("5000"));
+  save("turn.mp4");
+  ASSERT_TRUE(dialog().isWorking());
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Up); // for the next one
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog().isWorking());
+  EXPECT_EQ(said(), QStringLiteral("Cancelled; no video was saved."));
+  EXPECT_FALSE(fs::exists(folder.path() / "turn.mp4"));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/saving/PictureDialog.h"
+#include "scene/framing/Framing.h"
 #include "support/FileBytes.h"
 #include "support/ShortVolume.h"
 
@@ -92,6 +93,26 @@ TEST_F(OpeningWindow, whatWasDismissedOfAVolumeIsNotSaidAgain) {
       if (button->isVisible() && button->text() == QStringLiteral("Dismiss"))
         QTest::mouseClick(button, Qt::LeftButton);
   }
+}
+
+TEST_F(OpeningWindow, thePictureOfOnePatientOpensOnAnotherWhoLiesElsewhere) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  setLayout(CompareLayout::single);
+  const TransferFunction look = scene().transferFunction;
+  const QString picture = savedPicture();
+  test::writeBytes(folder.path() / "far.nrrd",
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n"
+                   "space directions: (9,0,0) (0,9,0) (0,0,9)\nspace origin: (5000,0,0)\nencoding: ascii\n\n"
+                   "0 900 900 900 900 900 900 900\n");
+  SourceOptions options;
+  options.volume = (folder.path() / "far.nrrd").string();
+  window->openSource(picture, options);
+  ASSERT_TRUE(rest());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("looks past this volume")))
+      << messages().sentence().toStdString();
+  EXPECT_EQ(scene().transferFunction, look);
+  EXPECT_TRUE(
+      seesAny(scene().camera, scene().volume->grid(), visibleVoxels(scene()), view().pictureAspect()));
 }
 
 TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {

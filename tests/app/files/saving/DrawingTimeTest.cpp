@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/saving/DrawingTime.h"
+#include "scene/light/LightPresets.h"
+#include "widgets/controls/TimeLeft.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +41,37 @@ TEST(DrawingTime, ofRaysIsThatOfTheScreenTimesThePixels) {
   SideState side;
   EXPECT_FALSE(secondsToDraw(Scene(), side, 4.0));
   side.completeMs = 500.0;
+  side.fraction = 1.0;
   EXPECT_DOUBLE_EQ(*secondsToDraw(Scene(), side, 4.0), 2.0);
+  side.fraction = 0.9;
+  EXPECT_FALSE(secondsToDraw(Scene(), side, 4.0)) << "that is of the picture before";
+}
+
+TEST(DrawingTime, ofATurntableIsToldOnceItIsKnown) {
+  SideState side;
+  side.completeMs = 500.0; // of the picture before
+  side.fraction = 0.5;
+  EXPECT_EQ(framesTimeText(Scene(), side, 1.0, 90),
+            QStringLiteral("How long drawing takes is known once the picture is complete."));
+  side.fraction = 1.0;
+  EXPECT_EQ(framesTimeText(Scene(), side, 1.0, 90), QStringLiteral("Drawing takes %1.").arg(aboutText(45.0)));
+  EXPECT_EQ(framesTimeText(Scene(), side, 1.0, 2), QString());
+}
+
+// What the screen took says nothing of the light, which it found once.
+TEST(DrawingTime, ofATurntableWhoseLampTurnsWithThePictureIsNotKnown) {
+  Scene scene;
+  SideState side;
+  side.completeMs = 500.0;
+  side.fraction = 1.0;
+  scene.shading = withLight(scene.shading, LightPreset::softStudio);
+  EXPECT_TRUE(findsLightForEachView(scene));
+  EXPECT_EQ(framesTimeText(scene, side, 1.0, 90),
+            QStringLiteral("How long drawing takes is not known: light is found anew for each frame."));
+  scene.shading.lightAxes = LightAxes::world;
+  EXPECT_FALSE(findsLightForEachView(scene));
+  scene.shading = withLight(scene.shading, LightPreset::headlight);
+  EXPECT_FALSE(findsLightForEachView(scene));
 }
 
 TEST(DrawingTime, onlyWhatTheScreenHasAlreadyIsSavedAsItIs) {

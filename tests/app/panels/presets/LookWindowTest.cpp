@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/panels/presets/LookController.h"
+#include "io/ImageFile.h"
 #include "io/looks/Look.h"
+#include "io/scenefile/SceneFile.h"
 #include "support/FileBytes.h"
 #include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
@@ -259,6 +261,35 @@ TEST_F(LookWindow, aPresetOfTheListIsExportedFromItsMenu) {
   ASSERT_TRUE(entry);
   QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(entry).center());
   EXPECT_EQ(readLooks(pathTo("lung.json").toStdString()).front().preset.name, "CT lung");
+}
+
+TEST_F(LookWindow, thatOfASavedPictureIsTakenForTheNextVolume) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  Scene other = scene();
+  other.transferFunction.points = {{100, {1, 0, 0}, 0}, {900, {1, 1, 1}, 0.5}};
+  other.camera.position.x = 700.0;
+  writeImage(pathTo("look.png").toStdString(), Image({4, 3}), {}, sceneToJson(other, "head.nii.gz"));
+  const Camera before = scene().camera;
+  typeName(pathTo("look.png"));
+  chooseFromMenu(Qt::Key_I);
+  ASSERT_TRUE(imported());
+  EXPECT_TRUE(own().contains(QStringLiteral("look")));
+  EXPECT_EQ(scene().transferFunction, other.transferFunction);
+  EXPECT_EQ(scene().camera, before);
+  ASSERT_NE(report(), nullptr);
+  EXPECT_TRUE(report()->plainText().contains(QStringLiteral("its view, quality and background were not")))
+      << report()->plainText().toStdString();
+}
+
+TEST_F(LookWindow, aPictureThatLimnDidNotSaveIsRefusedAsOne) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  writeImage(pathTo("holiday.png").toStdString(), Image({4, 3}), {}, "a holiday");
+  typeName(pathTo("holiday.png"));
+  chooseFromMenu(Qt::Key_I);
+  ASSERT_TRUE(imported());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("it is no picture that Limn saved")))
+      << messages().sentence().toStdString();
+  EXPECT_EQ(report(), nullptr);
 }
 
 TEST_F(LookWindow, aDamagedLookOpenedByItselfIsOneSentence) {
