@@ -226,6 +226,9 @@ TEST_F(AccuracyPanelTest, theDialSaysWhyShadowsKeepAPictureFromBeingExact) {
 
 // Where a panel is narrower than its texts would like to be, they take more lines.
 TEST_F(AccuracyPanelTest, whatStandsInASectionIsWholeWhereThePanelIsNarrow) {
+  scene.shading.model = ShadingModel::classic; // of which the most is said
+  scene.shading = withLight(scene.shading, LightPreset::studio);
+  panel.setScene(scene);
   for (const int width : {280, 320, 400}) {
     panel.resize(width, 700);
     measure();
