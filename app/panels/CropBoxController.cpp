@@ -33,6 +33,7 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
     context.planes.view(plane)->addAction(m_action);
   connect(m_action, &QAction::toggled, this, [this](bool isOn) {
     m_hidTurned = !isOn && m_context.view.order().comparison.turnedBox;
+    m_isEdited = m_isEdited && isOn; // who puts it away wants to see it no more, wherever it came from
     show();
   });
   connect(m_action, &QAction::triggered, this, &CropBoxController::begin);
@@ -77,13 +78,14 @@ void CropBoxController::setShown(bool isShown) {
 }
 
 void CropBoxController::show() {
-  m_context.view.setCropBoxVisible(m_action->isChecked() || m_isEdited);
+  m_context.view.setCropBoxVisible(m_action->isChecked() || (m_isEdited && !m_section.isFolded()));
 }
 
 void CropBoxController::followFocus(const QWidget* now) {
   if (!now)
     return; // another program's turn
-  m_isEdited = m_section.isAncestorOf(now) || (m_isEdited && now == &m_context.view);
+  const bool isInSection = m_section.isAncestorOf(now) && !m_section.isFolded();
+  m_isEdited = isInSection || (m_isEdited && now == &m_context.view);
   show();
 }
 

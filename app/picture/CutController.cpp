@@ -45,9 +45,9 @@ Ray rayAt(const Camera& camera, const glm::dvec2& place) {
   return *rayThroughPlace(camera, camera.position + basis.forward + beside); // never the eye itself
 }
 
-// The farthest place at which half of a ray's light is gathered inside the line, mm along the rays; nothing
-// where nothing is seen there.
-std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, const GradientScale& scale,
+// How deep lies what is seen inside the line, where half of a ray's light is gathered, mm along the rays;
+// nothing where nothing is seen there.
+std::optional<double> depthInside(const Scissors& scissors, const Scene& scene, const GradientScale& scale,
                                   const Effort& effort) {
   glm::dvec2 lower = scissors.polygon.front(), upper = lower;
   for (const glm::dvec2& corner : scissors.polygon) {
@@ -55,7 +55,7 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
     upper = glm::max(upper, corner);
   }
   const double step = std::max(upper.x - lower.x, upper.y - lower.y) / depthsAcross;
-  std::optional<double> deepest;
+  std::vector<double> depths;
   for (double y = lower.y + step / 2; y < upper.y; y += step)
     for (double x = lower.x + step / 2; x < upper.x; x += step) {
       if (effort.isCancelled && effort.isCancelled())
@@ -64,12 +64,10 @@ std::optional<double> deepestSeen(const Scissors& scissors, const Scene& scene, 
         continue;
       const Ray ray = rayAt(scissors.camera, {x, y});
       const std::optional<RayProfile> profile = profileAlong(scene, scale, ray);
-      if (const auto depth = profile ? halfLightDepth(*profile) : std::nullopt) {
-        const double mm = glm::dot(placeAt(*profile, *depth) - ray.origin, ray.direction);
-        deepest = std::max(deepest.value_or(mm), mm);
-      }
+      if (const auto depth = profile ? halfLightDepth(*profile) : std::nullopt)
+        depths.push_back(glm::dot(placeAt(*profile, *depth) - ray.origin, ray.direction));
     }
-  return deepest;
+  return depths.empty() ? std::nullopt : std::optional(depthOfSeen(std::move(depths)));
 }
 
 // "226 – 3071 HU · 812 ml · mean 640 HU"
@@ -169,9 +167,9 @@ void CutController::cutToSeen(Scissors scissors) {
   m_work.start([this, scissors = std::move(scissors), scene = m_context.view.sceneOfSide(side),
                 scale = m_context.view.input().scaleOfSide(side)](
                    const Effort& effort) mutable -> BackgroundWork::Deliver {
-    const std::optional<double> deepest = deepestSeen(scissors, scene, scale, effort);
-    if (deepest)
-      scissors.depthMm = glm::dvec2(0.0, *deepest + pastSeenMm);
+    const std::optional<double> depth = depthInside(scissors, scene, scale, effort);
+    if (depth)
+      scissors.depthMm = glm::dvec2(0.0, *depth + pastSeenMm);
     return [this, scissors] {
       if (scissors.depthMm)
         cut(scissors);

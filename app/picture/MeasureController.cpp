@@ -154,18 +154,23 @@ std::vector<Measurement> MeasureController::placed() const {
 void MeasureController::findHidden() {
   m_looking.cancel();
   m_lookedFor = placed();
-  const int side = m_context.view.ownSide();
   if (!m_isAtRest || m_measured.empty() || !m_context.view.scene().volume)
     return;
+  const std::vector<Scene> sides = m_context.view.scenesOfSides();
+  std::vector<GradientScale> scales;
+  for (std::size_t side = 0; side < sides.size(); ++side)
+    scales.push_back(m_context.view.input().scaleOfSide(static_cast<int>(side)));
   m_looking.start(
-      [this, measurements = m_lookedFor, scene = m_context.view.sceneOfSide(side),
-       scale = m_context.view.input().scaleOfSide(side)](const Effort& effort) -> BackgroundWork::Deliver {
-        const auto lies = [&](const glm::dvec3& placeMm) { return isHidden(scene, scale, placeMm); };
-        std::vector<bool> hidden;
+      [this, measurements = m_lookedFor, sides, scales](const Effort& effort) -> BackgroundWork::Deliver {
+        std::vector<std::array<bool, 2>> hidden;
         for (const Measurement& one : measurements) {
           if (effort.isCancelled && effort.isCancelled())
             break;
-          hidden.push_back(isSeenInPicture(one) && std::ranges::all_of(one.placesMm, lies));
+          std::array<bool, 2>& found = hidden.emplace_back();
+          for (std::size_t side = 0; side < sides.size() && isSeenInPicture(one); ++side)
+            found.at(side) = std::ranges::all_of(one.placesMm, [&](const glm::dvec3& placeMm) {
+              return isHidden(sides[side], scales[side], placeMm);
+            });
         }
         return [this, hidden] {
           m_hidden = hidden;
@@ -180,9 +185,9 @@ void MeasureController::show() {
     if (const Measured& one = m_measured[number]; isSeenInPicture(one.measurement))
       seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
                       m_inHand == number, isLedInSlices(one.measurement),
-                      number < m_hidden.size() && m_hidden[number]});
+                      number < m_hidden.size() ? m_hidden[number] : std::array<bool, 2>{}});
   if (m_open && !m_open->placesMm.empty())
-    seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true});
+    seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true, {}});
   m_context.view.setMeasures(seen);
   emit shown(m_measured, m_volume, m_inHand);
 }

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QString>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -72,9 +73,10 @@ private:
   std::optional<std::size_t> m_inHand;
   std::optional<Measurement> m_open; ///< that lacks places, which are being picked in the picture
   std::optional<Led> m_led;
-  QString m_next;             ///< what was said to do next of what is being drawn
-  bool m_isAtRest = false;    ///< the picture
-  std::vector<bool> m_hidden; ///< which of them lay behind what was seen when it came to rest; may be shorter
+  QString m_next;          ///< what was said to do next of what is being drawn
+  bool m_isAtRest = false; ///< the picture
+  /// Which of them lay behind what was seen on each side when it came to rest; may be shorter.
+  std::vector<std::array<bool, 2>> m_hidden;
   std::vector<Measurement> m_lookedFor;
   BackgroundWork m_looking; ///< for them
 };

@@ -164,6 +164,13 @@ void setPart(TurnedBox& box, const Side& side, const Scissors& scissors) {
   }
 }
 
+// Whether the crop takes more than what lies beside the body, which is hidden anyway.
+bool takesOfBody(const Scene& scene) {
+  const CropBox body = boxAroundBody(scene);
+  return glm::any(glm::greaterThan(scene.crop.lower, body.lower)) ||
+         glm::any(glm::lessThan(scene.crop.upper, body.upper));
+}
+
 // Whether two boxes around one volume lie alike, but for the rounding of one found again.
 bool isAlong(const Grid& one, const Grid& other) {
   for (int axis = 0; axis < 3; ++axis)
@@ -344,7 +351,7 @@ void TurnedBoxController::tellWhatStaysCut(bool isShown) {
   const QString sentence = tr("The crop box is put away; what its faces cut away stays so.");
   const Scene& scene = m_context.session.scene();
   const bool isCut =
-      scene.volume && (scene.crop != CropBox{} || boxAtTheEnd(scene.keep.cuts, scene.volume->grid()));
+      scene.volume && (takesOfBody(scene) || boxAtTheEnd(scene.keep.cuts, scene.volume->grid()));
   // What went wrong, or waits for an answer, stays to be read.
   const bool isTaken = m_context.messages.isWanted() && !m_context.messages.isNote();
   if (!isShown && isCut && isTaken)

@@ -19,9 +19,9 @@ void replaceAtomically(const std::filesystem::path& target,
                        const std::function<void(const std::filesystem::path& temporary)>& write,
                        FilePlace place = FilePlace::chosen);
 
-/// Throws the Error that writing `target` would end with: the folder is missing or closed to this user, or
-/// the name is a folder's. Writes nothing; to be asked before long work, not in the place of the other
-/// functions.
+/// Throws the Error that writing `target` would end with: the folder is missing or takes no files, or the
+/// name is a folder's. It is tried with an empty file, which is removed again; to be asked before long work,
+/// not in the place of the other functions.
 void requireWritable(const std::filesystem::path& target);
 
 /// Whether a file is, by its name, one that is being written or was when its process ended.

@@ -137,6 +137,19 @@ bool isInside(const std::vector<glm::dvec2>& polygon, const glm::dvec2& place) {
   return inside;
 }
 
+double depthOfSeen(std::vector<double> depthsMm) {
+  constexpr double leastJumpMm = 10.0, jumpOfDepths = 0.5;
+  constexpr std::size_t beyondOneIn = 4;
+  std::ranges::sort(depthsMm);
+  const std::size_t count = depthsMm.size();
+  for (std::size_t n = count - count / beyondOneIn; n < count; ++n) {
+    const double before = depthsMm[n - 1] - depthsMm.front();
+    if (depthsMm[n] - depthsMm[n - 1] > std::max(leastJumpMm, jumpOfDepths * before))
+      return depthsMm[n - 1];
+  }
+  return depthsMm.back();
+}
+
 std::optional<glm::dvec2> placeInPicture(const Camera& camera, const glm::dvec3& worldMm) {
   const Projector projector(camera);
   const glm::dvec3 fromEye = worldMm - projector.eye;

@@ -70,6 +70,8 @@ TEST(AtomicFile, aPlaceIsRefusedBeforehandWhereWritingWouldFail) {
   EXPECT_EQ(refusal(file), "") << "an old one";
   EXPECT_NE(refusal(folder.path() / "none" / "a.json").find("there is no folder"), std::string::npos);
   EXPECT_NE(refusal(file / "b.json").find("Not a directory"), std::string::npos);
+  EXPECT_NE(refusal("/proc/a.json").find("Cannot write /proc/a.json"), std::string::npos)
+      << "where nobody can make a file, though root has every right";
   EXPECT_NE(refusal(folder.path()).find("Is a directory; choose another name."), std::string::npos);
   EXPECT_EQ(bytesOfFile(file), "old");
   EXPECT_EQ(entriesOf(folder.path()), 1u) << "nothing is left of the trial";

@@ -137,7 +137,6 @@ FoldingSection::FoldingSection(const QString& title, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(m_header);
   layout->addWidget(m_body);
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // room left over stays below all sections
   m_contents->setContentsMargins(12, 4, 12, 12);
   m_contents->setSpacing(8);
   connect(m_header, &QAbstractButton::clicked, this, [this](bool open) {
@@ -180,6 +179,8 @@ void SectionPanel::stack(const std::vector<QWidget*>& sections) {
   layout->setSpacing(0);
   for (QWidget* section : sections)
     layout->addWidget(section);
+  // Room left over stays below all sections. A policy that lets none grow would hold them to the height of
+  // unwrapped text.
   layout->addStretch(1);
   setWidget(content);
 }

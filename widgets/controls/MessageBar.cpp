@@ -55,8 +55,8 @@ MessageBar::MessageBar(QWidget* parent)
   column->addWidget(m_details);
   connect(m_more, &QToolButton::toggled, m_details, &QWidget::setVisible);
   connect(m_action, &QToolButton::clicked, this, [this] {
-    if (m_run)
-      m_run();
+    if (const std::function<void()> run = m_run) // it may have something else said, and goes then
+      run();
   });
   connect(m_close, &QToolButton::clicked, this, [this] {
     hide();
@@ -87,6 +87,8 @@ void MessageBar::setHeldBack(bool isHeldBack) {
 void MessageBar::setVisible(bool visible) {
   const bool isNews = visible != m_isWanted;
   m_isWanted = visible;
+  if (!visible)
+    m_run = nullptr; // with all that it holds
   QFrame::setVisible(m_isWanted && !m_isHeldBack);
   if (isNews)
     emit wanted();

@@ -288,6 +288,9 @@ void TransferFunctionEditor::openDetails(std::size_t index) {
                                contains(selected, index) ? selected : PointIndices{index}, m_canvas->unit(),
                                typedDecimals(), this);
   connect(popup, &PointPopup::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
+  // The release of the click that opens it comes after the pointer has left for it; where it closes, the
+  // pointer may be anywhere.
+  connect(popup, &QObject::destroyed, m_canvas, &TransferFunctionCanvas::forgetPointer);
   const QPoint centre = positionOf(m_canvas->transform(), function.points[index]).toPoint();
   showPopupAt(*popup, QRect(m_canvas->mapToGlobal(centre) - QPoint(10, 10), QSize(20, 20)));
   popup->fields()->focusValue();

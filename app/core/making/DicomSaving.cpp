@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/making/DicomSaving.h"
 
+#include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
 
 namespace limn {
@@ -20,6 +21,14 @@ SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const Di
       Message::tr("Only a DICOM series, or a scene of one, can be saved to DICOM, because picture and "
                   "look are filed with its patient and study; open the series that %1 was made from.")
           .arg(std::filesystem::path(volumePath).filename().string()));
+}
+
+void requireDicomFolder(const std::filesystem::path& folder) {
+  std::error_code unknown;
+  std::filesystem::path there = std::filesystem::absolute(folder);
+  while (!std::filesystem::exists(there, unknown) && there.has_relative_path())
+    there = there.parent_path();
+  requireWritable(there / "look.dcm");
 }
 
 std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,

@@ -17,6 +17,10 @@ namespace limn {
 SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const DicomFolder> dicom,
                          std::optional<int> series, const Progress& progress);
 
+/// Throws the Error that saving into this folder, which is there or is made, would end with; to be asked
+/// before the picture is drawn.
+void requireDicomFolder(const std::filesystem::path& folder);
+
 /// Writes scene and picture into a folder, which is made, as `look.dcm`, `picture.dcm` and maybe
 /// `segments.dcm`; `remark`, which may be empty, tells there how exact the picture is. Returns what other
 /// programs do not find in the look, a sentence each. Throws Error.

@@ -224,6 +224,7 @@ std::vector<Message> writeTurntable(const fs::path& path, const Turntable& turnt
     writeFrames(path, turntable, order, describe, mark, notes);
     return notes;
   }
+  requireWritable(path);
   // Frames carry no scenes there: they vanish.
   std::optional<ScratchFolder> frames;
   try {

@@ -139,6 +139,7 @@ void DicomDialog::save() {
             dicom = m_context.document.request().options.dicom,
             series = m_context.document.request().options.read.series](const std::string& path,
                                                                        const Effort& effort) {
+             requireDicomFolder(path);
              Progress reading;
              reading.isCancelled = effort.isCancelled;
              const SeriesImages images = shownSeries(source, dicom, series, reading);

@@ -7,6 +7,7 @@
 #include "app/files/figure/FigurePreview.h"
 #include "app/files/figure/FigureSources.h"
 #include "app/files/saving/SavingController.h"
+#include "io/AtomicFile.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
 #include "scene/effects/EffectPlan.h"
@@ -403,8 +404,9 @@ void FigureDialog::save() {
             .isPicture = true},
            [figure, named, volumePath, order = m_context.drawnLikeTheView()](const std::string& path,
                                                                              const Effort& effort) {
-             const MadeFigure made =
-                 makeFigure(figure, withEffort(order, effort), pixelsFor(figureFormatOf(path)));
+             const FigurePixels pixels = pixelsFor(figureFormatOf(path));
+             requireWritable(path);
+             const MadeFigure made = makeFigure(figure, withEffort(order, effort), pixels);
              const std::vector<std::string> volumes(made.figure.panels.size(), volumePath);
              writeFigure(path, made, figureDescription(made.figure, volumes, named));
              return Outcome{withNotes(tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()),

@@ -67,6 +67,15 @@ bool takesBytes(const std::string& path) {
   return ending == QStringLiteral("png") || ending.startsWith(QStringLiteral("tif"));
 }
 
+QString askForPicturePlace(WindowContext& context) {
+  return askWhereToSave(&context.window,
+                        {.title = PictureSaving::tr("Save the picture"),
+                         .suggested = suggestedName(context.document) + QStringLiteral(".png"),
+                         .filters = {PictureSaving::tr("Pictures (*.png *.tif *.jpg *.exr)")},
+                         .isPicture = true},
+                        context.settings);
+}
+
 // As files have it: colours that are not multiplied by their alpha.
 BytePicture bytesWithAlpha(const Image& image) {
   BytePicture picture{image.size, true, {}, 0.0};
@@ -133,14 +142,12 @@ void PictureSaving::ask() {
       {screen.x, screen.y}, m_context.settings, &m_context.window, PictureKind::view, told(asked.scenes));
   if (!options)
     return;
-  const QString path =
-      askWhereToSave(&m_context.window,
-                     {.title = tr("Save the picture"),
-                      .suggested = suggestedName(m_context.document) + QStringLiteral(".png"),
-                      .filters = {tr("Pictures (*.png *.tif *.jpg *.exr)")},
-                      .isPicture = true},
-                     m_context.settings);
-  if (path.isEmpty())
+  const QString path = askForPicturePlace(m_context);
+  const auto requirePlace = [&] { // before anything is drawn for it
+    requirePictureEnding(path.toStdString());
+    requireWritable(path.toStdString());
+  };
+  if (path.isEmpty() || !m_context.notes.attempt(requirePlace))
     return;
   m_awaited.await(path, asked, *options);
   look();
@@ -387,7 +394,17 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
       sides[index] = std::move(picture.image);
       ++done;
     });
-    file.write(sides); // seconds of a large one
+    std::optional<Message> failure;
+    try {
+      file.write(sides); // seconds of a large one
+    } catch (const Error& error) {
+      failure = error.sentence();
+    }
+    if (failure)
+      return [this, file, failure, drawn = std::make_shared<const std::vector<Image>>(std::move(sides))] {
+        emit drawing({});
+        offerElsewhere(file, drawn, translated(*failure));
+      };
     return [this, exactness, path = QString::fromStdString(file.path), options = file.options] {
       emit drawing({});
       m_context.notes.attempt([] {}, path); // it is there
@@ -396,6 +413,28 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
       sayGround(path, options);
     };
   });
+}
+
+// What took long to draw is kept as long as the message stands.
+void SavingController::offerElsewhere(const PictureFile& file,
+                                      const std::shared_ptr<const std::vector<Image>>& sides,
+                                      const QString& sentence) {
+  const auto saveElsewhere = [this, file, sides] {
+    const QString path = askForPicturePlace(m_context);
+    if (path.isEmpty())
+      return;
+    PictureFile other = file;
+    other.path = path.toStdString();
+    try {
+      other.write(*sides);
+    } catch (const Error& error) {
+      return offerElsewhere(other, sides, translated(error.sentence()));
+    }
+    m_context.messages.hide();
+    m_context.notes.attempt([] {}, path);
+    sayGround(path, other.options);
+  };
+  m_context.messages.show(MessageBar::Kind::error, sentence, {}, {tr("Save elsewhere…"), saveElsewhere});
 }
 
 void SavingController::sayGround(const QString& path, const PictureOptions& options) {

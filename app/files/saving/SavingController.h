@@ -134,6 +134,9 @@ signals:
 private:
   struct PictureFile;
   void drawPicture(const PictureFile& file, const std::vector<Scene>& scenes, const glm::ivec2& size);
+  /// Says that a drawn picture could not be written, and saves it elsewhere where that is wanted.
+  void offerElsewhere(const PictureFile& file, const std::shared_ptr<const std::vector<Image>>& sides,
+                      const QString& sentence);
   void sayGround(const QString& path, const PictureOptions& options);
   std::string seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
                        const std::string& kind) const;

@@ -197,11 +197,14 @@ void CurveController::showScene(const Scene& scene) {
 }
 
 void CurveController::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
-  if (volume != m_volume)
+  TransferFunctionEditor* editor = m_panel.valueEditor();
+  if (volume != m_volume) {
     takeInHand(std::nullopt); // labels are those of the volume before
+    editor->canvas()->forgetPointer();
+    editor->canvas()->selectPoints({});
+  }
   m_volume = volume;
   m_panel.setVolumeOpen(volume != nullptr);
-  TransferFunctionEditor* editor = m_panel.valueEditor();
   m_histograms.showVolume(volume, histogram);
   editor->setUnit(volume ? QString::fromStdString(volume->info().unit) : QString());
   if (volume) {

@@ -135,6 +135,8 @@ std::vector<WrittenSurface> exportSurfaces(const Scene& scene, const std::vector
   std::transform(orders.begin(), orders.end(), isovalues.begin(),
                  [](const SurfaceOrder& order) { return order.isovalue; });
   requireDifferent(isovalues);
+  for (const fs::path& file : surfacePaths(path, isovalues))
+    requireWritable(file);
   constexpr double shareOfMaking = 0.9;
   std::vector<MadeSurface> made;
   made.reserve(orders.size());

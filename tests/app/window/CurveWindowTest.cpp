@@ -68,6 +68,34 @@ TEST_F(CurveWindow, escInThePopUpOfAPointLeavesTheColourOfBefore) {
   }
 }
 
+// Whoever closes the pop-up is elsewhere by then, and no event tells the curve so.
+TEST_F(CurveWindow, nothingStaysUnderThePointerOnceThePopUpIsClosedOrTheVolumeAnother) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const QPoint at = positionOf(plot().transform(), plot().transferFunction().points[2]).toPoint();
+  const auto moveOver = [&] {
+    QMouseEvent event(QEvent::MouseMove, QPointF(at), plot().mapToGlobal(QPointF(at)), Qt::NoButton,
+                      Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&plot(), &event);
+  };
+  QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at);
+  const QPointer<PointPopup> popup = window->findChild<PointPopup*>();
+  ASSERT_TRUE(popup && test::waitUntilExposed(*popup));
+  moveOver(); // as the release comes after the pop-up has opened
+  ASSERT_TRUE(plot().picture().hoveredPoint);
+  popup->close();
+  ASSERT_TRUE(test::waitUntil([&] { return popup.isNull(); }));
+  EXPECT_FALSE(plot().picture().hoveredPoint);
+  EXPECT_FALSE(plot().picture().hoveredValue);
+  moveOver();
+  EXPECT_TRUE(plot().picture().hoveredPoint) << "once the pointer moves over it again";
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, at);
+  ASSERT_EQ(plot().selected(), PointIndices{2});
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  EXPECT_FALSE(plot().picture().hoveredPoint);
+  EXPECT_FALSE(plot().picture().hoveredValue);
+  EXPECT_TRUE(plot().selected().empty());
+}
+
 TEST_F(CurveWindow, aDoubleClickOnOneOfSeveralPointsEditsAllOfThem) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   const TransferFunction before = scene().transferFunction;

@@ -108,6 +108,24 @@ TEST_F(MainWindowScene, theCropBoxShowsWhileItsSectionIsUsedAndOnIntoTheView) {
   EXPECT_FALSE(view().cropBoxIsVisible());
 }
 
+// What nobody edits any more and is switched off is not shown for the sake of where one came from.
+TEST_F(MainWindowScene, theCropBoxGoesWithItsKeyAndWithItsFoldedSection) {
+  CropSection* section = properties().cropSection();
+  section->setFolded(false);
+  section->findChild<NumberField*>()->setFocus();
+  view().setFocus();
+  ASSERT_TRUE(view().cropBoxIsVisible());
+  QTest::keyClick(&view(), Qt::Key_B);
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  QTest::keyClick(&view(), Qt::Key_B);
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  section->setFolded(true);
+  section->findChild<FoldingHeader*>()->setFocus();
+  EXPECT_FALSE(view().cropBoxIsVisible()) << "on the way along the titles";
+  view().setFocus();
+  EXPECT_FALSE(view().cropBoxIsVisible());
+}
+
 TEST_F(MainWindowScene, theCropBoxIsDrawnCloseAroundWhatIsSeen) {
   properties().cropSection()->setFolded(false);
   QCoreApplication::processEvents();

@@ -417,13 +417,31 @@ TEST_F(MeasureWindow, whatLiesBehindWhatIsSeenIsDrawnFaintly) {
   click(middle - QPoint(20, 0));
   click(middle + QPoint(20, 0));
   ASSERT_EQ(measurements().size(), 1u);
-  const auto isFaint = [this] { return view().order().comparison.measures.front().isHidden; };
+  const auto isFaint = [this] { return view().order().comparison.measures.front().isHidden[0]; };
   ASSERT_TRUE(rest());
   EXPECT_FALSE(isFaint());
   view().lookFrom(StandardView::posterior);
   EXPECT_TRUE(test::waitUntil([&] { return isFaint(); }));
   view().lookFrom(StandardView::anterior);
   EXPECT_TRUE(test::waitUntil([&] { return !isFaint(); }));
+}
+
+// What one look of two hides lies open in the other.
+TEST_F(MeasureWindow, whatOneSideOfAComparisonHidesIsFaintThereAlone) {
+  TransferFunction skin = scene().transferFunction, nothing = skin;
+  skin.points = {{-300, {1, 1, 1}, 0.0}, {-100, {1, 1, 1}, 0.9}};
+  nothing.points = {{-300, {1, 1, 1}, 0.0}, {4000, {1, 1, 1}, 0.0}};
+  session().setTransferFunction(skin, {nextGestureId(), QStringLiteral("skin")});
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  session().setTransferFunction(nothing, {nextGestureId(), QStringLiteral("nothing")});
+  choose("picture");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  const glm::dvec3 middle = boxCentreMm(scene().volume->grid());
+  session().setMeasurements({{Kind::distance, std::nullopt, {middle, middle + glm::dvec3(20, 0, 0)}}},
+                            {nextGestureId(), QStringLiteral("measure")});
+  ASSERT_EQ(view().order().comparison.measures.size(), 1u);
+  const auto faint = [this] { return view().order().comparison.measures.front().isHidden; };
+  EXPECT_TRUE(test::waitUntil([&] { return faint() == std::array<bool, 2>{true, false}; }));
 }
 
 TEST_F(MeasureWindow, inThePictureBothEndsMayLieClose) {

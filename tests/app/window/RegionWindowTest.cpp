@@ -353,6 +353,27 @@ TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
   EXPECT_TRUE(test::waitUntil(saysCropped));
 }
 
+TEST_F(RegionWindow, aCropThatTakesNothingOfTheBodyIsPutAwayWithoutAWord) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  QAction& box = *window->findChild<QAction*>(QStringLiteral("cropBox"));
+  const auto saysWhatStays = [this] {
+    return messages().isVisible() && messages().sentence().contains(QStringLiteral("what its faces cut"));
+  };
+  box.trigger();
+  CropBox crop = scene().crop;
+  ASSERT_NE(crop, CropBox{}) << "around the body";
+  crop.upper.z = 0.5;
+  session().setCrop(crop, {nextGestureId(), QStringLiteral("cut")});
+  box.trigger();
+  EXPECT_TRUE(saysWhatStays());
+  box.trigger();
+  crop.upper.z = 1.0; // where a double click on its handle puts the face
+  session().setCrop(crop, {nextGestureId(), QStringLiteral("reset")});
+  box.trigger();
+  EXPECT_FALSE(saysWhatStays());
+}
+
 TEST_F(RegionWindow, theCropBoxTurnsToTheViewAndWhatItsFacesCutAreCuts) {
   ASSERT_TRUE(showHeadObliquely());
   const int steps = undo().count();

@@ -224,6 +224,23 @@ TEST_F(AccuracyPanelTest, theDialSaysWhyShadowsKeepAPictureFromBeingExact) {
   EXPECT_FALSE(note().contains(QStringLiteral("grid of light"))) << "it is";
 }
 
+// Where a panel is narrower than its texts would like to be, they take more lines.
+TEST_F(AccuracyPanelTest, whatStandsInASectionIsWholeWhereThePanelIsNarrow) {
+  scene.shading.model = ShadingModel::classic; // of which the most is said
+  scene.shading = withLight(scene.shading, LightPreset::studio);
+  panel.setScene(scene);
+  for (const int width : {280, 320, 400}) {
+    panel.resize(width, 700);
+    measure();
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->wordWrap() && label->isVisible()) {
+        EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+            << width << ": " << label->text().toStdString();
+      }
+    EXPECT_GE(dial().height(), dial().sizeHint().height()) << width << ": the row of times";
+  }
+}
+
 TEST_F(AccuracyPanelTest, theChartIsAsHighAsThePanelHasRoomForAndGoesIntoAWindowWhereAsked) {
   auto* apart = widgetNamed<QPushButton>(panel, "Chart in a window of its own");
   measure();

@@ -295,6 +295,10 @@ void TransferFunctionCanvas::hover(const QPointF& position) {
 }
 
 void TransferFunctionCanvas::leaveEvent(QEvent*) {
+  forgetPointer();
+}
+
+void TransferFunctionCanvas::forgetPointer() {
   m_hovered = {};
   setHoveredValue(std::nullopt);
 }

@@ -73,6 +73,10 @@ public:
   /// Adds a point at a place in the plot.
   void addPoint(const QPointF& position);
 
+  /// Nothing is under the pointer until it moves over the plot again: what lay over it is closed, or the
+  /// volume is another one.
+  void forgetPointer();
+
   /// Takes one point in hand, and scrolls it into view.
   void takeInHand(std::size_t index);
 

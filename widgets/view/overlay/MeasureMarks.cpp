@@ -287,14 +287,12 @@ void paintMeasures(QPainter& painter, const std::vector<MeasureMark>& marks) {
     paintShape(painter, mark.shape);
   }
   painter.restore();
-  // Texts over every line.
+  // Texts over every line, and never faint: what stands there is read.
   for (const MeasureMark& mark : marks)
     if (mark.note) {
-      painter.setOpacity(mark.shape.isHidden ? hiddenOpacity : 1.0);
       paintPlate(painter, mark.note->plate); // and its own: numbers are read on white bone, too
       paintNote(painter, *mark.note);
     }
-  painter.setOpacity(1.0);
 }
 
 } // namespace limn

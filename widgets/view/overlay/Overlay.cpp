@@ -262,6 +262,13 @@ void paintTitles(QPainter& painter, const Overlay& overlay) {
   painter.setOpacity(1.0);
 }
 
+// Where two pictures lie one on the other, what either of them shows is seen.
+bool isHiddenAt(const OverlaySource& source, const SeenMeasure& measure, int position) {
+  if (standingCount(source.geometry) < pictureCount(source.geometry.layout))
+    return measure.isHidden[0] && measure.isHidden[1];
+  return measure.isHidden[static_cast<std::size_t>(sideShownAt(source.comparison, position))];
+}
+
 } // namespace
 
 std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int position) {
@@ -269,8 +276,13 @@ std::vector<MeasureShape> measureShapesOf(const OverlaySource& source, int posit
       viewProjection(source.comparison.scene.camera, pictureRect(source.geometry, position));
   std::vector<MeasureShape> shapes;
   for (const SeenMeasure& measure : source.comparison.measures) {
-    MeasureShape shape{measure.number, measure.kind,    {}, measure.text, measure.isInHand,
-                       measure.isOpen, measure.isHidden};
+    MeasureShape shape{measure.number,
+                       measure.kind,
+                       {},
+                       measure.text,
+                       measure.isInHand,
+                       measure.isOpen,
+                       isHiddenAt(source, measure, position)};
     for (const glm::dvec3& place : measure.placesMm)
       if (const std::optional<QPointF> at = pixelOf(projection, place))
         shape.places.push_back(*at);

@@ -37,8 +37,9 @@ struct SeenMeasure {
   std::vector<glm::dvec3> placesMm; ///< world; the last are absent while it is being measured
   QString text;
   bool isInHand = false;
-  bool isOpen = false;   ///< nothing of it can be taken here: it is being measured, or lies in a slice
-  bool isHidden = false; ///< all of its places lie behind what is seen
+  bool isOpen = false; ///< nothing of it can be taken here: it is being measured, or lies in a slice
+  /// All of its places lie behind what is seen, in the picture of each side.
+  std::array<bool, 2> isHidden{};
   bool operator==(const SeenMeasure&) const = default;
 };
 

@@ -41,8 +41,8 @@ CutBar::CutBar(QWidget* parent)
   m_outside->setToolTip(tr("Takes away all that the line does not go around."));
   m_through->setToolTip(tr("Cuts through the whole volume."));
   m_seen->setToolTip(
-      tr("Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at "
-         "least one slice."));
+      tr("Cuts only as deep as what is seen inside the line, and leaves what shows far behind through "
+         "small gaps; in a slice, as deep as its slab, at least one slice."));
   m_hide->setToolTip(tr("Hides this piece."));
   m_alone->setToolTip(tr("Hides all but this piece."));
   m_look->setToolTip(tr("Gives this piece a curve of its own, which the curve panel then shows."));

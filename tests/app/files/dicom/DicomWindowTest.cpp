@@ -9,6 +9,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -105,6 +106,14 @@ TEST_F(DicomWindow, saysWhatTheFilesCarryAndWritesThemWithout) {
   ASSERT_TRUE(test::waitUntil([&] { return !anonymous->isChecked(); }));
   save("somebodys.dicom");
   EXPECT_TRUE(test::marksIn(bytes("somebodys.dicom/look.dcm"), searched).contains("ZEBEDEE"));
+}
+
+TEST_F(DicomWindow, drawsNothingForAPlaceThatTakesNoFolder) {
+  test::writeBytes(folder.path() / "file", "no folder");
+  ask();
+  save("file/kept.dicom");
+  EXPECT_TRUE(labelSays(QStringLiteral("Not a directory")));
+  EXPECT_EQ(dialog().findChild<QProgressBar*>()->value(), 0) << "nothing was drawn";
 }
 
 TEST_F(DicomWindow, isInTheFileMenuOfASeriesAlone) {

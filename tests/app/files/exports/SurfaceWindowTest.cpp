@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QMenu>
 #include <QMenuBar>
+#include <QProgressBar>
 #include <QPushButton>
 
 // A surface, exported in the program's window.
@@ -123,6 +124,14 @@ TEST_F(SurfaceWindow, isEstimatedAnewWhenTheCropChanges) {
   const QString before = said();
   session().setCrop({{0.0, 0.0, 0.5}, {1.0, 1.0, 1.0}}, Gesture{});
   EXPECT_TRUE(test::waitUntil([&] { return exportButton().isEnabled() && said() != before; }));
+}
+
+TEST_F(SurfaceWindow, isNotMadeForAPlaceThatTakesNoFile) {
+  ask();
+  exportTo("none/skull.stl");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_TRUE(said().contains(QStringLiteral("there is no folder"))) << said().toStdString();
+  EXPECT_EQ(dialog().findChild<QProgressBar*>()->value(), 0) << "nothing was worked at";
 }
 
 TEST_F(SurfaceWindow, isCancelledByEscAndLeavesNothing) {

@@ -180,6 +180,18 @@ TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
   EXPECT_FALSE(dialog().findChild<QComboBox*>(QStringLiteral("turntablePicture"))->isVisible());
 }
 
+TEST_F(TurntableWindow, ofAVideoThatCannotBeWrittenNoFrameIsDrawn) {
+  if (videoProgram().empty())
+    GTEST_SKIP() << "no video is made without ffmpeg";
+  auto& kind = *dialog().findChild<QComboBox*>(QStringLiteral("turntableKind"));
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_End);
+  type("turntableFrames", QStringLiteral("5000"));
+  save("none/turn.mp4");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_TRUE(said().contains(QStringLiteral("there is no folder"))) << said().toStdString();
+}
+
 TEST_F(TurntableWindow, isCancelledByEsc) {
   type("turntableFrames", QStringLiteral("5000"));
   save("turn.frames");

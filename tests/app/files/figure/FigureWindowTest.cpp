@@ -13,6 +13,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QStyleOptionComboBox>
 
@@ -72,6 +73,13 @@ protected:
     return test::waitUntil([this] { return !dialog().isWorking(); });
   }
 };
+
+TEST_F(FigureWindow, isNotDrawnForAPlaceThatTakesNoFile) {
+  ASSERT_TRUE(ask());
+  ASSERT_TRUE(saveAs("none/figure.png"));
+  EXPECT_TRUE(said().contains(QStringLiteral("there is no folder"))) << said().toStdString();
+  EXPECT_EQ(dialog().findChild<QProgressBar*>()->value(), 0) << "nothing was drawn";
+}
 
 TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
   setLayout(CompareLayout::sideBySide);

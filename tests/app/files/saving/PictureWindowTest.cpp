@@ -134,6 +134,29 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   EXPECT_FALSE(fs::exists(folder.path() / "large.png"));
 }
 
+// A full disk, or a folder that went meanwhile, takes no picture that minutes were spent on.
+TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
+  PictureOptions options;
+  options.marks = noMarks;
+  options.size = PictureOptions::Size::twice;
+  const QSize size = saved("usual.png", options).size();
+  saving().writePicture(pathTo("gone/twice.png"), options);
+  ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
+  auto& elsewhere = *messages().findChild<QToolButton*>(QStringLiteral("messageAction"));
+  ASSERT_TRUE(elsewhere.isVisible()) << messages().sentence().toStdString();
+  EXPECT_EQ(elsewhere.text(), QStringLiteral("Save elsewhere…"));
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("there is no folder")));
+  typeName(pathTo("gone/again.png"));
+  QTest::mouseClick(&elsewhere, Qt::LeftButton);
+  ASSERT_TRUE(elsewhere.isVisible()) << "it is still there to be saved";
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("again.png")));
+  typeName(pathTo("there.png"));
+  QTest::mouseClick(&elsewhere, Qt::LeftButton);
+  EXPECT_FALSE(messages().isVisible());
+  EXPECT_EQ(written("there.png").size(), size);
+  EXPECT_FALSE(readImageDescription(folder.path() / "there.png").empty()) << "it carries its scene";
+}
+
 TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
   PictureOptions options;
   options.size = PictureOptions::Size::print;

@@ -120,6 +120,22 @@ TEST_F(Saving, whoeverNoLongerWantsThePictureCancels) {
   EXPECT_FALSE(fs::exists(folder.path() / "mypicture.png"));
 }
 
+// It is waited for no picture that has no place.
+TEST_F(Saving, whatCannotBeWrittenIsRefusedBeforeItIsDrawn) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:2")));
+  for (const auto& [name, sentence] :
+       {std::pair("none/mypicture.png", "there is no folder"), std::pair("mypicture.bmp", "ending")}) {
+    messages().hide();
+    onceAsked<PictureDialog>([](PictureDialog& dialog) { dialog.accept(); });
+    typeName(pathTo(name));
+    action(QStringLiteral("Save &picture…"))->trigger();
+    EXPECT_FALSE(stop().isVisible()) << name;
+    ASSERT_TRUE(messages().isVisible()) << name;
+    EXPECT_TRUE(messages().sentence().contains(QString::fromLatin1(sentence)))
+        << messages().sentence().toStdString();
+  }
+}
+
 TEST_F(Saving, aFailureIsForgottenOnceSomethingIsSaved) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   saving().writeSession(pathTo("none/mine.json"));

@@ -129,17 +129,20 @@ TEST(MeasureMarks, theNearestHandleIsTaken) {
   EXPECT_FALSE(measureHandleAt({open}, {101, 100})) << "what is being measured has none yet";
 }
 
-// On any ground, black, white or between: what is written has at least the contrast of small text, 4.5 : 1.
+// On any ground, black, white or between: what is written has at least the contrast of small text, 4.5 : 1,
+// also of what lies behind what is seen.
 TEST(MeasureMarks, textsAreReadOnAnyGround) {
   QFont font;
   font.setPointSize(28); // strokes that cover pixels wholly
-  for (const int grey : {0, 90, 128, 200, 255}) {
+  for (const auto& [grey, isHidden] :
+       {std::pair(0, false), {90, false}, {128, false}, {200, false}, {255, false}, {0, true}, {255, true}}) {
     QImage image(shownIn.size().toSize(), QImage::Format_RGB32);
     image.fill(QColor(grey, grey, grey));
     QPainter painter(&image);
     painter.setFont(font);
-    const std::vector<MeasureMark> marks =
-        placedMeasures({distanceShape({300, 200}, {340, 200})}, font, shownIn, {});
+    MeasureShape shape = distanceShape({300, 200}, {340, 200});
+    shape.isHidden = isHidden;
+    const std::vector<MeasureMark> marks = placedMeasures({shape}, font, shownIn, {});
     paintMeasures(painter, marks);
     painter.end();
     const QRect plate = marks.front().note->plate.toAlignedRect();
@@ -148,7 +151,7 @@ TEST(MeasureMarks, textsAreReadOnAnyGround) {
     for (int x = plate.left(); x <= plate.right(); ++x)
       for (int y = plate.top() + 4; y < plate.bottom() - 3; ++y)
         best = std::max(best, contrastRatio(image.pixelColor(x, y), ground));
-    EXPECT_GE(best, 4.5) << grey;
+    EXPECT_GE(best, 4.5) << grey << (isHidden ? " behind" : " before");
   }
 }
 
@@ -194,6 +197,28 @@ TEST(MeasureMarks, picturesHaveThemWhereTheCameraSeesTheirPlaces) {
               *pixelOf(viewProjection(camera, pictureRect(source.geometry, position)), {20, 0, 10}));
     EXPECT_TRUE(measures.picture.contains(shape.places[0]));
   }
+}
+
+TEST(MeasureMarks, eachPictureOfTwoHasThemFaintByWhatItShowsItself) {
+  OverlaySource source;
+  source.comparison.scene.volume = phantomVolume({12.0, 0.0, 1});
+  source.comparison.scene.camera = defaultCamera(source.comparison.scene.volume->grid());
+  source.comparison.measures = {{0, Kind::distance, {{0, 0, 0}, {20, 0, 10}}, QStringLiteral("22.4 mm")}};
+  const auto isFaintAt = [&source](CompareLayout layout, int position) {
+    source.comparison.layout = layout;
+    source.geometry = {layout, 0.5, {700, 400}, 1.0};
+    return measureShapesOf(source, position).at(0).isHidden;
+  };
+  source.comparison.measures[0].isHidden = {true, false};
+  EXPECT_TRUE(isFaintAt(CompareLayout::single, 0));
+  EXPECT_TRUE(isFaintAt(CompareLayout::sideBySide, 0));
+  EXPECT_FALSE(isFaintAt(CompareLayout::sideBySide, 1));
+  EXPECT_FALSE(isFaintAt(CompareLayout::wipe, 0)) << "the other picture shows it";
+  source.comparison.isSwapped = true;
+  EXPECT_FALSE(isFaintAt(CompareLayout::sideBySide, 0));
+  EXPECT_TRUE(isFaintAt(CompareLayout::sideBySide, 1));
+  source.comparison.measures[0].isHidden = {true, true};
+  EXPECT_TRUE(isFaintAt(CompareLayout::wipe, 0));
 }
 
 // Nobody has a hand on what is in a file.
