@@ -11,8 +11,8 @@ namespace limn {
 
 class ResetLabel;
 
-/// A drop-down list that the wheel changes only while it has the keyboard, which the wheel does not give it, so
-/// that scrolling a panel changes nothing on the way.
+/// A drop-down list that the wheel changes only while it has the keyboard, which the wheel does not give it,
+/// so that scrolling a panel changes nothing on the way.
 class QuietComboBox : public QComboBox {
 public:
   explicit QuietComboBox(QWidget* parent = nullptr);

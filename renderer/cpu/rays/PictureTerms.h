@@ -73,8 +73,8 @@ struct LookTerms {
   const FewSegments* segmentsTogether = nullptr;
 };
 
-/// Two changes on end that are smaller, from some directions to twice as many, leave what comes of light (0..1)
-/// alone where it is marched: it is not known any closer.
+/// Two changes on end that are smaller, from some directions to twice as many, leave what comes of light
+/// (0..1) alone where it is marched: it is not known any closer.
 inline constexpr float leastLightChange = 1.0f / 512.0f;
 
 /// How what comes of light that travels is found (DEFINITION section 11): from the nodes of a grid or, where

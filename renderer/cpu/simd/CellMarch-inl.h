@@ -525,9 +525,9 @@ private:
   const Samples<kind>& m_samples;
   float m_limit;
   bool m_readsGradient, m_changesOpacity;
-  bool m_isLimited;       // lit colours lie within 0..1
-  float m_uncertain;      // of what comes of light on its way
-  bool m_isBegun = false; // ends and middles of all pieces are known
+  bool m_isLimited;          // lit colours lie within 0..1
+  float m_uncertain;         // of what comes of light on its way
+  bool m_isBegun = false;    // ends and middles of all pieces are known
   bool m_isAbsorbed = false; // at least what absorbs there
   Pieces m_pieces;
   float m_end = -1.0f; // of the last piece that was taken

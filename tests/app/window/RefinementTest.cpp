@@ -50,7 +50,8 @@ protected:
   // What the tool tip says, as it is typed: {"--step", "0.0625"} or {"--tolerance", "0.5"}.
   QStringList statedSteps() const {
     static const QRegularExpression step(QStringLiteral("step ([0-9.e-]+)(?:/([0-9]+))? of the smallest"));
-    static const QRegularExpression tolerance(QStringLiteral("by error, meant for ([0-9.e-]+) of 255 levels"));
+    static const QRegularExpression tolerance(
+        QStringLiteral("by error, meant for ([0-9.e-]+) of 255 levels"));
     const QString toolTip = window->findChild<PictureStatus*>()->text().toolTip;
     if (const QRegularExpressionMatch match = tolerance.match(toolTip); match.hasMatch())
       return {QStringLiteral("--tolerance"), match.captured(1)};

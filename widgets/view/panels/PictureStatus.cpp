@@ -62,17 +62,6 @@ bool isChecked(const PictureState& state) {
       state.sides, [](const SideState& side) { return side.paths || side.measuredLevels || side.chance; });
 }
 
-// The 99.9th percentile of colour values, by which a picture is accurate to the screen (DEFINITION section 9):
-// of the pixels that were drawn it is measured, too, beside what they say of all others.
-double percentileOf(const SideState& side) {
-  return !side.measuredLevels && side.chance ? side.chance->p99_9 : levelsOf(side).value_or(0.0);
-}
-
-bool areWithin(const PictureState& state, double levels) {
-  return std::ranges::all_of(state.sides,
-                             [&](const SideState& side) { return percentileOf(side) <= levels; });
-}
-
 bool hasPaths(const PictureState& state) {
   return std::ranges::any_of(state.sides, [](const SideState& side) { return side.paths.has_value(); });
 }
@@ -150,18 +139,31 @@ constexpr double exactLevels = 1.0;
 // A hundredth of white: what an eye just tells apart of two fields that touch (Weber's law).
 constexpr double nearlyExactLevels = 2.55;
 
+// The same of single pixels among others that are accurate; details as fine as they need more contrast to be
+// seen than fields do.
+constexpr double singleLevels = 2.0 * nearlyExactLevels;
+
+// By the law a picture is accurate to the screen by the 99.9th percentile of its colour values; of the pixels
+// that were drawn it is measured, too, beside what they say of all others.
+bool areAccurate(const PictureState& state) {
+  return std::ranges::all_of(state.sides, [](const SideState& side) {
+    return side.chance && !side.measuredLevels && side.chance->p99_9 <= exactLevels;
+  });
+}
+
 QString badgeText(const PictureState& state) {
   if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
     return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
   if (!state.resting)
     return QObject::tr("○ preview");
-  const bool isNear = !isKnown(state) || *levelsOf(worstOf(state)) <= nearlyExactLevels;
-  const bool isWithin = isResolved(state) && isLightMeasured(state) && isKnown(state) && isNear &&
-                        areWithin(state, exactLevels);
+  const bool isWithin = isResolved(state) && isLightMeasured(state) && isKnown(state) &&
+                        *levelsOf(worstOf(state)) <= exactLevels;
   if (isWithin && isChecked(state))
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
+  const bool isNear =
+      !isKnown(state) || *levelsOf(worstOf(state)) <= (areAccurate(state) ? singleLevels : nearlyExactLevels);
   // No step would make it exact, or nothing but an estimate says that it is.
   if (isResolved(state) && isNear && (isWithin || state.refinementEnd == RefinementEnd::withinHalfALevel))
     return QObject::tr("○ nearly exact");
@@ -251,8 +253,7 @@ QString explanationOf(const PictureState& state) {
   if (const std::optional<ErrorByChance>& chance = worstOf(state).chance)
     return translated(describe(*chance)) + QLatin1Char(' ') +
            QObject::tr("Of their colour values 999 of 1000 lie within %1.").arg(levelsText(chance->p99_9)) +
-           QLatin1Char(' ') +
-           QObject::tr("Black and white are 255 levels apart.");
+           QLatin1Char(' ') + QObject::tr("Black and white are 255 levels apart.");
   QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
                              "of the exact picture; black and white are 255 levels apart.")
                      .arg(levelsText(worstOf(state).estimate->p99_9));

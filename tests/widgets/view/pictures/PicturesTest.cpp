@@ -107,8 +107,8 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
 }
 
-// With a tolerance light is marched from each sample, which takes minutes: what moves looks it up, and so does
-// the whole picture over which the exact one comes.
+// With a tolerance light is marched from each sample, which takes minutes: what moves looks it up, and so
+// does the whole picture over which the exact one comes.
 TEST(PicturesInMemory, onTheirWayToATolerancePicturesLookLightUp) {
   Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
   Scene scene = phantomWith(ShadingModel::classic);
