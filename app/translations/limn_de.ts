@@ -219,6 +219,14 @@
         <source>it holds a number that is too large to be one</source>
         <translation>sie enthält eine Zahl, die zu groß ist, um eine zu sein</translation>
     </message>
+    <message>
+        <source>it is no picture that Limn saved with its look</source>
+        <translation>es ist kein Bild, das Limn mit seiner Darstellung gespeichert hat</translation>
+    </message>
+    <message>
+        <source>choose one that Limn saved of a volume, or a look</source>
+        <translation>wählen Sie eines, das Limn von einem Volumen gespeichert hat, oder eine Darstellung</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -2108,6 +2116,31 @@
         <source>steps chosen by error, meant for %1 of 255 levels</source>
         <translation>Schritte nach dem Fehler gewählt, für %1 von 255 Stufen</translation>
     </message>
+    <message>
+        <source>How long drawing takes is not known: light is found anew for each frame.</source>
+        <translation>Wie lange das Zeichnen dauert, ist nicht bekannt: Das Licht wird für jedes Einzelbild neu ermittelt.</translation>
+    </message>
+    <message>
+        <source>Drawing takes %1.</source>
+        <comment>a time</comment>
+        <translation>Das Zeichnen dauert %1.</translation>
+    </message>
+    <message>
+        <source>How long drawing takes is known once the picture is complete.</source>
+        <translation>Wie lange das Zeichnen dauert, ist bekannt, sobald das Bild vollständig ist.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click points, drag a frame</source>
+        <translation>Strg+Klick auf Punkte, Rahmen ziehen</translation>
+    </message>
+    <message>
+        <source>select several, to move or change together</source>
+        <translation>mehrere auswählen, um sie gemeinsam zu verschieben oder zu ändern</translation>
+    </message>
+    <message>
+        <source>Of their colour values 999 of 1000 lie within %1.</source>
+        <translation>Von ihren Farbwerten liegen 999 von 1000 innerhalb von %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2386,6 +2419,42 @@
     <message>
         <source>%1 is no colour: give a hex code such as %2.</source>
         <translation>%1 ist keine Farbe: Geben Sie einen Hex-Code wie %2 an.</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>%1 (key %2)</source>
+        <translation>%1 (Taste %2)</translation>
     </message>
 </context>
 <context>
@@ -2854,10 +2923,6 @@
         <translation>Gibt diesem Teil eine eigene Kurve, die dann der Kurvenbereich zeigt.</translation>
     </message>
     <message>
-        <source>Cuts only as deep as what is seen inside the line; in a slice, as deep as its slab, at least one slice.</source>
-        <translation>Schneidet nur so tief wie das, was innerhalb der Linie zu sehen ist; in einer Schicht so tief wie deren Dicke, mindestens eine Schicht.</translation>
-    </message>
-    <message>
         <source>Less</source>
         <translation>Weniger</translation>
     </message>
@@ -2884,6 +2949,10 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>Cuts only as deep as what is seen inside the line, and leaves what shows far behind through small gaps; in a slice, as deep as its slab, at least one slice.</source>
+        <translation>Schneidet nur so tief, wie innerhalb der Linie etwas zu sehen ist, und lässt stehen, was weit dahinter durch kleine Lücken scheint; in einer Schicht so tief wie deren Dicke, mindestens eine Schicht.</translation>
     </message>
 </context>
 <context>
@@ -8611,10 +8680,6 @@
         <translation>öffnen Sie sie mit diesem</translation>
     </message>
     <message>
-        <source>choose a preset of Limn, or a look that 3D Slicer, OsiriX, Horos, InVesalius, ParaView, Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue or ImageVis3D saved</source>
-        <translation>wählen Sie ein Preset von Limn oder eine Darstellung, die 3D Slicer, OsiriX, Horos, InVesalius, ParaView, Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue oder ImageVis3D gespeichert hat</translation>
-    </message>
-    <message>
         <source>it is a property list that is not text</source>
         <translation>sie ist eine Property List, die kein Text ist</translation>
     </message>
@@ -8709,6 +8774,74 @@
     <message>
         <source>The picture lies within about %1 levels RMS of the exact one, after %2 paths a pixel whose noise was filtered: that changed colours by %3 levels RMS, by %4 at most, and was judged by paths that the filter did not see.</source>
         <translation>Das Bild liegt bis auf etwa %1 Stufen RMS beim exakten, nach %2 Pfaden je Bildpunkt, deren Rauschen gefiltert wurde: Das hat Farben um %3 Stufen RMS geändert, höchstens um %4, und wurde an Pfaden gemessen, die der Filter nicht kannte.</translation>
+    </message>
+    <message>
+        <source>The saved view looks past this volume: the look was taken over, and the view is fitted to this volume.</source>
+        <translation>Die gespeicherte Ansicht blickt an diesem Volumen vorbei: Die Darstellung wurde übernommen, und die Ansicht ist diesem Volumen angepasst.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie in two masks and belong to the one that was opened last: to %2 and not to %3.</source>
+        <translation>%1 Voxel liegen in zwei Masken und gehören zu der zuletzt geöffneten: zu %2 und nicht zu %3.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie in more than one mask and belong to the one that was opened last; most of them, %2, to %3 and not to %4.</source>
+        <translation>%1 Voxel liegen in mehr als einer Maske und gehören zu der zuletzt geöffneten; die meisten davon, %2, zu %3 und nicht zu %4.</translation>
+    </message>
+    <message>
+        <source>neither it nor another file that was chosen is the mask of a structure: 0, and one value inside</source>
+        <translation>weder sie noch eine andere gewählte Datei ist die Maske einer Struktur: 0 und innen ein Wert</translation>
+    </message>
+    <message>
+        <source>open a file of several labels by itself</source>
+        <translation>öffnen Sie eine Datei mit mehreren Labels für sich allein</translation>
+    </message>
+    <message>
+        <source>it and the other masks that were chosen are empty</source>
+        <translation>sie und die anderen gewählten Masken sind leer</translation>
+    </message>
+    <message>
+        <source>Curve, projection and light were taken over; its view, quality and background were not.</source>
+        <translation>Kurve, Projektion und Licht wurden übernommen; Ansicht, Qualität und Hintergrund nicht.</translation>
+    </message>
+    <message>
+        <source>Its fog was left out.</source>
+        <translation>Der Nebel wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>What was cropped, cut or hidden there was left out.</source>
+        <translation>Was dort beschnitten, weggeschnitten oder ausgeblendet war, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Its measurements were left out.</source>
+        <translation>Die Messungen wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>it leaves the curve to its volume</source>
+        <translation>sie überlässt die Kurve ihrem Volumen</translation>
+    </message>
+    <message>
+        <source>open it and export the look that is shown</source>
+        <translation>öffnen Sie sie und exportieren Sie die gezeigte Darstellung</translation>
+    </message>
+    <message>
+        <source>the figure shows slices alone</source>
+        <translation>die Abbildung zeigt nur Schichten</translation>
+    </message>
+    <message>
+        <source>choose a figure with a picture</source>
+        <translation>wählen Sie eine Abbildung mit einem Bild</translation>
+    </message>
+    <message>
+        <source>picture, figure, scene or session of Limn</source>
+        <translation>Bild, Abbildung, Szene oder Sitzung von Limn</translation>
+    </message>
+    <message>
+        <source>choose a preset or picture of Limn, or a look that 3D Slicer, OsiriX, Horos, InVesalius, ParaView, Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue or ImageVis3D saved</source>
+        <translation>wählen Sie ein Preset oder ein Bild von Limn oder eine Darstellung, die 3D Slicer, OsiriX, Horos, InVesalius, ParaView, Weasis, MITK, Inviwo, Voreen, MRIcroGL, NiiVue oder ImageVis3D gespeichert hat</translation>
+    </message>
+    <message>
+        <source>must name a file, or be a list of the files of masks</source>
+        <translation>muss eine Datei nennen oder eine Liste der Dateien von Masken sein</translation>
     </message>
 </context>
 <context>
@@ -10768,10 +10901,6 @@
         <translation>&amp;Labels öffnen…</translation>
     </message>
     <message>
-        <source>Opens a segmentation of the volume: each label can be shown, hidden or faded.</source>
-        <translation>Öffnet eine Segmentierung des Volumens: Jedes Label lässt sich zeigen, ausblenden oder abschwächen.</translation>
-    </message>
-    <message>
         <source>&amp;Body only</source>
         <translation>Nur &amp;Körper</translation>
     </message>
@@ -10826,6 +10955,34 @@
     <message>
         <source>Finds the body and hides the table, the head holder and what else lies beside it; labels that are open stay open.</source>
         <translation>Findet den Körper und blendet Tisch, Kopfhalterung und anderes daneben aus; geöffnete Labels bleiben offen.</translation>
+    </message>
+    <message>
+        <source>open labels of %1 files</source>
+        <translation>Labels aus %1 Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>open labels %1</source>
+        <translation>Labels %1 öffnen</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 Dateien</translation>
+    </message>
+    <message>
+        <source>Opens a segmentation of the volume, or the masks of several files at once: each label can be shown, hidden or faded.</source>
+        <translation>Öffnet eine Segmentierung des Volumens oder die Masken mehrerer Dateien auf einmal: Jedes Label lässt sich zeigen, ausblenden oder abschwächen.</translation>
+    </message>
+    <message>
+        <source>labels of before</source>
+        <translation>Labels von vorher</translation>
+    </message>
+    <message>
+        <source>The labels of %1 took the place of those of %2.</source>
+        <translation>Die Labels von %1 sind an die Stelle derer von %2 getreten.</translation>
+    </message>
+    <message>
+        <source>Bring those back</source>
+        <translation>Jene zurückholen</translation>
     </message>
 </context>
 <context>
@@ -10916,6 +11073,10 @@
     <message>
         <source>%1: %2 %</source>
         <translation>%1: %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Save elsewhere…</source>
+        <translation>Anderswo speichern…</translation>
     </message>
 </context>
 <context>
@@ -11617,10 +11778,6 @@
         <translation>&amp;Bild</translation>
     </message>
     <message>
-        <source>Cancelled; frames that were drawn stay.</source>
-        <translation>Abgebrochen; schon gezeichnete Einzelbilder bleiben.</translation>
-    </message>
-    <message>
         <source>Save &amp;turntable…</source>
         <translation>D&amp;rehansicht speichern…</translation>
     </message>
@@ -11705,9 +11862,16 @@
         <translation>Sie beginnt mit %1&#xa0;% der Größe auf dem Schirm, damit beim Drehen nichts abgeschnitten wird.</translation>
     </message>
     <message>
-        <source>Drawing takes %1.</source>
-        <comment>a time</comment>
-        <translation>Das Zeichnen dauert %1.</translation>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancelled; no video was saved.</source>
+        <translation>Abgebrochen; kein Video wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Cancelled; frames that were drawn stay in their folder.</source>
+        <translation>Abgebrochen; gezeichnete Einzelbilder bleiben in ihrem Ordner.</translation>
     </message>
 </context>
 <context>
