@@ -185,7 +185,7 @@ QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measure
   if (refines && hasTravellingLight(scene))
     parts << tr("From there it refines while nothing moves, but shadows and occlusion come from a grid of "
                 "light, which smaller steps do not make finer: where they show, the picture may stay \"not "
-                "exact\". With \"exact\" the processor finds them for each sample, in minutes.");
+                "exact\". With \"exact\" the processor finds them for each sample, in minutes to hours.");
   else if (refines)
     parts << tr("From there it refines while nothing moves.");
   parts << tr("A level is the smallest step of brightness on a screen, of 255.");

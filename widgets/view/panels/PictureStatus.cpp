@@ -203,7 +203,7 @@ EndText textOf(RefinementEnd end) {
     return {QObject::tr("step %1, light from a grid"),
             QObject::tr(
                 "Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with "
-                "a tolerance the processor finds them for each sample, in minutes.")};
+                "a tolerance the processor finds them for each sample, in minutes to hours.")};
   case RefinementEnd::failed:
     return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
   }
