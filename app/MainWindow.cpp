@@ -125,8 +125,10 @@ void MainWindow::connectFiles() {
   connect(opening, &OpeningController::looksChosen, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::looksDropped, &m_panels.looks(), &LookController::importFiles);
   connect(&m_files.drops(), &DropController::sourcesDropped, this, [this](const QStringList& paths) {
-    if (m_context.session.scene().volume && std::ranges::all_of(paths, opensAsLabels))
-      m_picture.regions().openLabelFiles(paths);
+    QStringList labels;
+    std::ranges::copy_if(paths, std::back_inserter(labels), opensAsLabels);
+    if (m_context.session.scene().volume && !labels.isEmpty())
+      m_picture.regions().openLabelFiles(labels);
     else
       openSource(paths.front());
   });

@@ -71,11 +71,13 @@ QString openingText(const QStringList& paths, const Volume& volume) {
                                                         : RegionController::tr("open labels %1").arg(name);
 }
 
-// The file of labels, or how many there are, as a sentence names it.
-QString namesOf(const Region& region) {
+// The file of labels, or how many there are, as a sentence names it: it may be read by whoever looks on.
+QString namesOf(const Region& region, const Volume& volume) {
   const std::vector<std::string> sources = sourcesOf(region);
-  return sources.size() == 1 ? QFileInfo(QString::fromStdString(sources.front())).fileName()
-                             : RegionController::tr("%1 files").arg(sources.size());
+  if (sources.size() > 1)
+    return RegionController::tr("%1 files").arg(sources.size());
+  const QString name = QFileInfo(QString::fromStdString(sources.front())).fileName();
+  return mayNameThePatient(name, volume.info().patient) ? RegionController::tr("one file") : name;
 }
 
 QString tableQuestion() {
@@ -135,14 +137,13 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
 }
 
 void RegionController::askForLabels() {
-  QStringList paths = askForPaths(
+  const QStringList paths = askForPaths(
       &m_context.window,
       {.title = tr("Open the labels of this volume"),
        .filters = {tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)"),
                    tr("All files (*)")},
        .isMany = true},
       m_context.settings);
-  paths.sort(); // and not in the order in which they were clicked
   if (!paths.isEmpty())
     openLabelFiles(paths);
 }
@@ -155,9 +156,11 @@ void RegionController::askForMasks() {
     openLabels(path);
 }
 
-void RegionController::openLabelFiles(const QStringList& paths) {
+void RegionController::openLabelFiles(const QStringList& chosen) {
   if (!m_volume)
     return;
+  QStringList paths = chosen;
+  paths.sort(); // and not in the order in which they were clicked
   std::vector<std::filesystem::path> files;
   for (const QString& path : paths)
     files.emplace_back(path.toStdString());
@@ -403,11 +406,11 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
     labels.cuts = m_context.session.scene().keep.cuts;
     setKeep(labels, {nextGestureId(), tr("labels of before")});
   };
-  m_context.messages.show(
-      MessageBar::Kind::warning,
-      tr("The labels of %1 took the place of those of %2.").arg(namesOf(found.region), namesOf(before)),
-      found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
-      {tr("Bring those back"), bringBack});
+  m_context.messages.show(MessageBar::Kind::warning,
+                          tr("The labels of %1 took the place of those of %2.")
+                              .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume)),
+                          found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
+                          {tr("Bring those back"), bringBack});
 }
 
 void RegionController::cancel() {

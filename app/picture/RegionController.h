@@ -41,7 +41,7 @@ public slots:
   void askForMasks();
   void openLabels(const QString& path) { openLabelFiles({path}); }
   /// Several are masks, each of a structure.
-  void openLabelFiles(const QStringList& paths);
+  void openLabelFiles(const QStringList& chosen);
   void setBodyOnly(bool isOn);
   /// What is kept shall be this: of other labels that pieces hang on, those are found anew.
   void setKeep(const limn::Region& region, const limn::Gesture& gesture);

@@ -2138,8 +2138,8 @@
         <translation>mehrere auswählen, um sie gemeinsam zu verschieben oder zu ändern</translation>
     </message>
     <message>
-        <source>Of their colour values 999 of 1000 lie within %1.</source>
-        <translation>Von ihren Farbwerten liegen 999 von 1000 innerhalb von %1.</translation>
+        <source>Of the colour values of the pixels that were drawn 999 of 1000 lie within %1 levels of the exact picture.</source>
+        <translation>Von den Farbwerten der gezogenen Pixel liegen 999 von 1000 höchstens %1 Stufen vom exakten Bild.</translation>
     </message>
 </context>
 <context>
@@ -8843,6 +8843,10 @@
         <source>must name a file, or be a list of the files of masks</source>
         <translation>muss eine Datei nennen oder eine Liste der Dateien von Masken sein</translation>
     </message>
+    <message>
+        <source>The curves that single labels and pieces had were left out.</source>
+        <translation>Die eigenen Kurven einzelner Labels und Stücke wurden weggelassen.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -10983,6 +10987,10 @@
     <message>
         <source>Bring those back</source>
         <translation>Jene zurückholen</translation>
+    </message>
+    <message>
+        <source>one file</source>
+        <translation>einer Datei</translation>
     </message>
 </context>
 <context>

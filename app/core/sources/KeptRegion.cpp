@@ -81,13 +81,15 @@ bool isOfMasks(const Region& region) {
          !volumeStem(region.source).empty() && !isMaskFolder(region.source);
 }
 
-// Masks shown as they were before others came behind them. A mask that was alone had its file's number.
+// Masks shown as they were before others came behind them. A mask that was alone had its file's number, and
+// has it where it is alone again.
 Region shownAsBefore(Region region, const Region& before) {
   std::map<std::size_t, TransferFunction> looks;
   const std::vector<Label>& labels = region.labels->labels();
   for (std::size_t place = 0; place < listedLabels(before); ++place) {
     const int had = before.labels->labels()[place].value;
-    const int value = had == 0 || !before.moreSources.empty() ? had : 1;
+    const bool isNumbered = before.moreSources.empty() && !region.moreSources.empty();
+    const int value = had > 0 && isNumbered ? 1 : had;
     const auto now = std::ranges::find(labels, value, &Label::value);
     if (now == labels.end())
       continue;
@@ -118,10 +120,8 @@ FoundRegion openedBeside(const Region& kept, const std::vector<std::filesystem::
   for (const std::string& source : sourcesOf(opened.region))
     if (std::ranges::find(all, source) == all.end())
       all.push_back(source);
-  if (all.size() == sourcesOf(opened.region).size())
-    return {opened.region, opened.remark};
   const Segmentation joined = read(pathsOf(all), part(progress, 0.5, 1.0));
-  return {shownAsBefore(joined.region, before), opened.remark.empty() ? joined.remark : opened.remark};
+  return {shownAsBefore(joined.region, before), opened.leftOut.followedBy(" ", joined.remark)};
 }
 
 bool replacesLabels(const Region& region, const Region& before) {

@@ -159,16 +159,13 @@ private:
       evaluate(node, open, m_changesOpacity);
   }
 
-  // What rounding may leave where nothing absorbs: over 1,000 unit distances a twentieth of a level.
-  static constexpr float roundedAway = 2e-7f;
-
   // Drops the pieces from `first` on that absorb nothing wherever they were looked at.
   HWY_NOINLINE void dropUnseen(int first) {
     int kept = first;
     for (int n = first; n < m_pieces.count; ++n) {
       bool shows = false;
       for (int node = 0; node <= last; node += last / 2)
-        shows = shows || m_nodes[node].extinction[n] > roundedAway;
+        shows = shows || m_nodes[node].extinction[n] > 0.0f;
       if (shows && kept < n) {
         m_pieces.move(n, kept);
         for (int node = 0; node <= last; node += last / 2)

@@ -14,6 +14,7 @@ namespace limn {
 struct Segmentation {
   Region region;
   Message remark;
+  Message leftOut{}; ///< what the remark says of files that were chosen, too, and are none of labels
 };
 
 /// Reads a label map: a DICOM segmentation, a volume of whole numbers in any format that readVolume reads, or

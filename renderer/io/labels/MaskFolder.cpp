@@ -67,13 +67,12 @@ Message overlapIn(const MasksOnGrid& masks, Order order) {
       .arg(masks.overlapping(), largest->voxels, largest->winner, largest->loser);
 }
 
-Message remarkOn(const std::vector<std::string>& skipped, const MasksOnGrid& masks, Order order) {
-  Message remark;
-  if (skipped.size() == 1)
-    remark = Message::tr("%1 is no mask and was left out.").arg(listOf(skipped));
-  else if (!skipped.empty())
-    remark = Message::tr("%1 files are no masks and were left out: %2.").arg(skipped.size(), listOf(skipped));
-  return remark.followedBy(" ", overlapIn(masks, order));
+Message leftOutOf(const std::vector<std::string>& skipped) {
+  if (skipped.empty())
+    return {};
+  return skipped.size() == 1 ? Message::tr("%1 is no mask and was left out.").arg(listOf(skipped))
+                             : Message::tr("%1 files are no masks and were left out: %2.")
+                                   .arg(skipped.size(), listOf(skipped));
 }
 
 } // namespace
@@ -138,7 +137,7 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
   if (!read.masks)
     failReading(folder, Message::tr("no file in it is the mask of a structure: 0, and one value inside"),
                 Message::tr("open the folder that the segmentation was written to"));
-  const Message remark = remarkOn(read.skipped, *read.masks, Order::byName);
+  const Message remark = leftOutOf(read.skipped).followedBy(" ", overlapIn(*read.masks, Order::byName));
   const Region region = regionOf(*read.masks, sourceOf(folder));
   if (region.weights.size() == 1)
     failReading(folder, Message::tr("all of its masks are empty"),
@@ -154,16 +153,17 @@ Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, con
                 Message::tr("neither it nor another file that was chosen is the mask of a structure: 0, and "
                             "one value inside"),
                 Message::tr("open a file of several labels by itself"));
-  const Message remark = remarkOn(read.skipped, *read.masks, Order::asChosen);
+  const Message leftOut = leftOutOf(read.skipped);
+  const Message remark = leftOut.followedBy(" ", overlapIn(*read.masks, Order::asChosen));
   Region region = regionOf(*read.masks, sourceOf(read.files.front()));
   if (region.weights.size() == 1)
     failReading(files.front(), Message::tr("it and the other masks that were chosen are empty"),
                 Message::tr("open the segmentation of this volume"));
   if (read.files.size() == 1) // with the number that its file gives it, as it is read again
-    return {readSegmentation(read.files.front(), grid, progress, patient).region, remark};
+    return {readSegmentation(read.files.front(), grid, progress, patient).region, remark, leftOut};
   for (std::size_t n = 1; n < read.files.size(); ++n)
     region.moreSources.push_back(sourceOf(read.files[n]));
-  return {region, remark};
+  return {region, remark, leftOut};
 }
 
 } // namespace limn

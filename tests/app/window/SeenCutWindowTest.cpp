@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr int size = 60;
+constexpr int boxVoxels = 60;
 
 class SeenCutWindow : public test::WindowHarness {
 protected:
@@ -41,10 +41,10 @@ protected:
 
 // A hollow box of bone, with a small hole in the wall towards the eye.
 TEST_F(SeenCutWindow, leaveTheFarWallThatShowsThroughAHoleOfTheNearOne) {
-  test::writeShorts(folder.path() / "box.nrrd", size, [](const glm::ivec3& v) {
-    const glm::ivec3 fromMiddle = glm::abs(2 * v - (size - 1)); // in halves of a voxel
+  test::writeShorts(folder.path() / "box.nrrd", boxVoxels, [](const glm::ivec3& v) {
+    const glm::ivec3 fromMiddle = glm::abs(2 * v - (boxVoxels - 1)); // in halves of a voxel
     const int away = std::max({fromMiddle.x, fromMiddle.y, fromMiddle.z});
-    const bool isHole = v.y < size / 2 && fromMiddle.x < 6 && fromMiddle.z < 6;
+    const bool isHole = v.y < boxVoxels / 2 && fromMiddle.x < 6 && fromMiddle.z < 6;
     return away < 40 && away > 32 && !isHole ? 1200 : -1000;
   });
   ASSERT_TRUE(open(pathTo("box.nrrd")));

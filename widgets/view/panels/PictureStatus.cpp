@@ -252,7 +252,10 @@ QString explanationOf(const PictureState& state) {
         .arg(promisedLevels(*measured));
   if (const std::optional<ErrorByChance>& chance = worstOf(state).chance)
     return translated(describe(*chance)) + QLatin1Char(' ') +
-           QObject::tr("Of their colour values 999 of 1000 lie within %1.").arg(levelsText(chance->p99_9)) +
+           QObject::tr(
+               "Of the colour values of the pixels that were drawn 999 of 1000 lie within %1 levels of "
+               "the exact picture.")
+               .arg(promisedLevels(chance->p99_9)) +
            QLatin1Char(' ') + QObject::tr("Black and white are 255 levels apart.");
   QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
                              "of the exact picture; black and white are 255 levels apart.")

@@ -29,7 +29,12 @@ std::vector<Message> leftBehind(const SceneDocument& document) {
       Message::tr("Curve, projection and light were taken over; its view, quality and background were not.")};
   if (document.scene.fog.mode != Fog::Mode::none)
     sentences.push_back(Message::tr("Its fog was left out."));
-  if (document.scene.crop != CropBox{} || document.keep != KeptPart{})
+  const KeptPart& keep = document.keep;
+  if (!keep.looks.empty() || std::ranges::any_of(keep.cuts, pieceWithLook))
+    sentences.push_back(Message::tr("The curves that single labels and pieces had were left out."));
+  const bool isFaded = std::ranges::any_of(keep.weights, [](const auto& of) { return of.second < 1.0; });
+  if (document.scene.crop != CropBox{} || keep.kind == Region::Kind::body || keep.hidesTable || isFaded ||
+      std::ranges::any_of(keep.cuts, takesAway))
     sentences.push_back(Message::tr("What was cropped, cut or hidden there was left out."));
   if (!document.measurements.empty())
     sentences.push_back(Message::tr("Its measurements were left out."));
@@ -53,12 +58,14 @@ std::string nameIn(const SessionDocument& session, const std::string& file) {
 std::vector<ReadLook> looksOf(const FigureDocument& figure, const std::string& file) {
   std::vector<ReadLook> looks;
   for (const FigurePanelDocument& panel : figure.panels) {
+    if (panel.plane)
+      continue;
     ReadLook look = lookOfScene(panel.scene, file, lookNameOf(file, looks.size()));
     const bool isKnown = std::ranges::any_of(looks, [&](ReadLook known) {
       known.preset.name = look.preset.name;
       return known.preset == look.preset;
     });
-    if (!panel.plane && !isKnown)
+    if (!isKnown)
       looks.push_back(std::move(look));
   }
   if (looks.empty())

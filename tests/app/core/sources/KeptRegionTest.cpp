@@ -145,6 +145,16 @@ TEST_F(LabelledScene, aMaskComesToTheMasksThatAreOpenAndOtherLabelsReplaceThem) 
   // Once more it is the same; what is no mask takes the place of all.
   EXPECT_EQ(sourcesOf(openedBeside(both.region, {folder.path() / "b.nrrd"}, *loaded.scene.volume).region),
             sourcesOf(both.region));
+  const FoundRegion together =
+      openedBeside(keep, {folder.path() / "a.nrrd", folder.path() / "b.nrrd", folder.path() / "v.nrrd"},
+                   *loaded.scene.volume);
+  EXPECT_EQ(together.region.weights, both.region.weights)
+      << "what was open is shown as it was, chosen again or not";
+  EXPECT_EQ(together.region.looks, both.region.looks);
+  EXPECT_EQ(together.remark.english(), "v.nrrd is no mask and was left out. " + both.remark.english());
+  const Region alone = openedBeside(keep, {folder.path() / "a.nrrd"}, *loaded.scene.volume).region;
+  EXPECT_EQ(alone.weights, keep.weights);
+  EXPECT_EQ(alone.looks, keep.looks);
   const Region seg = openedBeside(both.region, {folder.path() / "seg.nrrd"}, *loaded.scene.volume).region;
   EXPECT_EQ(seg.weights.size(), 3u);
   EXPECT_EQ(sourcesOf(seg), std::vector<std::string>{(folder.path() / "seg.nrrd").string()});
