@@ -365,8 +365,7 @@ TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
   const TransferFunction function = scene().transferFunction;
   press(Qt::Key_K);
   click({0, 0});
-  ASSERT_TRUE(ready());
-  ASSERT_TRUE(cutting().hasPiece());
+  ASSERT_TRUE(ready() && cutting().hasPiece());
   QTest::mouseClick(&button(QStringLiteral("Its own curve")), Qt::LeftButton);
   ASSERT_TRUE(ready());
   ASSERT_EQ(cuts().size(), 1u);
@@ -402,9 +401,10 @@ TEST_F(CutWindow, aPieceThatIsGivenItsOwnCurveComesIntoTheCurvePanel) {
   undo().undo();
   // Sessions keep it, and a click in the list takes it in hand again.
   std::ofstream(folder.path() / "session.json") << sessionToJson(window->sessionDocument());
-  ASSERT_TRUE(open(pathTo("session.json")));
-  ASSERT_TRUE(ready());
+  ASSERT_TRUE(open(pathTo("session.json")) && ready());
   EXPECT_EQ(scene().keep.looks, std::vector<TransferFunction>{edited});
+  EXPECT_EQ(canvas.transferFunction(), edited) << "whose curve was in hand when it was saved";
+  emit curves().curveChosen(std::nullopt);
   EXPECT_EQ(canvas.transferFunction(), function);
   QListWidgetItem* row = list().item(0);
   EXPECT_TRUE(row->text().endsWith(QStringLiteral("own curve"))) << row->text().toStdString();

@@ -114,7 +114,7 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
       << "beside 1.2 levels, whatever was estimated";
   state.refinementEnd = RefinementEnd::withinHalfALevel;
   EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact"));
-  EXPECT_TRUE(toolTip.contains(QStringLiteral("999 of 1000 lie within 0.60 levels")))
+  EXPECT_TRUE(toolTip.contains(QStringLiteral("999 of 1000 lie within 0.6 levels")))
       << toolTip.toStdString();
   state.sides[0].chance->levels = 2.58;
   EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact")) << "a single pixel is";
