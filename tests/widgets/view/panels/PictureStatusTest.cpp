@@ -114,8 +114,7 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
       << "beside 1.2 levels, whatever was estimated";
   state.refinementEnd = RefinementEnd::withinHalfALevel;
   EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact"));
-  EXPECT_TRUE(toolTip.contains(QStringLiteral("999 of 1000 lie within 0.6 levels")))
-      << toolTip.toStdString();
+  EXPECT_TRUE(toolTip.contains(QStringLiteral("999 of 1000 lie within 0.6 levels"))) << toolTip.toStdString();
   state.sides[0].chance->levels = 2.58;
   EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ nearly exact")) << "a single pixel is";
   state.sides[0].chance->p99_9 = 1.1;
