@@ -3,6 +3,7 @@
 
 #include "app/core/drawing/PictureMaker.h"
 
+#include <QFileInfo>
 #include <QImage>
 
 #include <algorithm>
@@ -62,6 +63,35 @@ Image comparedPicture(const Image& left, const Image& right, CompareLayout layou
     return parted(left, right, wipe);
   return layout == CompareLayout::difference ? differenceOf(left, right, glm::vec3(background))
                                              : sideBySide(left, right);
+}
+
+glm::ivec2 savedSize(const ViewGeometry& geometry) {
+  const std::vector<PixelRect> pictures = pictureRects(geometry);
+  if (pictures.empty())
+    return deviceSize(geometry);
+  const glm::ivec2& one = pictures.front().size;
+  return {geometry.layout == CompareLayout::sideBySide ? 2 * one.x : one.x, one.y};
+}
+
+bool takesBytes(const std::string& path) {
+  const QString ending = QFileInfo(QString::fromStdString(path)).suffix().toLower();
+  return ending == QStringLiteral("png") || ending.startsWith(QStringLiteral("tif"));
+}
+
+BytePicture bytesWithAlpha(const Image& image) {
+  BytePicture picture{image.size, true, {}, 0.0};
+  picture.bytes.reserve(4 * image.pixels.size());
+  const auto byte = [](float value) {
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  };
+  for (const glm::vec4& pixel : image.pixels) {
+    const float alpha = std::clamp(pixel.a, 0.0f, 1.0f);
+    const glm::vec3 color = alpha > 0.0f ? glm::vec3(pixel) / alpha : glm::vec3(0.0f);
+    for (int channel = 0; channel < 3; ++channel)
+      picture.bytes.push_back(byte(color[channel]));
+    picture.bytes.push_back(byte(alpha));
+  }
+  return picture;
 }
 
 } // namespace limn

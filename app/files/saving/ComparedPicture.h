@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/ImageFile.h"
 #include "scene/basics/Image.h"
 #include "scene/view/CompareLayout.h"
+#include "widgets/view/overlay/ViewGeometry.h"
+
+#include <string>
 
 class QImage;
 
@@ -15,5 +19,15 @@ Image withMarks(Image image, const QImage& marks);
 /// width), or as their amplified difference over `background`, which is opaque.
 Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
                       const glm::dvec3& background);
+
+/// The pixels of what is saved of a view as large as it stands there: pictures beside each other touch.
+glm::ivec2 savedSize(const ViewGeometry& geometry);
+
+/// Whether the file of this path takes bytes (by its ending): these have a ground that can be seen through,
+/// and a resolution; floats (EXR) always have the former.
+bool takesBytes(const std::string& path);
+
+/// A picture as files of bytes have it: colours that are not multiplied by their alpha.
+BytePicture bytesWithAlpha(const Image& image);
 
 } // namespace limn

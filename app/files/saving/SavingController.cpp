@@ -22,9 +22,6 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include <algorithm>
-#include <cmath>
-
 namespace limn {
 namespace {
 
@@ -46,25 +43,10 @@ std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
   return PictureAccuracy{worst->levels, describe(*worst).english()};
 }
 
-// Of what is saved of a view as large as it stands there: pictures beside each other touch.
-glm::ivec2 savedSize(const ViewGeometry& geometry) {
-  const std::vector<PixelRect> pictures = pictureRects(geometry);
-  if (pictures.empty())
-    return deviceSize(geometry);
-  const glm::ivec2& one = pictures.front().size;
-  return {geometry.layout == CompareLayout::sideBySide ? 2 * one.x : one.x, one.y};
-}
-
 glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {
   return ground == PictureOptions::Ground::white   ? glm::dvec3(1.0)
          : ground == PictureOptions::Ground::black ? glm::dvec3(0.0)
                                                    : shown;
-}
-
-// Bytes have a ground that can be seen through, and a resolution; floats (EXR) always have the former.
-bool takesBytes(const std::string& path) {
-  const QString ending = QFileInfo(QString::fromStdString(path)).suffix().toLower();
-  return ending == QStringLiteral("png") || ending.startsWith(QStringLiteral("tif"));
 }
 
 QString askForPicturePlace(WindowContext& context) {
@@ -74,23 +56,6 @@ QString askForPicturePlace(WindowContext& context) {
                          .filters = {PictureSaving::tr("Pictures (*.png *.tif *.jpg *.exr)")},
                          .isPicture = true},
                         context.settings);
-}
-
-// As files have it: colours that are not multiplied by their alpha.
-BytePicture bytesWithAlpha(const Image& image) {
-  BytePicture picture{image.size, true, {}, 0.0};
-  picture.bytes.reserve(4 * image.pixels.size());
-  const auto byte = [](float value) {
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-  };
-  for (const glm::vec4& pixel : image.pixels) {
-    const float alpha = std::clamp(pixel.a, 0.0f, 1.0f);
-    const glm::vec3 color = alpha > 0.0f ? glm::vec3(pixel) / alpha : glm::vec3(0.0f);
-    for (int channel = 0; channel < 3; ++channel)
-      picture.bytes.push_back(byte(color[channel]));
-    picture.bytes.push_back(byte(alpha));
-  }
-  return picture;
 }
 
 } // namespace
