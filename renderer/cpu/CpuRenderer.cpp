@@ -35,7 +35,7 @@ StripSize stripSize(const cpu::PictureTerms& terms) {
 
 // Nothing to be seen. To fill a picture of 3,000² takes longer than whoever cancels may wait.
 Image blank(const glm::ivec2& size, const std::function<bool()>& isCancelled) {
-  constexpr std::size_t piece = 1 << 18; // a few ms
+  constexpr std::size_t piece = 1 << 17; // a few ms
   const auto count = static_cast<std::size_t>(size.x) * size.y;
   // All at once goes faster.
   if (count <= 2 * piece)

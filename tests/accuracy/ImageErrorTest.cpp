@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -56,6 +59,35 @@ TEST(ImageError, takesWhatIsNotANumberForInfinitelyWrong) {
   const ImageError error = imageError(picture, row(2, 0.5f));
   EXPECT_TRUE(std::isinf(error.largest));
   EXPECT_DOUBLE_EQ(error.shareOverOne, 0.5);
+}
+
+// Of many channels only the largest are kept: in any order, and where many are the same, their percentile is
+// that of all of them sorted.
+TEST(ImageError, tellsThePercentileOfAllChannels) {
+  std::mt19937 random(5);
+  for (const int pixels : {1, 2, 3, 250, 251, 4000, 30000})
+    for (const int values : {1, 3, 1 << 20}) {
+      Image picture = row(pixels, 0.0f);
+      std::uniform_int_distribution<int> off(0, values - 1);
+      std::vector<double> sorted;
+      for (glm::vec4& pixel : picture.pixels) {
+        pixel = glm::vec4(off(random), off(random), off(random), values) / static_cast<float>(values);
+        for (int channel = 0; channel < 4; ++channel)
+          sorted.push_back(channel == 3 ? 0.0 : 255.0 * static_cast<double>(pixel[channel]));
+      }
+      std::sort(sorted.begin(), sorted.end());
+      const double place = 0.999 * static_cast<double>(sorted.size() - 1);
+      const auto below = static_cast<std::size_t>(place);
+      const double expected =
+          std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)], place - double(below));
+      const Image exact = row(pixels, 0.0f);
+      EXPECT_DOUBLE_EQ(imageError(picture, exact).p99_9, expected) << pixels << " " << values;
+      std::sort(picture.pixels.begin(), picture.pixels.end(),
+                [](const glm::vec4& a, const glm::vec4& b) { return a.r < b.r; });
+      EXPECT_DOUBLE_EQ(imageError(picture, exact).p99_9, expected) << "rising, " << pixels << " " << values;
+      std::reverse(picture.pixels.begin(), picture.pixels.end());
+      EXPECT_DOUBLE_EQ(imageError(picture, exact).p99_9, expected) << "falling, " << pixels << " " << values;
+    }
 }
 
 // What falls off exponentially with 1.5 levels: all channels but alpha, at the places of as many even shares.
