@@ -255,33 +255,28 @@ void ComparisonController::compareOwn() {
   const OpenDocument::PresetInUse own = m_context.document.presetInUse();
   Preset look = presetOf(m_context.session.scene(), own.name.empty() ? tr("Before").toStdString() : own.name);
   look.isWhole = true;
-  compare(look, own.isModified ? std::optional(m_context.session.preset()) : std::nullopt, 0);
+  compare(look, own.isModified ? std::optional(m_context.session.preset()) : std::nullopt);
 }
 
-void ComparisonController::compare(const Preset& look, const std::optional<Preset>& from, int keptSide) {
+// What was remembered is compared with what became of it, by the model of the right; any other look comes to
+// a side whose model stays.
+void ComparisonController::compare(const Preset& look, const std::optional<Preset>& from) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  const bool isSnapshot = look.name == snapshotName;
   const Compared before = compared();
+  const ShadingModel left = m_context.view.sceneOfSide(0).shading.model;
   if (!m_look || isSingle)
-    m_ownModel = isSingle        ? std::nullopt
-                 : keptSide == 0 ? std::optional(RightModel{.shown = m_left})
-                                 : std::optional(m_right);
-  const bool isOneModel = !m_look && !isSingle && m_left != m_right.shown && look.name != snapshotName;
+    m_ownModel = isSingle ? std::nullopt : std::optional(m_right);
   m_look = look;
   m_lookFrom = from;
   if (!m_look->shading)
     m_look->shading = m_context.session.scene().shading;
-  m_look->shading->model = ownModel().value_or(m_look->shading->model);
+  m_look->shading->model = isSnapshot ? ownModel().value_or(m_look->shading->model) : left;
   if (isSingle)
     setLayout(CompareLayout::sideBySide);
   else
     show();
-  if (isOneModel)
-    m_context.window.statusBar()->showMessage(
-        tr("Both sides have the model %1 now, so that they differ by their looks alone; each can be given "
-           "another.")
-            .arg(modelName(m_look->shading->model)),
-        toldForMs);
-  if (look.name != snapshotName) // that comes and goes by one key, like a way of looking
+  if (!isSnapshot) // that comes and goes by one key, like a way of looking
     note(before, tr("Left: %1").arg(QString::fromStdString(comparedLook()->names[0])));
 }
 

@@ -42,9 +42,9 @@ public:
   void followLight(LightPreset light);
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
-  /// Where two models were compared, both are shown by that of the right picture, which nobody has touched;
-  /// it says so. An undo step, unless it is the snapshot.
-  void compareWith(const Preset& look) { compare(look, {}, 1); }
+  /// A look takes no model along: each side keeps its own, also where two models were compared. Only the
+  /// snapshot is shown by that of the right picture. An undo step, unless it is the snapshot.
+  void compareWith(const Preset& look) { compare(look, {}); }
 
   /// The same with the scene's own look as it is, which stays at the left with its model while another is
   /// chosen for the right.
@@ -106,7 +106,7 @@ private:
   };
 
   /// `from` is the preset that the look was made from, where it was changed since.
-  void compare(const Preset& look, const std::optional<Preset>& from, int keptSide);
+  void compare(const Preset& look, const std::optional<Preset>& from);
   Compared compared() const;
   /// What has changed since `before` is an undo step from now on.
   void note(const Compared& before, const QString& text);

@@ -301,8 +301,8 @@ TEST_F(Looks, twoPresetsAreComparedFromTheirLabelsUnderTheirNames) {
   EXPECT_EQ(names().value(0), QStringLiteral("CT muscle"));
 }
 
-// Two models were compared: the picture that nobody touched keeps its own, and both looks are shown by it.
-TEST_F(Looks, areComparedByTheModelOfThePictureThatNobodyTouched) {
+// What was a comparison of two models stays one: a preset brings curve and light to a side, and no model.
+TEST_F(Looks, comeToASideWhoseModelStays) {
   const auto models = [this] {
     std::vector<ShadingModel> shown;
     for (const Scene& side : view().scenesOfSides())
@@ -314,16 +314,33 @@ TEST_F(Looks, areComparedByTheModelOfThePictureThatNobodyTouched) {
   setLayout(CompareLayout::sideBySide);
   ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   choose(0, QStringLiteral("CT bone"));
-  EXPECT_EQ(models(), (Models{ShadingModel::enhanced, ShadingModel::enhanced}));
+  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   const SessionDocument kept = window->sessionDocument();
   EXPECT_EQ(kept.ownModel, ShadingModel::enhanced);
   named("compareModels").trigger();
   ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   choose(1, QStringLiteral("CT skin"));
-  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::classic}));
-  // One side may be shown by another all the same.
+  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  // What somebody chose for a side outlasts every other preset, and undo of it.
   emit view().modelChosen(1, ShadingModel::robust);
-  EXPECT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::robust}));
+  emit view().modelChosen(0, ShadingModel::none);
+  choose(1, QStringLiteral("CT muscle"));
+  choose(0, QStringLiteral("CT lung"));
+  EXPECT_EQ(models(), (Models{ShadingModel::none, ShadingModel::robust}));
+  undo().undo();
+  undo().undo();
+  EXPECT_EQ(models(), (Models{ShadingModel::none, ShadingModel::robust}));
+}
+
+// Before and now differ by the looks alone.
+TEST_F(Looks, thatWereRememberedAreShownByTheModelOfTheRight) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::sideBySide);
+  named("takeSnapshot").trigger();
+  dragAPoint();
+  named("compareSnapshot").trigger();
+  for (const Scene& side : view().scenesOfSides())
+    EXPECT_EQ(side.shading.model, ShadingModel::enhanced);
 }
 
 TEST_F(Looks, whatIsRememberedIsNamedAfterItsPreset) {
