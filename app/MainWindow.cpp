@@ -165,7 +165,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_picture.restore(*beside);
     m_panels.restore(*beside);
   } else {
-    m_picture.comparison().showOpened();
+    m_picture.comparison().showOpened(loaded.sides);
   }
   m_files.noteOpened(loaded, request);
   m_files.safety().sayWhatIsKept();

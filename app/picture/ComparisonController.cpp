@@ -370,7 +370,9 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
   return compared;
 }
 
-void ComparisonController::showOpened() {
+void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
+  if (sides)
+    return showSides(*sides);
   const Scene& scene = m_context.session.scene();
   const bool isImage =
       scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
@@ -380,6 +382,22 @@ void ComparisonController::showOpened() {
   } else if (!isImage && m_beforeImage) {
     std::tie(m_wanted, m_isAsked) = *m_beforeImage;
     m_beforeImage.reset();
+  }
+  fitLayout();
+}
+
+// The models of two pictures are chosen anew only by a picture of two.
+void ComparisonController::showSides(const ShownSides& sides) {
+  m_look.reset();
+  m_lookFrom.reset();
+  m_ownModel.reset();
+  m_beforeImage.reset();
+  m_wanted = sides.layout;
+  m_isAsked = false;
+  if (pictureCount(sides.layout) == 2) {
+    m_left = sides.left;
+    m_right = {.shown = sides.right};
+    m_context.view.setWipePosition(sides.wipe);
   }
   fitLayout();
 }

@@ -65,6 +65,16 @@ TEST(SceneFile, whatAPictureSaysOfItsErrorChangesNoScene) {
   EXPECT_EQ(parseScene(text, "test.json").scene, scene);
 }
 
+TEST(SceneFile, theSidesOfAPictureAreReadBackAndChangeNoScene) {
+  SceneDocument document = documentOf(unusualScene(), "v");
+  EXPECT_EQ(sceneToJson(document).find("shown"), std::string::npos);
+  for (const ShownSides& sides :
+       {ShownSides{}, ShownSides{CompareLayout::wipe, ShadingModel::robust, ShadingModel::none, 0.25}}) {
+    document.sides = sides;
+    EXPECT_EQ(parseScene(sceneToJson(document), "t"), document);
+  }
+}
+
 SceneDocument withViews(std::vector<NamedView> views) {
   SceneDocument document = documentOf(unusualScene(), "v");
   document.views = std::move(views);

@@ -275,6 +275,7 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
   loaded.views = std::move(document.views);
+  loaded.sides = document.sides;
   loaded.scene = std::move(document.scene);
   const std::string source = volumeOf(document, options);
   const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);

@@ -49,6 +49,15 @@ glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {
                                                    : shown;
 }
 
+// Of two looks a scene holds one.
+std::optional<ShownSides> sidesOf(const Comparison& shown) {
+  if (shown.layout == CompareLayout::single)
+    return ShownSides{};
+  if (shown.look)
+    return std::nullopt;
+  return ShownSides{shown.layout, shown.models[0], shown.models[1], shown.wipe};
+}
+
 QString askForPicturePlace(WindowContext& context) {
   return askWhereToSave(&context.window,
                         {.title = PictureSaving::tr("Save the picture"),
@@ -326,8 +335,10 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
     file.dotsPerInch = printDotsPerInch;
   else if (!isOnScreen) // on paper it is as large as on screen
     file.dotsPerInch = scale * view.logicalDpiX() * view.devicePixelRatioF();
-  file.description = sceneToJson(scene, volumeInPicture(), isOnScreen ? accuracyOf(shown) : std::nullopt,
-                                 m_context.session.measurements());
+  SceneDocument document = documentOf(scene, volumeInPicture());
+  document.measurements = m_context.session.measurements();
+  document.sides = sidesOf(view.order().comparison);
+  file.description = sceneToJson(document, isOnScreen ? accuracyOf(shown) : std::nullopt);
   if (isOnScreen) {
     if (m_context.notes.attempt([&] { file.write(sides); }, path))
       sayGround(path, options);

@@ -4,6 +4,7 @@
 #include "io/scenefile/KeptPart.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/view/CompareLayout.h"
 #include "scene/view/Measurement.h"
 #include "scene/view/NamedView.h"
 
@@ -15,6 +16,15 @@
 
 namespace limn {
 
+/// How the pictures of a scene stand in the file of a picture: one of it, or two models of it.
+struct ShownSides {
+  CompareLayout layout = CompareLayout::single;
+  ShadingModel left = ShadingModel::classic; ///< of two
+  ShadingModel right = ShadingModel::enhanced;
+  double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1
+  bool operator==(const ShownSides&) const = default;
+};
+
 /// A scene file as read: the scene without its volume, and what the file left to the program.
 struct SceneDocument {
   std::string volume;                    ///< path as written in the file, relative to its folder
@@ -23,6 +33,7 @@ struct SceneDocument {
   std::vector<Measurement> measurements; ///< of its volume
   std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
   std::vector<NamedView> views;     ///< cameras kept under names, beside the scene's own
+  std::optional<ShownSides> sides;  ///< of a picture of Limn's window; absent: nothing is known of them
   bool hasCamera = false;           ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
@@ -53,8 +64,8 @@ std::string sceneToJson(const Scene& scene, const std::string& volume,
                         const std::optional<PictureAccuracy>& accuracy = {},
                         const std::vector<Measurement>& measurements = {});
 
-/// The same of a document, with its named views.
-std::string sceneToJson(const SceneDocument& document);
+/// The same of a document, with its named views and sides.
+std::string sceneToJson(const SceneDocument& document, const std::optional<PictureAccuracy>& accuracy = {});
 
 /// Reads the text of a preset file. Throws Error (input).
 Preset parsePreset(std::string_view text, const std::string& name);

@@ -306,6 +306,16 @@ void readAccuracy(JsonFields fields) {
   fields.finish();
 }
 
+ShownSides readSides(JsonFields fields) {
+  ShownSides sides;
+  fields.choice("layout", sides.layout, compareLayouts);
+  fields.choice("left", sides.left, shadingModels);
+  fields.choice("right", sides.right, shadingModels);
+  fields.number("wipe", sides.wipe, fraction);
+  fields.finish();
+  return sides;
+}
+
 } // namespace
 
 std::string placeIn(const char* list, std::size_t index) {
@@ -371,6 +381,8 @@ SceneDocument readScene(JsonFields fields) {
     document.views = readViews(fields);
   if (fields.has("accuracy"))
     readAccuracy(fields.object("accuracy"));
+  if (fields.has("shown"))
+    document.sides = readSides(fields.object("shown"));
   fields.finish();
   return document;
 }

@@ -118,6 +118,13 @@ Json toJson(const std::optional<GradientOpacity>& curve) {
   return {{"points", points}};
 }
 
+Json toJson(const ShownSides& sides) {
+  Json json = {{"layout", nameOf(sides.layout)}};
+  if (pictureCount(sides.layout) == 2)
+    json.update({{"left", nameOf(sides.left)}, {"right", nameOf(sides.right)}, {"wipe", sides.wipe}});
+  return json;
+}
+
 Json toJson(const Fog& fog) {
   return {{"mode", fogWords.of(fog.mode)},
           {"color", toJson(fog.color)},
@@ -172,6 +179,8 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
     json["measurements"] = measurementsJson(document.measurements);
   if (!document.views.empty())
     json["views"] = viewsJson(document.views);
+  if (document.sides)
+    json["shown"] = toJson(*document.sides);
   return json;
 }
 
@@ -194,14 +203,14 @@ std::string sceneToJson(const Scene& scene, const std::string& volume,
                         const std::vector<Measurement>& measurements) {
   SceneDocument document = documentOf(scene, volume);
   document.measurements = measurements;
+  return sceneToJson(document, accuracy);
+}
+
+std::string sceneToJson(const SceneDocument& document, const std::optional<PictureAccuracy>& accuracy) {
   Json json = sceneJson(document);
   if (accuracy)
     json["accuracy"] = {{"within_levels", accuracy->levels}, {"statement", accuracy->sentence}};
   return textOf(json);
-}
-
-std::string sceneToJson(const SceneDocument& document) {
-  return textOf(sceneJson(document));
 }
 
 std::string presetToJson(const Preset& preset) {

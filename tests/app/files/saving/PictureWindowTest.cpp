@@ -115,6 +115,25 @@ TEST_F(SavedPicture, isNoSmallerBecauseAMessageStandsOpen) {
   EXPECT_EQ(saved("after.png", options).size(), size);
 }
 
+TEST_F(SavedPicture, isOpenedAgainAsOneOrTwoAsItWasSaved) {
+  const PictureOptions options{.marks = noMarks};
+  ASSERT_FALSE(saved("one.png", options).isNull());
+  setLayout(CompareLayout::wipe);
+  window->findChild<QAction*>(QStringLiteral("model-right-robust"))->trigger();
+  view().setWipePosition(0.25);
+  ASSERT_TRUE(rest());
+  ASSERT_FALSE(saved("two.png", options).isNull());
+  setLayout(CompareLayout::sideBySide);
+  window->findChild<QAction*>(QStringLiteral("model-right-none"))->trigger();
+  ASSERT_TRUE(open(pathTo("one.png")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single);
+  ASSERT_TRUE(open(pathTo("two.png")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
+  EXPECT_EQ(view().wipePosition(), 0.25);
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::classic);
+  EXPECT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::robust);
+}
+
 // What is cancelled leaves no file, and nothing that stands in the way of the next one.
 TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   PictureOptions options;
