@@ -72,6 +72,7 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   new MessageOrder({&unsafe, &recovery, &kept, &messages, &patient, &tour}, &window);
   for (MessageBar* bar : {&patient, &tour})
     bar->setBriefWhenLate(true);
+  keepCubeFree();
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
@@ -94,6 +95,20 @@ MakingOptions WindowContext::drawnLikeTheView() const {
   MakingOptions order;
   order.engine = view.engine();
   return order;
+}
+
+// A click on the cube turns the picture, also while something is said of it.
+void WindowContext::keepCubeFree() {
+  const auto cubePlace = [this] {
+    const OverlaySource source{view.order(), view.pictureState()};
+    const auto cube = source.comparison.scene.volume ? orientationCubeOf(source) : std::nullopt;
+    return cube ? cube->plate.toAlignedRect().translated(view.mapTo(window.centralWidget(), QPoint()))
+                : QRect();
+  };
+  for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages}) {
+    bar->setKeptFree(cubePlace);
+    QObject::connect(&view, &CompareView::told, bar, &MessageBar::lookAgain);
+  }
 }
 
 void WindowContext::keepClear(HintBar& bar) const {

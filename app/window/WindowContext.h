@@ -102,6 +102,7 @@ struct WindowContext {
 private:
   QVBoxLayout& m_column; ///< of the middle
   MessageBar& addBar(const char* name);
+  void keepCubeFree();
 
 public:
   MessageBar& recovery; ///< offers what an earlier window left behind

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int widestOver = 720;      // of what lies over a picture, pixels
 constexpr int narrowestBeside = 240; // of a sentence beside buttons
+constexpr int narrowestOver = 280;   // beside what is kept free
 constexpr int marginOver = 12;
 constexpr int marginBelow = 48; // clear of what is written at the lower edge of a picture
 
@@ -108,16 +109,36 @@ void MessageBar::arrangeIn(int width) {
     m_row->setDirection(direction);
 }
 
-void MessageBar::layOver() {
-  if (!parentWidget())
-    return;
-  const QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginBelow);
+// At the lower edge of a room, in its middle.
+QRect MessageBar::placeIn(const QRect& room) {
   const int width = std::min(room.width(), widestOver);
   arrangeIn(width);
   const int height =
       std::min(room.height(), hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
-  setGeometry(room.left() + (room.width() - width) / 2, room.bottom() + 1 - height, width, height);
+  return {room.left() + (room.width() - width) / 2, room.bottom() + 1 - height, width, height};
+}
+
+void MessageBar::layOver() {
+  if (!parentWidget())
+    return;
+  QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginBelow);
+  m_laidBeside = m_keptFree();
+  QRect place = placeIn(room);
+  if (place.intersects(m_laidBeside)) {
+    const int left = m_laidBeside.right() + 1 + marginOver;
+    if (room.right() + 1 - left >= narrowestOver)
+      room.setLeft(left);
+    else
+      room.setBottom(m_laidBeside.top() - 1 - marginOver);
+    place = placeIn(room);
+  }
+  setGeometry(place);
   raise();
+}
+
+void MessageBar::lookAgain() {
+  if (isVisible() && m_laidBeside != m_keptFree())
+    layOver();
 }
 
 // Under the pointer or with the keyboard in it, it is being read.

@@ -46,6 +46,12 @@ public:
   /// not ask to be dismissed after something else was. Not at first.
   void setBriefWhenLate(bool isBrief) { m_isBriefWhenLate = isBrief; }
 
+  /// Where it must not lie, in its parent's pixels; empty: nowhere, as at first. It stands beside that, or
+  /// above where too little room is left.
+  void setKeptFree(std::function<QRect()> keptFree) { m_keptFree = std::move(keptFree); }
+  /// What is kept free may be elsewhere now.
+  void lookAgain();
+
   /// Whether it is seen, or would be unless it were held back.
   bool isWanted() const { return m_isWanted; }
 
@@ -69,6 +75,7 @@ protected:
 
 private:
   void layOver();
+  QRect placeIn(const QRect& room);
   void arrangeIn(int width);
   void goInTime();
 
@@ -78,6 +85,8 @@ private:
   QToolButton* m_more;
   QToolButton* m_action;
   QToolButton* m_close;
+  std::function<QRect()> m_keptFree = [] { return QRect(); };
+  QRect m_laidBeside; ///< what was kept free as it was laid out
   std::function<void()> m_run;
   std::function<void()> m_dismiss;
   QTimer* m_end; ///< runs while a note stands that nobody reads

@@ -32,6 +32,10 @@ protected:
     ADD_FAILURE() << letter.toStdString() << " is not seen";
     return {};
   }
+  // Where its plate stands in the middle of the window, as the messages do.
+  QRect plate() {
+    return cube()->plate.toAlignedRect().translated(view().mapTo(window->centralWidget(), QPoint()));
+  }
   void click(const QPoint& at) {
     QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, at);
     QCoreApplication::processEvents();
@@ -152,6 +156,24 @@ TEST_F(CubeWindow, whereTheFileSaysNoSidesItNamesAxesAndTurnsToThem) {
   click(faceWith(QChar(0x2212) + QStringLiteral("y")));
   EXPECT_LT(glm::length(basisOf(camera()).forward - basisOf(expected).forward), 1e-12); // rounding
   EXPECT_LT(glm::length(basisOf(camera()).up - basisOf(expected).up), 1e-12);
+}
+
+TEST_F(CubeWindow, messagesStandBesideItAndItTurnsThePictureMeanwhile) {
+  const auto& middle = *window->centralWidget();
+  for (const QSize size : {QSize(1440, 900), QSize(1024, 700)}) {
+    window->resize(size);
+    ASSERT_TRUE(test::waitUntil([&] { return window->size() == size && rest(); }));
+    messages().show(MessageBar::Kind::question,
+                    QStringLiteral("What is asked takes so many words that ").repeated(6));
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(messages().isVisible() && cube());
+    EXPECT_FALSE(messages().geometry().intersects(plate())) << size.width();
+    EXPECT_TRUE(middle.rect().contains(messages().geometry())) << size.width();
+  }
+  turnALittle();
+  ASSERT_GT(sides().size(), 1u);
+  click(faceWith(sides().back().letter));
+  EXPECT_TRUE(test::waitUntil([this] { return sides().size() == 1u; })) << "straight on";
 }
 
 TEST_F(CubeWindow, noSavedPictureHasIt) {
