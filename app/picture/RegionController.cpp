@@ -310,6 +310,7 @@ void RegionController::showScene(const Scene& scene) {
   if (scene.keep.kind == Region::Kind::body)
     m_body = withoutCuts(scene.keep);
   m_bodyOnly->setChecked(hidesTable(scene.keep));
+  leaveWhatGaveWay(scene);
   measureLabels(scene);
 }
 
@@ -406,11 +407,21 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
     labels.cuts = m_context.session.scene().keep.cuts;
     setKeep(labels, {nextGestureId(), tr("labels of before")});
   };
-  m_context.messages.show(MessageBar::Kind::warning,
-                          tr("The labels of %1 took the place of those of %2.")
-                              .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume)),
+  m_gaveWay = tr("The labels of %1 took the place of those of %2.")
+                  .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume));
+  m_cameInstead = sourcesOf(found.region);
+  m_context.messages.show(MessageBar::Kind::warning, m_gaveWay,
                           found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
                           {tr("Bring those back"), bringBack});
+}
+
+// Where those others have gone, by undo or with their volume, nothing is left to be brought back.
+void RegionController::leaveWhatGaveWay(const Scene& scene) {
+  if (m_gaveWay.isEmpty() || (scene.volume && sourcesOf(scene.keep) == m_cameInstead))
+    return;
+  if (m_context.messages.sentence() == m_gaveWay)
+    m_context.messages.hide();
+  m_gaveWay.clear();
 }
 
 void RegionController::cancel() {

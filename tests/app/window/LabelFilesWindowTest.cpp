@@ -128,5 +128,19 @@ TEST_F(LabelFilesWindow, labelsThatGaveWayAreNamedAndComeBack) {
   EXPECT_EQ(names().size(), 3u) << "which is a step";
 }
 
+TEST_F(LabelFilesWindow, whatIsSaidOfLabelsThatGaveWayGoesWhereThatIsUndone) {
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  ASSERT_TRUE(openLabels("parts.seg.nrrd"));
+  ASSERT_TRUE(messages().isVisible());
+  session().setTransferFunction(shifted(scene().transferFunction, 50.0), {nextGestureId(), "shift"});
+  undo().undo();
+  EXPECT_TRUE(messages().isVisible()) << "another step";
+  undo().undo();
+  EXPECT_EQ(names().size(), 2u);
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+  undo().redo();
+  EXPECT_FALSE(messages().isVisible()) << "undo brings them back by now";
+}
+
 } // namespace
 } // namespace limn
