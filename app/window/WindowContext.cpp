@@ -65,11 +65,12 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
       session(&window), document(session), actions(window), docks(window), m_column(columnIn(window)),
       recovery(addBar("recoveryBar")), unsafe(addBar("unsafeBar")), kept(addBar("keptBar")),
       patient(addBar("patientBar")), tour(addBar("tourBar")), messages(addBar("messageBar")),
+      unwritten(addBar("unwrittenBar")),
       view(*new CompareView(enginesOf(openGl, memory), chosenEngine(engineFacts(settings.engine())).engine,
                             window.centralWidget())),
       planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
   m_column.addWidget(&planes, 1);
-  new MessageOrder({&unsafe, &recovery, &kept, &messages, &patient, &tour}, &window);
+  new MessageOrder({&unsafe, &recovery, &kept, &messages, &unwritten, &patient, &tour}, &window);
   for (MessageBar* bar : {&patient, &tour})
     bar->setBriefWhenLate(true);
   keepCubeFree();
@@ -105,7 +106,7 @@ void WindowContext::keepCubeFree() {
     return cube ? cube->plate.toAlignedRect().translated(view.mapTo(window.centralWidget(), QPoint()))
                 : QRect();
   };
-  for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages}) {
+  for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten}) {
     bar->setKeptFree(cubePlace);
     QObject::connect(&view, &CompareView::told, bar, &MessageBar::lookAgain);
   }
@@ -126,7 +127,7 @@ void WindowContext::keepClear(HintBar& bar) const {
   bar.setWritten(written, [](const QRectF& wished, const QRectF& lane, const std::vector<QRectF>& places) {
     return clearPlace(wished, lane, Qt::Horizontal, places);
   });
-  const std::array<MessageBar*, 6> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages};
+  const std::array<MessageBar*, 7> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten};
   bar.setCoveredBelow([&seen = view, bars] {
     int covered = 0;
     for (const MessageBar* message : bars)

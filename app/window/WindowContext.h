@@ -111,6 +111,7 @@ public:
   MessageBar& patient;  ///< asks once whether a patient may be named
   MessageBar& tour;     ///< offers a tour of the window, once
   MessageBar& messages;
+  MessageBar& unwritten; ///< offers to save a drawn picture elsewhere that could not be written
   CompareView& view;
   PlaneDeck& planes; ///< around the view
   SaveNotes notes;

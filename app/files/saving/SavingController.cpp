@@ -58,6 +58,12 @@ std::optional<ShownSides> sidesOf(const Comparison& shown) {
   return ShownSides{shown.layout, shown.models[0], shown.models[1], shown.wipe};
 }
 
+QString anotherIsDrawn() {
+  return PictureSaving::tr(
+      "Another picture is being drawn into its file; wait until it is there, or cancel it "
+      "in the status bar.");
+}
+
 QString askForPicturePlace(WindowContext& context) {
   return askWhereToSave(&context.window,
                         {.title = PictureSaving::tr("Save the picture"),
@@ -108,8 +114,7 @@ PictureContent PictureSaving::content() const {
 
 void PictureSaving::ask() {
   if (m_isDrawing)
-    return m_context.notes.sayFailure(tr("Another picture is being drawn into its file; wait until it is "
-                                         "there, or cancel it in the status bar."));
+    return m_context.notes.sayFailure(anotherIsDrawn());
   const PictureContent asked = content();
   const glm::ivec2 screen = savedSize(m_context.view.order().geometry);
   const std::optional<PictureOptions> options = askHowToSave(
@@ -285,6 +290,7 @@ struct SavingController::PictureFile {
   double dotsPerInch = 0.0; ///< 0: nothing is said
   std::string description;
   OverlaySource overlay;
+  QString exactness{}; ///< of paths, once it is drawn
 
   /// Throws Error.
   void write(const std::vector<Image>& sides) const;
@@ -364,53 +370,57 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
       effort.report((static_cast<double>(done) + fraction) / static_cast<double>(scenes.size()));
     };
     std::vector<Image> sides(scenes.size());
-    QString exactness; // of paths
+    PictureFile drawn = file;
     makeEach(scenes, size, told, [&](std::size_t index, MadePicture picture) {
-      exactness += picture.paths ? QLatin1Char(' ') + translated(sentenceOf(*picture.paths)) : QString();
+      drawn.exactness +=
+          picture.paths ? QLatin1Char(' ') + translated(sentenceOf(*picture.paths)) : QString();
       sides[index] = std::move(picture.image);
       ++done;
     });
-    std::optional<Message> failure;
-    try {
-      file.write(sides); // seconds of a large one
-    } catch (const Error& error) {
-      failure = error.sentence();
-    }
-    if (failure)
-      return [this, file, failure, drawn = std::make_shared<const std::vector<Image>>(std::move(sides))] {
-        emit drawing({});
-        offerElsewhere(file, drawn, translated(*failure));
-      };
-    return [this, exactness, path = QString::fromStdString(file.path), options = file.options] {
-      emit drawing({});
-      m_context.notes.attempt([] {}, path); // it is there
-      if (!exactness.isEmpty())
-        m_context.messages.show(MessageBar::Kind::note, exactness.trimmed());
-      sayGround(path, options);
-    };
+    return written(drawn, std::make_shared<const std::vector<Image>>(std::move(sides)), false);
   });
 }
 
-// What took long to draw is kept as long as the message stands.
+// Seconds of a large one.
+BackgroundWork::Deliver SavingController::written(const PictureFile& file,
+                                                  const std::shared_ptr<const std::vector<Image>>& sides,
+                                                  bool isOffered) {
+  try {
+    file.write(*sides);
+  } catch (const Error& error) {
+    return [this, file, sides, failure = error.sentence()] {
+      emit drawing({});
+      offerElsewhere(file, sides, translated(failure));
+    };
+  }
+  return [this, isOffered, exactness = file.exactness.trimmed(), path = QString::fromStdString(file.path),
+          options = file.options] {
+    emit drawing({});
+    if (isOffered)
+      m_context.unwritten.hide();
+    m_context.notes.attempt([] {}, path); // it is there
+    if (!exactness.isEmpty())
+      m_context.messages.show(MessageBar::Kind::note, exactness);
+    sayGround(path, options);
+  };
+}
+
+// What took long to draw is kept until it is written or the offer is dismissed, whatever else is said.
 void SavingController::offerElsewhere(const PictureFile& file,
                                       const std::shared_ptr<const std::vector<Image>>& sides,
                                       const QString& sentence) {
   const auto saveElsewhere = [this, file, sides] {
+    if (m_drawing.isRunning())
+      return m_context.notes.sayFailure(anotherIsDrawn());
     const QString path = askForPicturePlace(m_context);
     if (path.isEmpty())
       return;
     PictureFile other = file;
     other.path = path.toStdString();
-    try {
-      other.write(*sides);
-    } catch (const Error& error) {
-      return offerElsewhere(other, sides, translated(error.sentence()));
-    }
-    m_context.messages.hide();
-    m_context.notes.attempt([] {}, path);
-    sayGround(path, other.options);
+    emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
+    m_drawing.start([this, other, sides](const Effort&) { return written(other, sides, true); });
   };
-  m_context.messages.show(MessageBar::Kind::error, sentence, {}, {tr("Save elsewhere…"), saveElsewhere});
+  m_context.unwritten.show(MessageBar::Kind::error, sentence, {}, {tr("Save elsewhere…"), saveElsewhere});
 }
 
 void SavingController::sayGround(const QString& path, const PictureOptions& options) {

@@ -134,6 +134,10 @@ signals:
 private:
   struct PictureFile;
   void drawPicture(const PictureFile& file, const std::vector<Scene>& scenes, const glm::ivec2& size);
+  /// Writes a drawn picture, on the thread of work, and returns how that is told. One that `isOffered` could
+  /// not be written before.
+  BackgroundWork::Deliver written(const PictureFile& file,
+                                  const std::shared_ptr<const std::vector<Image>>& sides, bool isOffered);
   /// Says that a drawn picture could not be written, and saves it elsewhere where that is wanted.
   void offerElsewhere(const PictureFile& file, const std::shared_ptr<const std::vector<Image>>& sides,
                       const QString& sentence);

@@ -161,18 +161,25 @@ TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
   const QSize size = saved("usual.png", options).size();
   saving().writePicture(pathTo("gone/twice.png"), options);
   ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
-  auto& elsewhere = *messages().findChild<QToolButton*>(QStringLiteral("messageAction"));
-  ASSERT_TRUE(elsewhere.isVisible()) << messages().sentence().toStdString();
+  const auto& offer = *window->findChild<MessageBar*>(QStringLiteral("unwrittenBar"));
+  auto& elsewhere = *offer.findChild<QToolButton*>(QStringLiteral("messageAction"));
+  ASSERT_TRUE(elsewhere.isVisible()) << offer.sentence().toStdString();
   EXPECT_EQ(elsewhere.text(), QStringLiteral("Save elsewhere…"));
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("there is no folder")));
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("there is no folder")));
   typeName(pathTo("gone/again.png"));
   QTest::mouseClick(&elsewhere, Qt::LeftButton);
+  EXPECT_TRUE(stopButton().isVisible()) << "it is written beside the event loop";
+  ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
   ASSERT_TRUE(elsewhere.isVisible()) << "it is still there to be saved";
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("again.png")));
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("again.png")));
+  messages().show(MessageBar::Kind::error, QStringLiteral("Something else went wrong."));
+  EXPECT_FALSE(elsewhere.isVisible()) << "one is seen at a time";
+  messages().hide();
+  ASSERT_TRUE(elsewhere.isVisible()) << "what else is said takes no picture";
   typeName(pathTo("there.png"));
   QTest::mouseClick(&elsewhere, Qt::LeftButton);
-  EXPECT_FALSE(messages().isVisible());
   EXPECT_EQ(written("there.png").size(), size);
+  EXPECT_FALSE(offer.isWanted());
   EXPECT_FALSE(readImageDescription(folder.path() / "there.png").empty()) << "it carries its scene";
 }
 
