@@ -393,7 +393,6 @@ void ComparisonController::showSides(const ShownSides& sides) {
   m_ownModel.reset();
   m_beforeImage.reset();
   m_wanted = sides.layout;
-  m_isAsked = false;
   if (pictureCount(sides.layout) == 2) {
     m_left = sides.left;
     m_right = {.shown = sides.right};
