@@ -149,8 +149,10 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   nameSources(written.keep, shareable);
   const std::optional<PictureAccuracy> accuracy =
       isComparison ? std::nullopt : accuracyOf(scene, picture, arguments.threads, progress);
-  writeImage(arguments.out, picture.image, scene.image.background,
-             sceneToJson(written, shareable(loaded.volumePath), accuracy, loaded.measurements),
+  SceneDocument document = documentOf(written, shareable(loaded.volumePath));
+  document.measurements = loaded.measurements;
+  document.sides.emplace().layout = isComparison ? CompareLayout::sideBySide : CompareLayout::single;
+  writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(document, accuracy),
              isComparison ? Image{} : picture.radiance);
   if (arguments.json)
     printJson(picture, arguments.out, ms.count(), accuracy, figures);

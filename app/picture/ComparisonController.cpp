@@ -371,11 +371,11 @@ std::optional<ComparedLook> ComparisonController::comparedLook() const {
 }
 
 void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
-  if (sides)
-    return showSides(*sides);
   const Scene& scene = m_context.session.scene();
   const bool isImage =
       scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
+  if (sides && !isImage)
+    return showSides(*sides);
   if (isImage && !m_beforeImage) {
     m_beforeImage = {m_wanted, m_isAsked};
     m_wanted = CompareLayout::single;

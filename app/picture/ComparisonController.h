@@ -60,9 +60,9 @@ public:
   /// The look remembered as "before", of the volume that is open.
   const std::optional<Preset>& remembered() const { return m_snapshot; }
 
-  /// A scene has been opened. A picture that tells its sides is shown as it was saved. An unlit image
-  /// (imageLook) is shown alone: no model of light tells it from another. What is opened after it has the
-  /// layout from before, unless someone chose one meanwhile.
+  /// A scene has been opened. A picture that tells its sides is shown with those. An unlit image (imageLook)
+  /// is shown alone: no model of light tells it from another. What is opened after it has the layout from
+  /// before, unless someone chose one meanwhile.
   void showOpened(const std::optional<ShownSides>& sides);
 
   /// Shows models or looks and layout of the moment. Nothing of another volume is compared.

@@ -84,7 +84,7 @@ struct LoadedScene {
   std::optional<SessionDocument> session; ///< where the source is one
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
-  std::optional<ShownSides> sides; ///< where it is a picture of Limn's window that tells them
+  std::optional<ShownSides> sides; ///< where it is a picture that tells them
   bool hasMorePanels = false; ///< of its volume, which a window does not show; the first of `notes` says so
 };
 

@@ -32,9 +32,9 @@ struct SceneDocument {
   KeptPart keep;                         ///< what `scene.keep` becomes once the volume is read
   std::vector<Measurement> measurements; ///< of its volume
   std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
-  std::vector<NamedView> views;     ///< cameras kept under names, beside the scene's own
-  std::optional<ShownSides> sides;  ///< of a picture of Limn's window; absent: nothing is known of them
-  bool hasCamera = false;           ///< false: place the default camera once the volume is read
+  std::vector<NamedView> views;    ///< cameras kept under names, beside the scene's own
+  std::optional<ShownSides> sides; ///< of a picture of one or of two models; absent: nothing is known of them
+  bool hasCamera = false;          ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
 };

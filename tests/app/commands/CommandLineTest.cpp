@@ -82,6 +82,17 @@ TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
 }
 
+// So that the window opens as many of them.
+TEST_F(CommandLine, aPictureTellsWhetherItIsOfOneModelOrOfTwo) {
+  const std::string picture = file("models.png").string();
+  for (const auto& [model, layout] : {std::pair("robust", "single"), std::pair("compare", "side_by_side")}) {
+    const Outcome outcome =
+        run(std::string("render phantom:8 --size 32x16 --step 1 --model ") + model + " -o " + picture);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(readImageDescription(picture))["shown"]["layout"], layout);
+  }
+}
+
 TEST_F(CommandLine, theBodyAloneIsKeptWhereThatIsAskedFor) {
   // The scene in the picture tells.
   const auto kept = [&](const std::string& arguments) {
