@@ -77,14 +77,14 @@ std::string methodLine(const Report& report, const Scene& scene, int frames) {
 }
 
 void printTable(const Report& report, const Scene& scene, int frames) {
-  std::printf("%-21s %-4s %18s %8s  %s\n", "effect", "", "ms", "+-", "why");
+  std::printf("%-21s %-4s %22s %8s  %s\n", "effect", "", "ms", "+-", "why");
   for (std::size_t i = 0; i < report.rows.size(); ++i) {
     const EffectRow& row = report.rows[i];
     std::printf("%-21s %-4s ", row.name.c_str(), row.isOn ? "on" : "off");
     if (const auto& cost = report.costs[i])
-      std::printf("%18s %8.1f", costText(*cost).english().c_str(), cost->spreadMs);
+      std::printf("%22s %8.1f", costText(*cost).english().c_str(), cost->spreadMs);
     else
-      std::printf("%18s %8s", "", "");
+      std::printf("%22s %8s", "", "");
     std::printf("  %s\n", whyAndWhat(row, report.costs[i]).c_str());
   }
   std::printf("\n%s.\n", methodLine(report, scene, frames).c_str());

@@ -45,7 +45,7 @@ EffectCost costBetween(const std::vector<double>& with, const std::vector<double
   for (std::size_t i = 0; i < with.size(); ++i)
     differences.push_back(with[i] - without[i]);
   std::sort(differences.begin(), differences.end());
-  EffectCost cost{medianOf(with) - medianOf(without), 0.0, {}};
+  EffectCost cost{medianOf(with) - medianOf(without), 0.0, {}, medianOf(without)};
   if (!differences.empty()) {
     const std::size_t quarter = differences.size() / 4;
     cost.spreadMs = 0.5 * (differences[differences.size() - 1 - quarter] - differences[quarter]);

@@ -33,6 +33,7 @@ TEST(EffectCostFigures, areDifferencesOfMediansWithTheSpreadOfTheirRounds) {
   const EffectCost cost = costBetween({10, 11, 10, 12, 13}, {5, 5, 9, 7, 4});
   EXPECT_EQ(cost.ms, 11.0 - 5.0);
   EXPECT_EQ(cost.spreadMs, 0.5);
+  EXPECT_EQ(cost.withoutMs, 5.0);
 }
 
 TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {

@@ -54,14 +54,18 @@ TEST_F(EffectsPanelTest, asksForCostsAndShowsThemWithTheirMethodAndPictureSize) 
   panel.setTimes(times);
   EXPECT_FALSE(button()->isEnabled());
   EXPECT_TRUE(button()->text().contains(QStringLiteral("25 %")));
-  panel.setTimes(
-      {false, 1.0, {std::nullopt, EffectCost{-12.4, 0.5}}, 31.0, QStringLiteral("a clock"), {256, 128}});
-  EXPECT_TRUE(says(QStringLiteral("saves 12 ms")));
+  panel.setTimes({false,
+                  1.0,
+                  {std::nullopt, EffectCost{-12.4, 0.5, {}, 43.4}},
+                  31.0,
+                  QStringLiteral("a clock"),
+                  {256, 128}});
+  EXPECT_TRUE(says(QStringLiteral("saves 12 of 43 ms")));
   EXPECT_TRUE(says(QStringLiteral("31 ms at 256 × 128 pixels")));
   EXPECT_TRUE(says(QStringLiteral("a clock")));
   EXPECT_TRUE(button()->isEnabled());
   panel.setTimes({});
-  EXPECT_FALSE(says(QStringLiteral("saves 12 ms"))) << "a changed scene has other costs";
+  EXPECT_FALSE(says(QStringLiteral("saves 12 of 43 ms"))) << "a changed scene has other costs";
 }
 
 TEST_F(EffectsPanelTest, saysWhatLightBroughtToThePicture) {

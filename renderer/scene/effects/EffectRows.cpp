@@ -129,11 +129,19 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
   return rows;
 }
 
-Message costText(const EffectCost& cost) {
+bool isLost(const EffectCost& cost) {
   const double size = std::abs(cost.ms);
-  if (size <= cost.spreadMs || size < 0.05)
+  return size <= 2.0 * cost.spreadMs || size < 0.05;
+}
+
+Message costText(const EffectCost& cost) {
+  if (isLost(cost))
     return Message::tr("≈ 0 ms");
-  const Message time = Message::tr("%1 ms").arg(Message::fixed(size, size < 10.0 ? 1 : 0));
+  const auto number = [](double ms) { return Message::fixed(ms, ms < 10.0 ? 1 : 0); };
+  const Message size = number(std::abs(cost.ms));
+  if (cost.ms < 0.0 && cost.withoutMs > 0.0)
+    return Message::tr("saves %1 of %2 ms").arg(size, number(cost.withoutMs));
+  const Message time = Message::tr("%1 ms").arg(size);
   return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
 }
 

@@ -30,10 +30,16 @@ struct EffectCost {
   double ms = 0.0;                        ///< of medians
   double spreadMs = 0.0;                  ///< half the range in which the middle half of the differences lies
   std::optional<PictureChange> brought{}; ///< to the picture; told of light on its way alone
+  double withoutMs = 0.0;                 ///< the median time without it; 0 where it is not told
   bool operator==(const EffectCost&) const = default;
 };
 
-/// A cost in words: "12 ms", "saves 210 ms", or "no measurable cost" where it is lost in its spread.
+/// Whether a cost is lost in its spread, or too small to be told: where it is less than two spreads, which is
+/// three times what the median of seven pairs scatters by.
+bool isLost(const EffectCost& cost);
+
+/// A cost in words: "12 ms", "saves 210 of 270 ms" (all that the picture would take without it, so that
+/// nobody looks for it in what it takes now), or "≈ 0 ms" where it is lost.
 Message costText(const EffectCost& cost);
 
 /// What an effect brought to a picture in words: "changes this picture by up to 85 of 255 levels, by 4.2 on

@@ -132,10 +132,6 @@ QString coarsenessText(const Coarseness& coarseness) {
       .arg(fixedNumber(std::ceil(1000.0 * coarseness.largestError) / 10.0, 1));
 }
 
-// What the screen can show: a difference of one level in one of a thousand colour values (DEFINITION section
-// 9).
-constexpr double exactLevels = 1.0;
-
 // A hundredth of white: what an eye just tells apart of two fields that touch (Weber's law).
 constexpr double nearlyExactLevels = 2.55;
 
@@ -210,12 +206,25 @@ EndText textOf(RefinementEnd end) {
   return {};
 }
 
+// What was drawn says that the steps did not do what they are meant for.
+bool isFartherOff(const PictureState& state) {
+  return std::ranges::any_of(
+      state.sides, [](const SideState& side) { return side.chance && side.chance->levels > exactLevels; });
+}
+
 EndText endText(const PictureState& state) {
+  if (state.refinementEnd == RefinementEnd::withinHalfALevel && isFartherOff(state))
+    return {textOf(*state.refinementEnd).step,
+            QObject::tr("Single pixels lie farther off than the steps are meant for; \"Show where it is not "
+                        "exact\" in the accuracy panel shows where.")};
   if (state.refinementEnd)
     return textOf(*state.refinementEnd);
   if (state.refines)
     return {QObject::tr("step %1, refining"),
             QObject::tr("The picture is being drawn again with smaller steps.")};
+  if (state.resting && !hasPaths(state))
+    return {QObject::tr("step %1"),
+            QObject::tr("It stays as it is while \"Sharpen while nothing moves\" is off in the settings.")};
   return {QObject::tr("step %1"), {}};
 }
 

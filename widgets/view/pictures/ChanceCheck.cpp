@@ -35,6 +35,12 @@ void ChanceCheck::reset() {
   m_jobs.clear();
 }
 
+void ChanceCheck::follow(std::span<const SidePicture> sides) {
+  for (std::size_t i = 0; i < m_jobs.size() && i < sides.size(); ++i)
+    if (m_jobs[i]->image != sides[i].picture().image)
+      return reset();
+}
+
 std::shared_ptr<ChanceCheck::Job> ChanceCheck::begin(const SidePicture& side) const {
   auto job = std::make_shared<Job>();
   job->scene = side.shownScene();

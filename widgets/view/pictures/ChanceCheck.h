@@ -23,6 +23,9 @@ public:
   /// Other pictures come: what is under way ends.
   void reset();
 
+  /// Forgets what was found out of pictures that have been replaced since.
+  void follow(std::span<const SidePicture> sides);
+
   /// Goes on; `worked` where more is known than before, `nothing` once all is known that can be.
   RestTurn step(std::span<const SidePicture> sides);
 

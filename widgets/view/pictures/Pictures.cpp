@@ -73,10 +73,22 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
   const RestTurn turn = m_refinement.step(*m_engine, sides(), rough, budgetMs);
   for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
     m_isResolved[i] = m_refinement.hasResolved() || isResolved(*m_engine, m_sides[i].shownScene());
+  if (turn == RestTurn::finished)
+    m_chance.follow(sides());
+  return turn == RestTurn::nothing ? checkByChance() : turn;
+}
+
+// A tolerance is a percentile of small pictures; of single pixels the drawn ones tell more.
+RestTurn Pictures::checkByChance() {
   // Nobody else draws physical light.
-  const bool canBeChecked =
-      std::ranges::none_of(sides(), [](const SidePicture& side) { return isPhysical(side.scene()); });
-  return turn == RestTurn::nothing && canBeChecked ? m_chance.step(sides()) : turn;
+  if (std::ranges::any_of(sides(), [](const SidePicture& side) { return isPhysical(side.scene()); }))
+    return RestTurn::nothing;
+  if (const RestTurn turn = m_chance.step(sides()); turn != RestTurn::nothing)
+    return turn;
+  for (int i = 0; i < m_count; ++i)
+    if (const std::optional<ErrorByChance> error = m_chance.error(i); error && error->levels > exactLevels)
+      return m_refinement.tighten(*m_engine, sides()) ? RestTurn::worked : RestTurn::nothing;
+  return RestTurn::nothing;
 }
 
 SideState Pictures::stateOf(int index) const {

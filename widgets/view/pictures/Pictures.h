@@ -50,7 +50,8 @@ public:
   bool probeError();
 
   /// Does one piece, of at most about `budgetMs`, of what is done at rest: small measures first, then, where
-  /// `refines`, pictures of smaller steps, and last what chance says of their error.
+  /// `refines`, pictures of smaller steps, then what chance says of their error; where that is more than a
+  /// screen hides, pictures of a smaller tolerance, and the same of these.
   RestTurn workAtRest(bool refines, double budgetMs);
   void leaveRefinementPass() { m_refinement.leavePass(sides()); }
   void giveUpRefinement() {
@@ -82,6 +83,7 @@ private:
   std::span<SidePicture> sides() { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
   SideState stateOf(int index) const;
   void noteShown();
+  RestTurn checkByChance();
   void showDifference(const PictureOrder& order, const glm::dvec3& background);
   SidePicture* leastComplete();
 

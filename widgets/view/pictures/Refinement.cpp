@@ -17,6 +17,8 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <limits>
+#include <utility>
 
 namespace limn {
 
@@ -52,6 +54,12 @@ bool mayControlErrors(const SidePicture& side, bool goesByCells) {
          !hasTravellingLight(side.scene());
 }
 
+bool mayControlAll(DrawingEngine& engine, std::span<const SidePicture> sides) {
+  const bool goesByCells = engine.facts(sides.front().scene()).goesByCells;
+  return std::ranges::all_of(sides,
+                             [&](const SidePicture& side) { return mayControlErrors(side, goesByCells); });
+}
+
 // What steps may cost where light is looked up on a grid, levels: half of what that is off by, where it is
 // known.
 double besideLight(const ImageError& ofGrid) {
@@ -80,7 +88,7 @@ RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides,
                           const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs) {
   if (m_end || sides.empty())
     return RestTurn::nothing;
-  if (!m_road)
+  if (!m_road || m_looser)
     return chooseRoad(engine, sides, rough, budgetMs);
   if (std::ranges::none_of(sides, &SidePicture::isFiner))
     return begin(engine, sides);
@@ -134,6 +142,8 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
     m_needed = m_search->found();
     m_search.reset();
   }
+  if (m_looser)
+    return endTightening();
   m_lastMs = 0.0;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const double ms = sides[i].completeMs().value_or(0.0);
@@ -155,14 +165,39 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
 }
 
 void Refinement::beginSearch(DrawingEngine& engine, std::span<SidePicture> sides) {
+  if (!mayControlAll(engine, sides))
+    return;
   const DrawingFacts facts = engine.facts(sides.front().scene());
   std::vector<Scene> scenes;
   for (const SidePicture& side : sides)
-    if (mayControlErrors(side, facts.goesByCells))
-      scenes.push_back(side.scene());
-  if (scenes.size() == sides.size())
-    m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs,
-                     facts.goesByCells ? StepControl::cells : StepControl::local, facts.filterBits);
+    scenes.push_back(side.scene());
+  m_search.emplace(scenes, sides.front().size(), m_tolerance, m_stripMs,
+                   facts.goesByCells ? StepControl::cells : StepControl::local, facts.filterBits);
+}
+
+bool Refinement::tighten(DrawingEngine& engine, std::span<const SidePicture> sides) {
+  const bool isByStep = m_end == RefinementEnd::withinHalfALevel || m_end == RefinementEnd::smallestStep;
+  if (!isByStep || m_tightenings == mostTightenings || !mayControlAll(engine, sides))
+    return false;
+  ++m_tightenings;
+  m_tolerance /= 4.0;
+  m_looser = std::exchange(m_end, std::nullopt);
+  return true;
+}
+
+// The steps are found. By whichever road the pictures came so far, these count their filter.
+RestTurn Refinement::endTightening() {
+  constexpr double howeverLong = std::numeric_limits<double>::infinity();
+  const std::optional<RefinementEnd> before = std::exchange(m_looser, std::nullopt);
+  if (!isToleranceShorter(m_needed, howeverLong, patienceMs - m_spentMs)) {
+    m_tightenings = mostTightenings;
+    m_end = before;
+    return RestTurn::finished;
+  }
+  m_road = Road::tolerance;
+  for (Side& side : m_sides)
+    side.ofFilter = {};
+  return RestTurn::worked;
 }
 
 // By small pictures, and only where the driver's weights or a grid of light are coarse: no smaller step mends
@@ -216,7 +251,7 @@ RestTurn Refinement::beginPaths(std::span<SidePicture> sides) {
 
 // One pass brings them there.
 RestTurn Refinement::beginTolerance(std::span<SidePicture> sides) {
-  if (m_sides.front().whole) {
+  if (m_needed.empty()) {
     m_end = RefinementEnd::withinHalfALevel;
     return RestTurn::finished;
   }
@@ -336,6 +371,8 @@ RestTurn Refinement::adoptAll(DrawingEngine& engine, std::span<SidePicture> side
     sides[i].adoptFiner(std::move(job->picture));
   }
   m_spentMs += m_lastMs;
+  if (m_road == Road::tolerance) // done
+    m_needed.clear();
   if (m_road == Road::light) // what follows begins anew
     m_road.reset();
   return RestTurn::finished;

@@ -128,6 +128,24 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
       << "the accuracy panel tells the same number: " << lineOf(state);
 }
 
+TEST(PictureStatusText, whoReadsThatItIsNotExactIsToldWhyAndWhatCanBeDone) {
+  PictureState state = resting({sideWithin(0.5)});
+  const auto tells = [&](const char* part) {
+    return pictureStatusText(state, {}).toolTip.contains(QLatin1String(part));
+  };
+  EXPECT_TRUE(tells("while \"Sharpen while nothing moves\" is off"));
+  state.refines = true;
+  EXPECT_FALSE(tells("is off")) << "it is under way";
+  state.refines = false;
+  state.refinementEnd = RefinementEnd::withinHalfALevel;
+  EXPECT_TRUE(tells("smaller ones would show no difference"));
+  state.sides[0].chance = ErrorByChance{2.58, 0.005, 1.2, chancePixels};
+  EXPECT_FALSE(tells("smaller ones would show no difference")) << "pixels say otherwise";
+  EXPECT_TRUE(tells("\"Show where it is not exact\" in the accuracy panel"));
+  state.sides[0].chance->levels = 0.9;
+  EXPECT_FALSE(tells("farther off"));
+}
+
 TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
   PictureState state = resting({sideWithin(0.3), sideWithin(0.76)});
   EXPECT_TRUE(lineOf(state).starts_with("estimated within 0.8 of 255 levels"));

@@ -17,6 +17,7 @@
 #include "widgets/view/pictures/StepSearch.h"
 
 #include <cmath>
+#include <functional>
 #include <set>
 
 // Pictures on their way from coarse to exact, without a window, with every engine that there is.
@@ -386,6 +387,64 @@ TEST(PicturesInMemory, refinementByErrorTellsTheTruthAboutThePictureItShows) {
   }
   refineOnce(pictures);
   EXPECT_EQ(pictures.state().refinementEnd, RefinementEnd::withinHalfALevel);
+}
+
+// What is found of a resting picture with pixels that lie off its own by `levelsOff(its tolerance)`, until
+// nothing is left to do: the tolerances that it was drawn with, one after the other.
+std::vector<double> tolerancesUntilRest(const std::function<double(double)>& levelsOff, PictureState& end) {
+  const Pictures* judged = nullptr;
+  const DrawPrecisely exact = [&](const Scene&, const glm::ivec2&, const std::vector<std::uint8_t>& wanted,
+                                  std::vector<glm::dvec4>& pixels) {
+    const SidePicture& side = judged->side(0);
+    const double off = levelsOff(side.finishedQuality().toleranceLevels.value()) / 255.0;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i])
+        pixels[i] = glm::dvec4(side.picture().image->pixels[i]) + glm::dvec4(off, off, off, 0.0);
+  };
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}), [&](const auto&) { return exact; });
+  judged = &pictures;
+  Scene scene = phantomWith(ShadingModel::classic);
+  scene.quality.stepVoxels = 2.0; // halvings would take longer
+  finish(pictures, {scene});
+  std::vector<double> tolerances;
+  for (RestTurn turn = RestTurn::worked; turn != RestTurn::nothing;) {
+    turn = pictures.workAtRest(true, 5.0);
+    const std::optional<double> tolerance = pictures.side(0).finishedQuality().toleranceLevels;
+    if (!tolerance || (!tolerances.empty() && tolerances.back() == *tolerance))
+      continue;
+    tolerances.push_back(*tolerance);
+    EXPECT_FALSE(pictures.state().sides[0].chance) << "that was of the picture before";
+  }
+  end = pictures.state();
+  return tolerances;
+}
+
+TEST(PicturesInMemory, ofWhichPixelsLieTooFarOffGoOnWithAQuarterOfTheTolerance) {
+  PictureState end;
+  constexpr double first = Refinement::toleranceLevels;
+  EXPECT_EQ(tolerancesUntilRest([](double tolerance) { return tolerance < first ? 0.3 : 2.6; }, end),
+            (std::vector{first, first / 4.0}));
+  EXPECT_EQ(end.refinementEnd, RefinementEnd::withinHalfALevel);
+  ASSERT_TRUE(end.sides[0].chance);
+  EXPECT_LE(end.sides[0].chance->levels, exactLevels);
+  EXPECT_LE(end.sides[0].estimate->p99_9, first / 4.0);
+}
+
+TEST(PicturesInMemory, ofWhichNoPixelLiesTooFarOffStayAsTheyAre) {
+  PictureState end;
+  EXPECT_EQ(tolerancesUntilRest([](double) { return 0.6; }, end), std::vector{Refinement::toleranceLevels});
+  EXPECT_EQ(end.refinementEnd, RefinementEnd::withinHalfALevel);
+}
+
+// Steps are not what is missing there.
+TEST(PicturesInMemory, ofWhichPixelsStayTooFarOffEndAfterAFewTolerances) {
+  PictureState end;
+  const std::vector<double> tolerances = tolerancesUntilRest([](double) { return 12.0; }, end);
+  EXPECT_GE(tolerances.size(), 2u);
+  EXPECT_LE(tolerances.size(), 1u + Refinement::mostTightenings);
+  EXPECT_EQ(end.refinementEnd, RefinementEnd::withinHalfALevel);
+  ASSERT_TRUE(end.sides[0].chance);
+  EXPECT_GT(end.sides[0].chance->levels, exactLevels);
 }
 
 TEST_F(PicturesWithoutWindow, theSearchForStepsFindsWhatTheCommandLineFinds) {
