@@ -224,7 +224,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   if (!arguments.reports.empty())
     return joinReports(arguments);
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
-  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
+  const LoadedScene loaded = loadScene(arguments.scene, progress);
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");

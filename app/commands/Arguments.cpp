@@ -69,8 +69,10 @@ SourceOptions sourceOptions(const SourceArguments& arguments) {
   return options;
 }
 
-LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress) {
-  LoadedScene loaded = loadScene(arguments.source, sourceOptions(arguments), progress);
+LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress, bool bringsView) {
+  SourceOptions options = sourceOptions(arguments);
+  options.bringsView = bringsView;
+  LoadedScene loaded = loadScene(arguments.source, options, progress);
   if (!arguments.quiet)
     for (const Message& remark : loaded.notes)
       note(remark.english());

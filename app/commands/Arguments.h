@@ -29,9 +29,9 @@ void addSourceArguments(CommandSyntax& command, SourceArguments& arguments, cons
 /// What the arguments ask for. Throws Error (usage) for a spacing that is not three positive numbers.
 SourceOptions sourceOptions(const SourceArguments& arguments);
 
-/// Loads the source; what was noteworthy goes to stderr, unless the arguments ask for quiet. Throws as
-/// loadScene does.
-LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress);
+/// Loads the source; what was noteworthy goes to stderr, unless the arguments ask for quiet. `bringsView`:
+/// another argument says from where to look. Throws as loadScene does.
+LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress, bool bringsView = false);
 
 /// Reports to stderr while it is a terminal and `quiet` is not set; without a figure where the fraction is
 /// negative.

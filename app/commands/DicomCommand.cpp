@@ -27,7 +27,7 @@ void runDicom(const DicomArguments& arguments) {
   const Progress progress = terminalProgress(isQuiet);
   const std::optional<Engine> engine = chosen(dicomEngines, arguments.engine, "--engine");
   requireReportFolder(arguments.out);
-  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
+  const LoadedScene loaded = loadScene(arguments.scene, progress);
   const SeriesImages series = shownSeries(loaded.volumePath, loaded.dicom, loaded.read.series, progress);
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())

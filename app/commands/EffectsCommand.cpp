@@ -126,7 +126,7 @@ void printShader(const Scene& scene) {
 void runEffects(const EffectsArguments& arguments) {
   const SourceArguments& source = arguments.scene.source;
   const Progress progress = terminalProgress(source.quiet);
-  const LoadedScene loaded = loadScene(source, progress);
+  const LoadedScene loaded = loadScene(arguments.scene, progress);
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");

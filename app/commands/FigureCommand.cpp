@@ -245,6 +245,7 @@ Plan planned(const FigureRequest& request, const Progress& progress) {
   for (const std::string& word : request.panels)
     requirePanel(word);
   SourceOptions options = sourceOptions(request.scene.source);
+  options.bringsView = !request.scene.view.empty();
   for (const std::string& source : request.sources) {
     if (const auto figure = loadFigure(source, options, progress)) {
       addReopened(plan, *figure, request.scene);

@@ -113,7 +113,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     }
   const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
-  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
+  const LoadedScene loaded = loadScene(arguments.scene, progress);
   if (isComparison && !arguments.samplesSpent.empty())
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)

@@ -110,6 +110,10 @@ Camera viewOf(const Scene& scene, const std::string& view, double aspect) {
   return framedView(scene, viewNamed(view), aspect);
 }
 
+LoadedScene loadScene(const SceneArguments& arguments, const Progress& progress) {
+  return loadScene(arguments.source, progress, !arguments.view.empty());
+}
+
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
   if (!arguments.preset.empty())

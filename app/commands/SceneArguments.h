@@ -40,6 +40,9 @@ std::vector<std::string> keepWords();
 std::vector<std::string> presetWords();
 std::vector<std::string> lookEndings();
 
+/// Loads the source, whose view matters only where none is given.
+LoadedScene loadScene(const SceneArguments& arguments, const Progress& progress);
+
 /// The scene with everything that was given but the model; framed anew where it has no camera of its own, on
 /// half the picture where two models are compared. Throws Error (usage).
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments);

@@ -38,7 +38,7 @@ void runTurntable(const TurntableArguments& arguments) {
   requirePlace(arguments.out, arguments.frames);
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
-  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
+  const LoadedScene loaded = loadScene(arguments.scene, progress);
   Turntable turntable;
   turntable.scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())

@@ -20,6 +20,8 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -61,6 +63,19 @@ std::vector<Cut> withoutNames(std::vector<Cut> cuts) {
 
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
 constexpr int worthSayingMs = 300;
+
+// What was hidden beside the body stays hidden, and what is shown beside it can be hidden again.
+FoundRegion withTableOf(const Region& kept, FoundRegion found, const Volume& volume, const Region& body,
+                        const Progress& progress) {
+  const std::optional<std::size_t> before = tableLabel(kept);
+  if (!before && !hidesTable(kept))
+    return found;
+  found.region = withBodyOf(found.region, volume, body, progress).region;
+  const std::optional<std::size_t> table = tableLabel(found.region);
+  if (before && table)
+    found.region.weights[*table] = kept.weights[*before];
+  return found;
+}
 
 // What undo calls it. A file that may be called after its patient is not named.
 QString openingText(const QStringList& paths, const Volume& volume) {
@@ -165,13 +180,12 @@ void RegionController::openLabelFiles(const QStringList& chosen) {
   for (const QString& path : paths)
     files.emplace_back(path.toStdString());
   start(tr("Opening labels"), {nextGestureId(), openingText(paths, *m_volume)},
-        [files, body = m_body, kept = m_context.session.scene().keep](const Volume& volume,
-                                                                      const Progress& progress) {
-          FoundRegion found = openedBeside(kept, files, volume, progress);
-          // What was hidden beside the body stays hidden.
-          if (hidesTable(kept))
-            found.region = withBodyOf(found.region, volume, body, progress).region;
-          return found;
+        [files, body = m_body, opened = std::make_shared<std::optional<Segmentation>>()](
+            const Region& kept, const Volume& volume, const Progress& progress) {
+          if (!*opened)
+            *opened = readBeside(files, volume, part(progress, 0.0, 0.8));
+          const FoundRegion found = openedBeside(kept, **opened, volume, part(progress, 0.8, 1.0));
+          return withTableOf(kept, found, volume, body, progress);
         });
   m_opening = paths.front();
 }
@@ -186,7 +200,10 @@ void RegionController::setBodyOnly(bool isOn) {
   else if (m_body.kind == Region::Kind::body)
     cut(m_body, m_context.session.scene().keep.cuts, gesture);
   else
-    start(tr("Looking for the body"), gesture, bodyOf);
+    start(tr("Looking for the body"), gesture,
+          [](const Region&, const Volume& volume, const Progress& progress) {
+            return bodyOf(volume, progress);
+          });
 }
 
 // The segmentation stays open; what is not the body is a label of its own.
@@ -197,8 +214,8 @@ void RegionController::hideTableBesideLabels(bool isHidden, const Gesture& gestu
     setKeep(kept, gesture);
   } else if (isHidden) {
     start(tr("Looking for the body"), gesture,
-          [labels = withoutCuts(kept), body = m_body](const Volume& volume, const Progress& progress) {
-            return withBodyOf(labels, volume, body, progress);
+          [body = m_body](const Region& labels, const Volume& volume, const Progress& progress) {
+            return withBodyOf(withoutCuts(labels), volume, body, progress);
           });
   }
 }
@@ -284,9 +301,11 @@ void RegionController::cut(const Region& region, const std::vector<Cut>& cuts, c
     keep({uncut, {}}, gesture);
     return;
   }
-  start(tr("Cutting"), gesture, [region, cuts](const Volume& volume, const Progress& progress) {
-    return cutIn(volume, region, cuts, progress);
-  });
+  const bool isKept = region == m_context.session.scene().keep;
+  start(tr("Cutting"), gesture,
+        [region, isKept, cuts](const Region& kept, const Volume& volume, const Progress& progress) {
+          return cutIn(volume, isKept ? kept : region, cuts, progress);
+        });
   m_cutsWanted = cuts;
 }
 
@@ -350,22 +369,29 @@ void RegionController::offerCutsOfBefore(const Scene& scene) {
                           {tr("Not now"), {}});
 }
 
-void RegionController::start(const QString& what, const Gesture& gesture, Work work) {
+void RegionController::start(const QString& what, const Gesture& gesture, const Work& work) {
   cancel();
   m_goesOn = false;
   if (!m_volume)
     return;
   m_doing = what;
   m_doingFor.start();
-  m_work.start([this, volume = m_volume, gesture, cuts = m_context.session.scene().keep.cuts,
-                work = std::move(work)](const Effort& effort) -> BackgroundWork::Deliver {
+  this->work(gesture, work);
+}
+
+void RegionController::work(const Gesture& gesture, const Work& work) {
+  m_work.start([this, volume = m_volume, gesture, kept = m_context.session.scene().keep,
+                work](const Effort& effort) -> BackgroundWork::Deliver {
     const Progress progress{[&effort](double done, const Message&) { effort.report(done); },
                             effort.isCancelled};
-    FoundRegion found = work(*volume, progress);
+    FoundRegion found = work(kept, *volume, progress);
     // What was cut before stays cut when other things are kept.
-    if (found.region.cuts.empty() && !cuts.empty())
-      found = cutIn(*volume, found, cuts, progress);
-    return [this, found, gesture] {
+    if (found.region.cuts.empty() && !kept.cuts.empty())
+      found = cutIn(*volume, found, kept.cuts, progress);
+    return [this, found, kept, gesture, work] {
+      // What was edited or undone meanwhile holds.
+      if (m_context.session.scene().keep != kept)
+        return this->work(gesture, work);
       if (!m_opening.isEmpty())
         rememberFolderOf(m_opening, m_context.settings);
       end();

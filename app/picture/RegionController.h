@@ -74,9 +74,11 @@ signals:
                       const std::shared_ptr<const limn::Volume>& volume);
 
 private:
-  using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
+  /// `kept` is what is kept of the volume as it is done.
+  using Work = std::function<FoundRegion(const Region& kept, const Volume& volume, const Progress& progress)>;
 
-  void start(const QString& what, const Gesture& gesture, Work work);
+  void start(const QString& what, const Gesture& gesture, const Work& work);
+  void work(const Gesture& gesture, const Work& work);
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
   void sayWhatGaveWay(const Region& before, const FoundRegion& found);

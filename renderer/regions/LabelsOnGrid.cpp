@@ -273,7 +273,7 @@ MasksOnGrid::MasksOnGrid(const Grid& grid, std::size_t most, std::shared_ptr<Roo
     m_places = StoredVoxels<std::uint16_t>(RoomVector<std::uint16_t>(voxels, 0, std::move(room)));
 }
 
-void MasksOnGrid::add(const Volume& mask, int value, const std::string& name, const Effort& effort) {
+void MasksOnGrid::add(const Volume& mask, const Label& label, const Effort& effort) {
   const std::vector<std::size_t> taken = std::visit(
       [&](auto& places) {
         return visitVoxels(mask, [&](const auto& stored) {
@@ -283,12 +283,51 @@ void MasksOnGrid::add(const Volume& mask, int value, const std::string& name, co
       m_places);
   if (std::accumulate(taken.begin(), taken.end(), std::size_t{0}) == 0)
     return;
-  for (std::size_t place = 1; place < taken.size(); ++place) {
-    m_overlapping += taken[place];
-    if (taken[place] > (m_largest ? m_largest->voxels : 0))
-      m_largest = Overlap{m_labels[place].name, name, taken[place]};
-  }
-  m_labels.push_back({value, name, labelColor(m_labels.size())});
+  m_labels.push_back(label);
+  for (std::size_t place = 1; place < taken.size(); ++place)
+    noteOverlap(place, m_labels.size() - 1, taken[place]);
+}
+
+void MasksOnGrid::noteOverlap(std::size_t loser, std::size_t winner, std::size_t voxels) {
+  m_overlapping += voxels;
+  if (voxels > (m_largest ? m_largest->voxels : 0))
+    m_largest = Overlap{m_labels[loser].name, m_labels[winner].name, voxels};
+}
+
+void MasksOnGrid::add(const LabelMap& masks, const std::vector<std::optional<Label>>& labels,
+                      const Effort& effort) {
+  std::vector<std::size_t> placeOf(labels.size(), 0);
+  for (std::size_t n = 0; n < labels.size(); ++n)
+    if (labels[n]) {
+      placeOf[n] = m_labels.size();
+      m_labels.push_back(*labels[n]);
+    }
+  const glm::ivec3& dims = m_grid.dims;
+  std::vector<std::map<std::pair<std::size_t, std::size_t>, std::size_t>> overlaps(
+      static_cast<std::size_t>(dims.z)); // of each slice
+  std::visit(
+      [&](auto& places, const auto& given) {
+        const auto own = places.writable();
+        using Place = typename std::remove_reference_t<decltype(own)>::value_type;
+        forEachPiece(dims.z, effort, [&](int z) {
+          const std::size_t first = voxelOffset(dims, 0, 0, z), end = voxelOffset(dims, 0, 0, z + 1);
+          for (std::size_t n = first; n < end; ++n) {
+            const std::size_t place = placeOf[given[n]];
+            if (place == 0)
+              continue;
+            if (own[n] != 0)
+              ++overlaps[static_cast<std::size_t>(z)][{own[n], place}];
+            own[n] = static_cast<Place>(place);
+          }
+        });
+      },
+      m_places, masks.places());
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> sums;
+  for (const auto& ofSlice : overlaps)
+    for (const auto& [pair, voxels] : ofSlice)
+      sums[pair] += voxels;
+  for (const auto& [pair, voxels] : sums)
+    noteOverlap(pair.first, pair.second, voxels);
 }
 
 std::shared_ptr<const LabelMap> MasksOnGrid::finished() {

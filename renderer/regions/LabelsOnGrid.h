@@ -30,10 +30,17 @@ public:
   /// At most `most` masks come, < 65536. The map lies in `room`, in memory where there is none.
   MasksOnGrid(const Grid& grid, std::size_t most, std::shared_ptr<Room> room);
 
-  /// A mask (isMask) as a label, in the colour of its number in the list; nearest voxel by nearest voxel
-  /// where it has another grid. One without a voxel on the grid makes no label. Throws Cancelled, after
-  /// which the map is of no use.
-  void add(const Volume& mask, int value, const std::string& name, const Effort& effort = {});
+  /// A mask (isMask) as a label; nearest voxel by nearest voxel where it has another grid. One without a
+  /// voxel on the grid makes no label. Throws Cancelled, after which the map is of no use.
+  void add(const Volume& mask, const Label& label, const Effort& effort = {});
+
+  /// The labels of a map that lies on the grid, all at once: `labels` holds what each of its places becomes,
+  /// in order, and nothing for those whose voxels do not come along, as those of the background. Throws
+  /// Cancelled, after which the map is of no use.
+  void add(const LabelMap& masks, const std::vector<std::optional<Label>>& labels, const Effort& effort = {});
+
+  /// The labels so far, the background first.
+  const std::vector<Label>& labels() const { return m_labels; }
 
   /// Voxels that one label had and another took.
   struct Overlap {
@@ -48,6 +55,8 @@ public:
   std::shared_ptr<const LabelMap> finished();
 
 private:
+  void noteOverlap(std::size_t loser, std::size_t winner, std::size_t voxels);
+
   Grid m_grid;
   LabelMap::Places m_places;
   std::vector<Label> m_labels;

@@ -23,12 +23,25 @@ SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const Di
           .arg(std::filesystem::path(volumePath).filename().string()));
 }
 
+// The folder that was meant is named, whichever above it takes none.
+[[noreturn]] static void failMaking(const std::filesystem::path& folder, const std::string& why) {
+  throw Error(
+      Error::Kind::other,
+      Message::tr("The folder %1 cannot be made (%2); choose another one.").arg(folder.string()).arg(why));
+}
+
 void requireDicomFolder(const std::filesystem::path& folder) {
   std::error_code unknown;
   std::filesystem::path there = std::filesystem::absolute(folder);
+  if (std::filesystem::is_directory(there, unknown))
+    return requireWritable(folder / "look.dcm");
   while (!std::filesystem::exists(there, unknown) && there.has_relative_path())
     there = there.parent_path();
-  requireWritable(there / "look.dcm");
+  try {
+    const ScratchFolder removedAtOnce(there);
+  } catch (const Error& error) {
+    failMaking(folder, error.what());
+  }
 }
 
 std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,
@@ -40,9 +53,7 @@ std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scen
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure)
-    throw Error(Error::Kind::other, Message::tr("The folder %1 cannot be made (%2); choose another one.")
-                                        .arg(folder.string())
-                                        .arg(failure.message()));
+    failMaking(folder, failure.message());
   writeDicomObjects(folder, objects);
   return objects.losses;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/sources/KeptRegion.h"
 
-#include "io/labels/LabelNames.h"
-#include "io/labels/LabelReader.h"
 #include "io/labels/MaskFolder.h"
 #include "regions/Body.h"
 #include "regions/Cutting.h"
@@ -12,7 +10,6 @@
 #include "scene/volume/VolumePart.h"
 
 #include <algorithm>
-#include <map>
 
 namespace limn {
 namespace {
@@ -70,58 +67,19 @@ FoundRegion withBodyOf(const Region& labels, const Volume& volume, const Region&
   return found;
 }
 
-namespace {
-
-// Whether the labels of a region are masks, each of a file of its own.
-bool isOfMasks(const Region& region) {
-  if (region.kind != Region::Kind::labels || !region.moreSources.empty())
-    return region.kind == Region::Kind::labels;
-  const std::vector<Label>& labels = region.labels->labels();
-  return listedLabels(region) == 2 && labels[0].value == 0 && labels[1].value > 0 &&
-         !volumeStem(region.source).empty() && !isMaskFolder(region.source);
+Segmentation readBeside(const std::vector<std::filesystem::path>& files, const Volume& volume,
+                        const Progress& progress) {
+  return readSegmentations(files, gridOfFile(volume), progress, volume.info().patient);
 }
 
-// Masks shown as they were before others came behind them. A mask that was alone had its file's number, and
-// has it where it is alone again.
-Region shownAsBefore(Region region, const Region& before) {
-  std::map<std::size_t, TransferFunction> looks;
-  const std::vector<Label>& labels = region.labels->labels();
-  for (std::size_t place = 0; place < listedLabels(before); ++place) {
-    const int had = before.labels->labels()[place].value;
-    const bool isNumbered = before.moreSources.empty() && !region.moreSources.empty();
-    const int value = had > 0 && isNumbered ? 1 : had;
-    const auto now = std::ranges::find(labels, value, &Label::value);
-    if (now == labels.end())
-      continue;
-    const auto there = static_cast<std::size_t>(now - labels.begin());
-    region.weights[there] = before.weights[place];
-    if (const std::size_t look = lookOfLabel(before, place); look > 0)
-      looks[there] = before.looks[look - 1];
-  }
-  return withLooks(region, looks);
-}
-
-std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& sources) {
-  return {sources.begin(), sources.end()};
-}
-
-} // namespace
-
-FoundRegion openedBeside(const Region& kept, const std::vector<std::filesystem::path>& files,
-                         const Volume& volume, const Progress& progress) {
-  const auto read = [&](const std::vector<std::filesystem::path>& paths, const Progress& share) {
-    return readSegmentations(paths, gridOfFile(volume), share, volume.info().patient);
-  };
-  const Segmentation opened = read(files, part(progress, 0.0, 0.5));
+FoundRegion openedBeside(const Region& kept, const Segmentation& opened, const Volume& volume,
+                         const Progress& progress) {
   const Region before = withoutCuts(kept);
   if (!isOfMasks(before) || !isOfMasks(opened.region))
     return {opened.region, opened.remark};
-  std::vector<std::string> all = sourcesOf(before);
-  for (const std::string& source : sourcesOf(opened.region))
-    if (std::ranges::find(all, source) == all.end())
-      all.push_back(source);
-  const Segmentation joined = read(pathsOf(all), part(progress, 0.5, 1.0));
-  return {shownAsBefore(joined.region, before), opened.leftOut.followedBy(" ", joined.remark)};
+  const Segmentation joined =
+      joinedMasks(before, opened.region, gridOfFile(volume), progress, volume.info().patient, volume.room());
+  return {joined.region, opened.remark.followedBy(" ", joined.remark)};
 }
 
 bool replacesLabels(const Region& region, const Region& before) {
@@ -139,7 +97,7 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
   if (part.kind == Region::Kind::labels) {
     std::vector<std::filesystem::path> paths{part.labels};
     paths.insert(paths.end(), part.moreLabels.begin(), part.moreLabels.end());
-    Segmentation labels = readSegmentations(paths, gridOfFile(volume), progress, volume.info().patient);
+    Segmentation labels = readBeside(paths, volume, progress);
     found = {std::move(labels.region), labels.remark};
     const std::string name = std::filesystem::path(part.labels).filename().string();
     found.region.weights = weightsOf(found.region.labels->labels(), part.weights, name);

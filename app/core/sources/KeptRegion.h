@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/labels/LabelReader.h"
 #include "io/reading/Progress.h"
 #include "io/scenefile/KeptPart.h"
 #include "scene/Scene.h"
@@ -39,10 +40,15 @@ FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<
 FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
                   const Progress& progress = {});
 
-/// Labels that are opened beside what is kept of a volume: masks come to the masks that are open, which stay
-/// shown as they are, and other labels take the place of those. Throws as readSegmentations does.
-FoundRegion openedBeside(const Region& kept, const std::vector<std::filesystem::path>& files,
-                         const Volume& volume, const Progress& progress = {});
+/// The labels of files beside a volume, on its grid. Throws as readSegmentations does.
+Segmentation readBeside(const std::vector<std::filesystem::path>& files, const Volume& volume,
+                        const Progress& progress = {});
+
+/// Labels that were read beside what is kept of a volume: masks come to the masks that are open, which stay
+/// shown as they are and are not read again (joinedMasks in MaskFolder.h), and other labels take the place of
+/// those. Throws Cancelled.
+FoundRegion openedBeside(const Region& kept, const Segmentation& opened, const Volume& volume,
+                         const Progress& progress = {});
 
 /// Whether labels of a file that a region had gave way to those of another.
 bool replacesLabels(const Region& region, const Region& before);

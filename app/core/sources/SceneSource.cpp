@@ -406,6 +406,10 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   return loaded;
 }
 
+static bool mayLookPast(const LoadedScene& loaded, const SourceOptions& options) {
+  return options.volume && loaded.hasOwnCamera && !options.wantsVolumeAlone && !options.bringsView;
+}
+
 // A scene for another patient may look to where that one lay: what is there is framed, from the same side.
 static void frameWhatIsPassed(LoadedScene& loaded, const Progress& progress) {
   const Grid& grid = loaded.scene.volume->grid();
@@ -422,6 +426,26 @@ static void frameWhatIsPassed(LoadedScene& loaded, const Progress& progress) {
                                   "view is fitted to this volume."));
 }
 
+// Panels that differ in their model alone see the same: it is found once. Slices look from nowhere.
+static void framePanels(LoadedFigure& figure, const SourceOptions& options, const Progress& progress) {
+  std::vector<std::pair<Scene, const LoadedScene*>> found; // as a panel was before, and the panel
+  for (LoadedFigure::Panel& panel : figure.panels) {
+    LoadedScene& loaded = panel.scene;
+    if (panel.plane || !mayLookPast(loaded, options))
+      continue;
+    Scene before = loaded.scene;
+    before.shading = {};
+    const auto same = std::ranges::find(found, before, &std::pair<Scene, const LoadedScene*>::first);
+    if (same == found.end()) {
+      frameWhatIsPassed(loaded, progress);
+      found.emplace_back(before, &loaded);
+    } else {
+      loaded.scene.camera = same->second->scene.camera;
+      loaded.hasOwnCamera = same->second->hasOwnCamera;
+    }
+  }
+}
+
 std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
                                        const Progress& progress) {
   const std::optional<FigureDocument> figure = figureIn(source);
@@ -432,13 +456,12 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   for (const FigurePanelDocument& panel : figure->panels) {
     loaded.panels.push_back(
         {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
-    LoadedScene& scene = loaded.panels.back().scene;
-    if (options.volume && scene.hasOwnCamera && !options.wantsVolumeAlone)
-      frameWhatIsPassed(scene, progress);
+    const LoadedScene& scene = loaded.panels.back().scene;
     // One that was turned by hand is another volume.
     if (panel.scene.orientation.empty())
       more.opened.emplace(scene.volumePath, scene.scene.volume);
   }
+  framePanels(loaded, options, progress);
   return loaded;
 }
 
@@ -449,10 +472,10 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   if (const Message remark = thickSlices(loaded.scene.volume->grid(), smoothsNormals(loaded.scene));
       !remark.empty())
     loaded.notes.push_back(remark);
-  if (options.volume && loaded.hasOwnCamera)
-    frameWhatIsPassed(loaded, progress);
   const ImageSettings& image = loaded.scene.image;
-  if (!loaded.hasOwnCamera)
+  if (mayLookPast(loaded, options))
+    frameWhatIsPassed(loaded, progress);
+  else if (!loaded.hasOwnCamera && !options.bringsView)
     loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,
                                        effortOf(progress, Message::tr("Finding what is visible")));
   return loaded;

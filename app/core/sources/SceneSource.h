@@ -62,6 +62,7 @@ struct SourceOptions {
   bool hidesTable = false;       ///< of a CT volume whose body is sure, that alone is kept at first
   bool smoothsSlices = false;    ///< of a volume whose slices are thick: normals are smooth at first
   bool wantsVolumeAlone = false; ///< the scene is another's: what would be found out for it is left away
+  bool bringsView = false;       ///< whoever asks says from where to look: nothing is framed
   bool asksForSeries = false;    ///< of several in the folder that is the source: throws SeveralSeries
   /// A DICOM file or folder that was opened already: its headers are not read again.
   std::shared_ptr<const DicomFolder> dicom;

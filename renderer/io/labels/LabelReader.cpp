@@ -61,12 +61,7 @@ std::vector<Label> slicerSegments(const NrrdHeader& header) {
 
 namespace fs = std::filesystem;
 
-// Labels as a volume on a grid of their own, and what the file and its name say of them.
-struct LabelVolume {
-  std::shared_ptr<const Volume> volume;
-  std::vector<Label> described;
-  std::string structure{}; ///< where the file itself names none
-};
+} // namespace
 
 LabelVolume readLabelVolume(const fs::path& path, const Progress& progress, const PatientLabel& patient) {
   if (isDicomSegmentation(path)) {
@@ -85,6 +80,8 @@ LabelVolume readLabelVolume(const fs::path& path, const Progress& progress, cons
     labels.structure = structureName(path, patient);
   return labels;
 }
+
+namespace {
 
 // How much of the volume the labels' box covers at all: centres of voxels, of which a few rows tell enough.
 bool overlaps(const Grid& a, const Grid& b) {

@@ -14,8 +14,18 @@ namespace limn {
 struct Segmentation {
   Region region;
   Message remark;
-  Message leftOut{}; ///< what the remark says of files that were chosen, too, and are none of labels
 };
+
+/// Labels as a volume on a grid of their own, and what the file and its name say of them.
+struct LabelVolume {
+  std::shared_ptr<const Volume> volume;
+  std::vector<Label> described; ///< names and colours by value, as the file has them
+  std::string structure{};      ///< where the file itself names none
+};
+
+/// Reads the file of a label map, no folder of masks. Throws as readLabels does.
+LabelVolume readLabelVolume(const std::filesystem::path& path, const Progress& progress = {},
+                            const PatientLabel& patient = {});
 
 /// Reads a label map: a DICOM segmentation, a volume of whole numbers in any format that readVolume reads, or
 /// a folder of masks (MaskFolder.h). It comes on `grid`, nearest label by nearest label where it has another

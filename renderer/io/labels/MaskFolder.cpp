@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/labels/MaskFolder.h"
 
-#include "io/VolumeReader.h"
+#include "io/dicom/DicomSegmentation.h"
 #include "io/labels/LabelNames.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
+#include "scene/regions/BodyAndLabels.h"
 
 #include <algorithm>
+#include <map>
 
 namespace limn {
 namespace {
@@ -16,16 +18,39 @@ namespace fs = std::filesystem;
 constexpr std::size_t longestMaskName = 200;
 constexpr std::size_t mostNamed = 3;
 
-// What a mask is called among others: by its structure, where that is its alone, or by its whole name, unless
-// that may name the patient.
+// What a file is called by a name of its own or its folder's; empty where that may name the patient.
+std::string whereHarmless(const std::string& name, const PatientLabel& patient) {
+  return withoutPatient(name, patient) == name ? plainText(name, longestMaskName) : std::string();
+}
+
+std::string stemName(const fs::path& file, const PatientLabel& patient) {
+  const std::string stem = volumeStem(file);
+  return whereHarmless(stem.empty() ? file.stem().string() : stem, patient);
+}
+
+std::string nameWithFolder(const fs::path& file, const PatientLabel& patient) {
+  const std::string structure = structureName(file, patient);
+  const std::string name = structure.empty() ? stemName(file, patient) : structure;
+  const std::string folder = whereHarmless(file.parent_path().filename().string(), patient);
+  return name.empty() || folder.empty() ? std::string() : name + " (" + folder + ")";
+}
+
+// What a mask is called among others: the first that is its alone of its structure, its whole name, and
+// either with the folder that it lies in.
 std::string maskName(const fs::path& file, int value, const std::vector<fs::path>& files,
                      const PatientLabel& patient) {
-  const auto structureOf = [&](const fs::path& one) { return structureName(one, patient); };
-  const std::string structure = structureOf(file), stem = volumeStem(file);
-  if (!structure.empty() && std::ranges::count(files, structure, structureOf) == 1)
-    return structure;
-  return withoutPatient(stem, patient) == stem ? plainText(stem, longestMaskName)
-                                               : "Label " + std::to_string(value);
+  using Naming = std::string (*)(const fs::path&, const PatientLabel&);
+  for (const Naming naming : {Naming(structureName), Naming(stemName), Naming(nameWithFolder)}) {
+    const auto nameOf = [&](const fs::path& one) { return naming(one, patient); };
+    const std::string name = nameOf(file);
+    if (!name.empty() && std::ranges::count(files, name, nameOf) == 1)
+      return name;
+  }
+  return "Label " + std::to_string(value);
+}
+
+bool isNamed(const std::vector<Label>& labels, const std::string& name) {
+  return std::ranges::find(labels, name, &Label::name) != labels.end();
 }
 
 // The files of a folder by name; hidden ones are none of the user's.
@@ -89,6 +114,24 @@ bool isMaskFolder(const fs::path& path) {
 
 namespace {
 
+// Of what may be one of several masks by its name, or, chosen by itself, by what it holds.
+bool mayBeMask(const fs::path& file, Order order) {
+  return !volumeStem(file).empty() || (order == Order::asChosen && isDicomSegmentation(file));
+}
+
+// What a mask becomes among others: as its file describes it, by a name that is still free, or called `name`.
+Label labelOf(const LabelVolume& mask, int value, const std::string& name, const std::vector<Label>& taken) {
+  const double own = mask.volume->range().highest;
+  const auto found = std::ranges::find_if(mask.described, [&](const Label& one) { return one.value == own; });
+  if (found == mask.described.end())
+    return {value, name, labelColor(taken.size())};
+  Label label = *found;
+  label.value = value;
+  if (label.name.empty() || isNamed(taken, label.name))
+    label.name = name;
+  return label;
+}
+
 // Masks on a grid, and of which files they are; none where no file is one.
 struct ReadMasks {
   std::optional<MasksOnGrid> masks{};
@@ -101,12 +144,13 @@ ReadMasks readInOrder(const std::vector<fs::path>& files, Order order, const Gri
   ReadMasks read;
   int value = 0;
   for (std::size_t n = 0; n < files.size(); ++n) {
-    const bool isVolume = !volumeStem(files[n]).empty();
+    const bool isVolume = mayBeMask(files[n], order);
     const auto share = [&](double done) {
       return (static_cast<double>(n) + done) / static_cast<double>(files.size());
     };
-    const auto mask = isVolume ? readVolume(files[n], {}, part(progress, share(0.0), share(0.8))) : nullptr;
-    const bool isTaken = mask && isMask(*mask);
+    const LabelVolume mask =
+        isVolume ? readLabelVolume(files[n], part(progress, share(0.0), share(0.8))) : LabelVolume{};
+    const bool isTaken = mask.volume && isMask(*mask.volume);
     // A folder's numbers hold whatever its files hold; of others those that are no masks are left out for
     // good.
     value += (order == Order::byName ? isVolume : isTaken) ? 1 : 0;
@@ -114,11 +158,15 @@ ReadMasks readInOrder(const std::vector<fs::path>& files, Order order, const Gri
       read.skipped.push_back(files[n].filename().string());
       continue;
     }
-    requireNear(files[n], mask->grid(), grid);
+    requireNear(files[n], mask.volume->grid(), grid);
     if (!read.masks)
-      read.masks.emplace(grid, files.size(), mask->room());
+      read.masks.emplace(grid, files.size(), mask.volume->room());
     read.files.push_back(files[n]);
-    read.masks->add(*mask, value, maskName(files[n], value, files, patient),
+    const std::string name = maskName(files[n], value, files, patient);
+    const std::vector<Label>& taken = read.masks->labels();
+    const Label label = order == Order::asChosen ? labelOf(mask, value, name, taken)
+                                                 : Label{value, name, labelColor(taken.size())};
+    read.masks->add(*mask.volume, label,
                     effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
   }
   return read;
@@ -153,17 +201,147 @@ Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, con
                 Message::tr("neither it nor another file that was chosen is the mask of a structure: 0, and "
                             "one value inside"),
                 Message::tr("open a file of several labels by itself"));
-  const Message leftOut = leftOutOf(read.skipped);
-  const Message remark = leftOut.followedBy(" ", overlapIn(*read.masks, Order::asChosen));
+  const Message remark = leftOutOf(read.skipped).followedBy(" ", overlapIn(*read.masks, Order::asChosen));
   Region region = regionOf(*read.masks, sourceOf(read.files.front()));
   if (region.weights.size() == 1)
     failReading(files.front(), Message::tr("it and the other masks that were chosen are empty"),
                 Message::tr("open the segmentation of this volume"));
   if (read.files.size() == 1) // with the number that its file gives it, as it is read again
-    return {readSegmentation(read.files.front(), grid, progress, patient).region, remark, leftOut};
+    return {readSegmentation(read.files.front(), grid, progress, patient).region, remark};
   for (std::size_t n = 1; n < read.files.size(); ++n)
     region.moreSources.push_back(sourceOf(read.files[n]));
-  return {region, remark, leftOut};
+  return {region, remark};
+}
+
+bool isOfMasks(const Region& region) {
+  if (region.kind != Region::Kind::labels || !region.moreSources.empty())
+    return region.kind == Region::Kind::labels;
+  const std::vector<Label>& labels = region.labels->labels();
+  return listedLabels(region) == 2 && labels[0].value == 0 && labels[1].value > 0 &&
+         mayBeMask(region.source, Order::asChosen) && !isMaskFolder(region.source);
+}
+
+namespace {
+
+// One of the masks of a region.
+struct OpenMask {
+  std::string source;
+  std::size_t place = 0;    // among the region's labels; 0 where the mask has no voxel
+  bool isDescribed = false; // by its file, whose name it has
+};
+
+std::vector<OpenMask> masksIn(const Region& region, const PatientLabel& patient) {
+  const std::vector<std::string> sources = sourcesOf(region);
+  const std::vector<fs::path> files(sources.begin(), sources.end());
+  const std::vector<Label>& labels = region.labels->labels();
+  std::vector<OpenMask> masks;
+  for (std::size_t n = 0; n < sources.size(); ++n) {
+    const int number = static_cast<int>(n) + 1;
+    const bool isAlone = sources.size() == 1; // with the number that its file gives it
+    const auto label = isAlone ? labels.begin() + 1 : std::ranges::find(labels, number, &Label::value);
+    OpenMask mask{sources[n]};
+    const VoxelBox box = label == labels.end()
+                             ? VoxelBox{}
+                             : region.labels->boxAround(static_cast<std::size_t>(label - labels.begin()));
+    // Of several, those that are listed had a voxel before others took it.
+    if (label != labels.end() && (!isAlone || box.lower != box.upper)) {
+      mask.place = static_cast<std::size_t>(label - labels.begin());
+      const std::string structure = isAlone ? structureName(files[n], patient) : std::string();
+      const std::string given = !isAlone            ? maskName(files[n], number, files, patient)
+                                : structure.empty() ? "Label " + std::to_string(label->value)
+                                                    : structure;
+      mask.isDescribed = label->name != given;
+    }
+    masks.push_back(mask);
+  }
+  return masks;
+}
+
+// Masks of two regions on their way to become one.
+class MaskJoin {
+public:
+  MaskJoin(const Region& open, const Region& opened, const Grid& grid, const PatientLabel& patient,
+           std::shared_ptr<Room> room)
+      : m_open(open), m_patient(patient), m_had(masksIn(open, patient)), m_come(masksIn(opened, patient)) {
+    for (const OpenMask& mask : m_had)
+      if (std::ranges::find(m_come, mask.source, &OpenMask::source) == m_come.end())
+        m_stay.push_back(mask);
+    for (const std::vector<OpenMask>* masks : {&m_stay, &m_come})
+      for (const OpenMask& mask : *masks)
+        m_files.emplace_back(mask.source);
+    m_masks.emplace(grid, m_files.size(), std::move(room));
+    m_weights.push_back(open.weights.front());
+    takeLook(0, 0);
+  }
+
+  void addOpen(const Effort& effort) { add(m_stay, m_open, effort); }
+  void addOpened(const Region& opened, const Effort& effort) { add(m_come, opened, effort); }
+
+  Segmentation finished() {
+    Region region = regionOf(*m_masks, m_files.front().string());
+    region.weights = m_weights;
+    for (std::size_t n = 1; n < m_files.size(); ++n)
+      region.moreSources.push_back(m_files[n].string());
+    return {withLooks(region, m_looks), overlapIn(*m_masks, Order::asChosen)};
+  }
+
+private:
+  void add(const std::vector<OpenMask>& masks, const Region& region, const Effort& effort) {
+    std::vector<std::optional<Label>> labels(region.labels->labels().size());
+    for (const OpenMask& mask : masks) {
+      ++m_number;
+      if (mask.place == 0)
+        continue;
+      const auto before = std::ranges::find(m_had, mask.source, &OpenMask::source);
+      const std::size_t shown = before == m_had.end() ? 0 : before->place;
+      if (shown > 0)
+        takeLook(shown, m_weights.size());
+      m_weights.push_back(shown > 0 ? m_open.weights[shown] : 1.0);
+      labels[mask.place] = labelOf(mask, region);
+      m_taken.push_back(*labels[mask.place]);
+    }
+    m_masks->add(*region.labels, labels, effort);
+  }
+
+  // What its file says of it stays; what follows from its number or the other files is found anew.
+  Label labelOf(const OpenMask& mask, const Region& region) const {
+    Label label = region.labels->labels()[mask.place];
+    if (label.color == labelColor(mask.place))
+      label.color = labelColor(m_taken.size());
+    if (m_files.size() == 1)
+      return label;
+    label.value = m_number;
+    if (!mask.isDescribed || isNamed(m_taken, label.name))
+      label.name = maskName(mask.source, m_number, m_files, m_patient);
+    return label;
+  }
+
+  void takeLook(std::size_t from, std::size_t to) {
+    if (const std::size_t look = lookOfLabel(m_open, from); look > 0)
+      m_looks[to] = m_open.looks[look - 1];
+  }
+
+  const Region& m_open;
+  const PatientLabel& m_patient;
+  std::vector<OpenMask> m_had, m_come;
+  std::vector<OpenMask> m_stay; // of those that were open: the ones that are not opened once more
+  std::vector<fs::path> m_files;
+  std::optional<MasksOnGrid> m_masks;
+  std::vector<Label> m_taken{{0, "Background", glm::dvec3(0.5)}};
+  std::vector<double> m_weights;
+  std::map<std::size_t, TransferFunction> m_looks;
+  int m_number = 0; // of the file at hand
+};
+
+} // namespace
+
+Segmentation joinedMasks(const Region& open, const Region& opened, const Grid& grid, const Progress& progress,
+                         const PatientLabel& patient, std::shared_ptr<Room> room) {
+  const Message placing = Message::tr("Placing labels");
+  MaskJoin join(open, opened, grid, patient, std::move(room));
+  join.addOpen(effortOf(part(progress, 0.0, 0.5), placing));
+  join.addOpened(opened, effortOf(part(progress, 0.5, 1.0), placing));
+  return join.finished();
 }
 
 } // namespace limn

@@ -365,6 +365,21 @@ TEST_F(CommandLine, aSceneWhoseVolumeMovedSaysSoAndOpensWithItsNewPlace) {
   EXPECT_EQ(found.status, 0) << found.err;
 }
 
+TEST_F(CommandLine, thatAViewIsFittedToAnotherVolumeIsSaidOnlyWhereNoOtherViewIsGiven) {
+  std::ofstream(file("scene.json"))
+      << R"({"limn_scene": 1, "volume": "gone.nii", "image": {"width": 8, "height": 8},)"
+         R"( "camera": {"position": [9300, 0, 0], "target": [9000, 0, 0]}})";
+  const std::string command =
+      "render " + file("scene.json").string() + " --volume phantom:8 -o " + file("m.png").string();
+  const std::string sentence = "The saved view looks past this volume";
+  const Outcome fitted = run(command);
+  EXPECT_EQ(fitted.status, 0) << fitted.err;
+  EXPECT_NE(fitted.err.find(sentence), std::string::npos) << fitted.err;
+  const Outcome given = run(command + " --view left");
+  EXPECT_EQ(given.status, 0) << given.err;
+  EXPECT_EQ(given.err.find(sentence), std::string::npos) << given.err;
+}
+
 TEST_F(CommandLine, withoutADisplayTheWindowSaysWhatToDo) {
   const Outcome outcome = run("phantom:8");
   EXPECT_EQ(outcome.status, 4);

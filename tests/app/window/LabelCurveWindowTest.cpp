@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/WindowHarness.h"
-#include "app/picture/RegionController.h"
+#include "app/window/LabelledBoxes.h"
 #include "scene/LabelLooks.h"
 #include "scene/framing/KeptVoxels.h"
-#include "support/ShortVolume.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
@@ -22,33 +20,17 @@
 namespace limn {
 namespace {
 
-constexpr int curvedSize = 32;
-
-class LabelCurveWindow : public test::WindowHarness {
+class LabelCurveWindow : public test::LabelledBoxes {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
-    // Two boxes of one value side by side, each a label.
-    write("two.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 300 : -1000; });
+    LabelledBoxes::SetUp(); // each of which is a label
     write("two.seg.nrrd", [](const glm::ivec3& v) { return !isInBoxes(v) ? 0 : v.x < 16 ? 3 : 8; });
     ASSERT_TRUE(open(pathTo("two.nrrd")));
     setLayout(CompareLayout::single);
-    regions().openLabels(pathTo("two.seg.nrrd"));
-    ASSERT_TRUE(test::waitUntil([this] { return !regions().isBusy(); }));
-    ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
+    ASSERT_TRUE(openLabels("two.seg.nrrd"));
     function = scene().transferFunction;
   }
 
-  static bool isInBoxes(const glm::ivec3& v) {
-    return glm::all(glm::greaterThan(v, glm::ivec3(5))) && glm::all(glm::lessThan(v, glm::ivec3(26)));
-  }
-
-  template <class Value>
-  void write(const char* name, const Value& value) {
-    test::writeShorts(folder.path() / name, curvedSize, value);
-  }
-
-  RegionController& regions() { return *window->findChild<RegionController*>(); }
   LabelSection& section() { return *window->findChild<LabelSection*>(); }
   QTreeView& table() { return *section().findChild<QTreeView*>(); }
   TransferFunctionCanvas& canvas() { return *curves().valueEditor()->canvas(); }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/WindowHarness.h"
-#include "app/picture/RegionController.h"
+#include "app/window/LabelledBoxes.h"
 #include "scene/LabelLooks.h"
-#include "support/ShortVolume.h"
 #include "widgets/controls/MessageBar.h"
 
 #include <QDragEnterEvent>
@@ -16,35 +14,14 @@
 namespace limn {
 namespace {
 
-constexpr int filesSize = 32;
-
-class LabelFilesWindow : public test::WindowHarness {
+class LabelFilesWindow : public test::LabelledBoxes {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
-    write("two.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 300 : -1000; });
+    LabelledBoxes::SetUp();
     write("label_Skull.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) && v.x < 16 ? 1 : 0; });
     write("label_Brain.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) && v.x >= 16 ? 1 : 0; });
     write("parts.seg.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 1 + v.z / 16 : 0; });
     ASSERT_TRUE(open(pathTo("two.nrrd")));
-  }
-
-  static bool isInBoxes(const glm::ivec3& v) {
-    return glm::all(glm::greaterThan(v, glm::ivec3(5))) && glm::all(glm::lessThan(v, glm::ivec3(26)));
-  }
-
-  template <class Value>
-  void write(const char* name, const Value& value) {
-    test::writeShorts(folder.path() / name, filesSize, value);
-  }
-
-  RegionController& regions() { return *window->findChild<RegionController*>(); }
-  [[nodiscard]] bool ready() {
-    return test::waitUntil([this] { return !regions().isBusy(); });
-  }
-  [[nodiscard]] bool openLabels(const char* name) {
-    regions().openLabels(pathTo(name));
-    return ready() && scene().keep.kind == Region::Kind::labels;
   }
 
   std::vector<std::string> names() const {
@@ -108,6 +85,37 @@ TEST_F(LabelFilesWindow, aMaskComesToTheOneThatIsOpenWhichStaysAsItWas) {
   EXPECT_EQ(sourcesOf(scene().keep), sourcesOf(both));
   EXPECT_EQ(scene().keep.weights, both.weights);
   EXPECT_EQ(scene().keep.looks, both.looks);
+}
+
+// What is edited, undone or lost while a mask is read is not undone by it.
+TEST_F(LabelFilesWindow, whatIsEditedWhileAMaskIsReadStays) {
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  const TransferFunction red{1.0, {{200.0, {1.0, 0.0, 0.0}, 0.0}, {300.0, {1.0, 0.0, 0.0}, 0.9}}};
+  regions().openLabels(pathTo("label_Brain.nrrd"));
+  Region edited = withLookOf(scene().keep, 1, red);
+  edited.weights[1] = 0.25;
+  session().setKeep(edited, {nextGestureId(), QStringLiteral("fade")});
+  ASSERT_TRUE(regions().isBusy()) << "it comes in a later turn of the event loop";
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(names(), (std::vector<std::string>{"Background", "Skull", "Brain"}));
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.25, 1.0}));
+  EXPECT_EQ(lookOfLabel(scene().keep, 1), 1u);
+  undo().undo();
+  EXPECT_EQ(scene().keep, edited);
+  // Back to the mask alone as it was opened, while the other comes once more.
+  regions().openLabels(pathTo("label_Brain.nrrd"));
+  undo().undo();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 1.0, 1.0}));
+  EXPECT_TRUE(scene().keep.looks.empty());
+}
+
+TEST_F(LabelFilesWindow, aMaskComesToOneWhoseFileHasGone) {
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  std::filesystem::remove(folder.path() / "label_Skull.nrrd");
+  ASSERT_TRUE(openLabels("label_Brain.nrrd"));
+  EXPECT_EQ(names(), (std::vector<std::string>{"Background", "Skull", "Brain"}));
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
 }
 
 TEST_F(LabelFilesWindow, labelsThatGaveWayAreNamedAndComeBack) {

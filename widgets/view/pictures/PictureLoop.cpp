@@ -5,6 +5,7 @@
 #include "scene/volume/Volume.h"
 #include "widgets/Translated.h"
 
+#include <algorithm>
 #include <exception>
 
 namespace limn {
@@ -161,13 +162,14 @@ void PictureLoop::drawCoarsely() {
   m_volume = volumeOf(m_order);
   const double all = static_cast<double>(m_order.scenes.size()) * m_order.size.x * m_order.size.y;
   const double seen = m_order.seenShare * all;
-  int level = m_quality.levelFor(seen);
+  const int finest = m_pictures->finestLevel();
+  int level = std::max(m_quality.levelFor(seen), finest);
   if (level == 0 && m_quality.levelFor(all) > 0)
     level = 1; // full quality draws the hidden parts too
   if (const double ms = m_pictures->drawCoarsely(level, m_order.seen); ms > 0.0)
     m_quality.measured(level, level == 0 ? all : seen, ms);
   requireVolume();
-  if (m_quality.levelFor(all) < level) {
+  if (std::max(m_quality.levelFor(all), finest) < level) {
     m_isStale = true;
     QTimer::singleShot(0, this, &PictureLoop::showNeeded);
   }

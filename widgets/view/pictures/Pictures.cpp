@@ -169,6 +169,13 @@ double Pictures::makeReady(const Scene& scene, const Effort& effort, double budg
   return done;
 }
 
+int Pictures::finestLevel() const {
+  int finest = 0;
+  for (int i = 0; i < m_count; ++i)
+    finest = std::max(finest, m_sides[i].finestLevel());
+  return finest;
+}
+
 double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
   m_screen->reset();
   double ms = 0.0;

@@ -35,6 +35,9 @@ public:
   /// (DrawingEngine); the share that is done. Throws Cancelled.
   double makeReady(const Scene& scene, const Effort& effort, double budgetMs);
 
+  /// The finest level at which every wanted picture may be drawn coarsely.
+  int finestLevel() const;
+
   /// Draws what is seen of every wanted picture at a level and returns the time, ms.
   double drawCoarsely(int level, const std::array<Columns, 2>& seen);
 

@@ -91,13 +91,15 @@ void SidePicture::drawFollowed(DrawingEngine& engine) {
   m_coarseQuality = {};
 }
 
+int SidePicture::finestLevel() const {
+  return hasSampledLight(m_scene) ? wholeLevel : 0;
+}
+
 double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns& seen) {
   if (isPhysical(m_scene) && engine.followedPaths(m_scene, m_size) > 0) {
     drawFollowed(engine);
     return 0.0;
   }
-  if (hasSampledLight(m_scene))
-    level = std::max(level, wholeLevel);
   const QualityLevel quality = InteractionQuality::levelAt(level);
   const glm::ivec2 size = sizeAt(quality, m_size);
   const Scene scene = passScene(engine, quality, size);

@@ -25,6 +25,10 @@ public:
   /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
   void want(const Scene& scene, const glm::ivec2& size);
 
+  /// The finest level at which the coarse picture is drawn, however fast that is: 0 unless light makes the
+  /// full one take minutes.
+  int finestLevel() const;
+
   /// Draws the coarse picture, as far as its columns will be seen (level 0: the full one, all of it), and
   /// returns the time, ms. Of physical light that was followed before and is only shown otherwise, it is
   /// what was found, at no price (0 ms).

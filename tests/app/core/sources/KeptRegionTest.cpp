@@ -74,6 +74,21 @@ protected:
     return (folder.path() / name).string();
   }
 
+  // Files that are opened beside what is kept.
+  FoundRegion opened(const Region& kept, const std::vector<const char*>& names, const Volume& volume) const {
+    std::vector<std::filesystem::path> files;
+    for (const char* name : names)
+      files.push_back(folder.path() / name);
+    return openedBeside(kept, readBeside(files, volume), volume);
+  }
+
+  static std::vector<std::string> namesIn(const Region& region) {
+    std::vector<std::string> names;
+    for (const Label& label : region.labels->labels())
+      names.push_back(label.name);
+    return names;
+  }
+
   test::TemporaryFolder folder;
 };
 
@@ -131,7 +146,7 @@ TEST_F(LabelledScene, aMaskComesToTheMasksThatAreOpenAndOtherLabelsReplaceThem) 
   LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.nrrd", "weights": {"7": 0.5}})"), {}, {});
   Region& keep = loaded.scene.keep;
   keep = withLooks(keep, {{1, look}});
-  const FoundRegion both = openedBeside(keep, {folder.path() / "b.nrrd"}, *loaded.scene.volume);
+  const FoundRegion both = opened(keep, {"b.nrrd"}, *loaded.scene.volume);
   EXPECT_EQ(both.remark.english(), "1 voxels lie in two masks and belong to the one that was opened last: to "
                                    "b and not to a.");
   EXPECT_EQ(sourcesOf(both.region), (std::vector<std::string>{(folder.path() / "a.nrrd").string(),
@@ -143,19 +158,16 @@ TEST_F(LabelledScene, aMaskComesToTheMasksThatAreOpenAndOtherLabelsReplaceThem) 
   EXPECT_EQ(both.region.labels->placeAt(2), 2u);
   EXPECT_FALSE(replacesLabels(both.region, keep));
   // Once more it is the same; what is no mask takes the place of all.
-  EXPECT_EQ(sourcesOf(openedBeside(both.region, {folder.path() / "b.nrrd"}, *loaded.scene.volume).region),
-            sourcesOf(both.region));
-  const FoundRegion together =
-      openedBeside(keep, {folder.path() / "a.nrrd", folder.path() / "b.nrrd", folder.path() / "v.nrrd"},
-                   *loaded.scene.volume);
+  EXPECT_EQ(sourcesOf(opened(both.region, {"b.nrrd"}, *loaded.scene.volume).region), sourcesOf(both.region));
+  const FoundRegion together = opened(keep, {"a.nrrd", "b.nrrd", "v.nrrd"}, *loaded.scene.volume);
   EXPECT_EQ(together.region.weights, both.region.weights)
       << "what was open is shown as it was, chosen again or not";
   EXPECT_EQ(together.region.looks, both.region.looks);
   EXPECT_EQ(together.remark.english(), "v.nrrd is no mask and was left out. " + both.remark.english());
-  const Region alone = openedBeside(keep, {folder.path() / "a.nrrd"}, *loaded.scene.volume).region;
+  const Region alone = opened(keep, {"a.nrrd"}, *loaded.scene.volume).region;
   EXPECT_EQ(alone.weights, keep.weights);
   EXPECT_EQ(alone.looks, keep.looks);
-  const Region seg = openedBeside(both.region, {folder.path() / "seg.nrrd"}, *loaded.scene.volume).region;
+  const Region seg = opened(both.region, {"seg.nrrd"}, *loaded.scene.volume).region;
   EXPECT_EQ(seg.weights.size(), 3u);
   EXPECT_EQ(sourcesOf(seg), std::vector<std::string>{(folder.path() / "seg.nrrd").string()});
   EXPECT_TRUE(replacesLabels(seg, both.region));
@@ -166,6 +178,83 @@ TEST_F(LabelledScene, aMaskComesToTheMasksThatAreOpenAndOtherLabelsReplaceThem) 
   EXPECT_EQ(sourcesOf(again), sourcesOf(keep));
   EXPECT_EQ(again.weights, keep.weights);
   EXPECT_EQ(again.looks, keep.looks);
+}
+
+TEST_F(LabelledScene, aMaskComesToOpenOnesWhoseFilesHaveGone) {
+  write("a.nrrd", "0 7 7 0 0 0 0 0");
+  write("b.nrrd", "0 0 0 0 0 0 1 1");
+  write("c.nrrd", "1 1 0 0 0 0 0 0");
+  const LoadedScene loaded =
+      loadScene(scene("s.json", R"({"labels": "a.nrrd", "weights": {"7": 0.5}})"), {}, {});
+  const Volume& volume = *loaded.scene.volume;
+  const Region two = opened(loaded.scene.keep, {"b.nrrd"}, volume).region;
+  std::filesystem::remove(folder.path() / "a.nrrd");
+  std::filesystem::remove(folder.path() / "b.nrrd");
+  const FoundRegion three = opened(two, {"c.nrrd"}, volume);
+  EXPECT_EQ(namesIn(three.region), (std::vector<std::string>{"Background", "a", "b", "c"}));
+  EXPECT_EQ(three.region.weights, (std::vector<double>{1.0, 0.5, 1.0, 1.0}));
+  const std::vector<std::size_t> places{3, 3, 1, 0, 0, 0, 2, 2};
+  for (std::size_t voxel = 0; voxel < places.size(); ++voxel)
+    EXPECT_EQ(three.region.labels->placeAt(voxel), places[voxel]) << voxel;
+  EXPECT_EQ(three.remark.english(),
+            "1 voxels lie in two masks and belong to the one that was opened last: to "
+            "c and not to a.");
+}
+
+// What comes last has the voxels: a mask that is opened once more has them again, and as its file is now.
+TEST_F(LabelledScene, aMaskThatIsOpenedOnceMoreBecomesTheLast) {
+  write("a.nrrd", "0 7 7 0 0 0 0 0");
+  write("b.nrrd", "0 0 1 0 0 0 1 1");
+  LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.nrrd", "weights": {"7": 0.5}})"), {}, {});
+  const Volume& volume = *loaded.scene.volume;
+  const Region both = opened(loaded.scene.keep, {"b.nrrd"}, volume).region;
+  write("a.nrrd", "0 0 7 7 0 0 0 0");
+  const Region again = opened(both, {"a.nrrd"}, volume).region;
+  EXPECT_EQ(namesIn(again), (std::vector<std::string>{"Background", "b", "a"}));
+  EXPECT_EQ(again.weights, (std::vector<double>{1.0, 1.0, 0.5}));
+  const std::vector<std::size_t> places{0, 0, 2, 2, 0, 0, 1, 1};
+  for (std::size_t voxel = 0; voxel < places.size(); ++voxel)
+    EXPECT_EQ(again.labels->placeAt(voxel), places[voxel]) << voxel;
+  // As its files are read.
+  loaded.scene.keep = again;
+  std::ofstream(folder.path() / "again.json") << sceneToJson(loaded.scene, "v.nrrd");
+  const Region read = loadScene((folder.path() / "again.json").string(), {}, {}).scene.keep;
+  EXPECT_EQ(read.labels->labels(), again.labels->labels());
+  EXPECT_EQ(read.weights, again.weights);
+  for (std::size_t voxel = 0; voxel < places.size(); ++voxel)
+    EXPECT_EQ(read.labels->placeAt(voxel), places[voxel]) << voxel;
+}
+
+// A segment of 3D Slicer keeps its name and colour among others, and when a scene reads it again.
+TEST_F(LabelledScene, aSegmentThatItsFileDescribesKeepsItsNameAmongMasks) {
+  std::ofstream(folder.path() / "a.seg.nrrd")
+      << "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n"
+         "Segment0_ID:=Segment_1\nSegment0_Name:=Left kidney\nSegment0_LabelValue:=4\n"
+         "Segment0_Color:=0.25 0.5 1\n\n0 4 4 0 0 0 0 0\n";
+  write("b.nrrd", "0 0 0 0 0 0 1 1");
+  const Label kidney{1, "Left kidney", {0.25, 0.5, 1.0}};
+  LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.seg.nrrd"})"), {}, {});
+  const Region joined = opened(loaded.scene.keep, {"b.nrrd"}, *loaded.scene.volume).region;
+  EXPECT_EQ(joined.labels->labels()[1], kidney);
+  EXPECT_EQ(joined.labels->labels()[2].name, "b");
+  loaded.scene.keep = joined;
+  std::ofstream(folder.path() / "again.json") << sceneToJson(loaded.scene, "v.nrrd");
+  const Region again = loadScene((folder.path() / "again.json").string(), {}, {}).scene.keep;
+  EXPECT_EQ(again.labels->labels(), joined.labels->labels());
+}
+
+TEST_F(LabelledScene, masksOfOneFileNameAreToldApartByTheirFolders) {
+  write("left/mask.nrrd", "0 7 7 0 0 0 0 0");
+  write("right/mask.nrrd", "0 0 0 0 0 0 1 1");
+  LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "left/mask.nrrd"})"), {}, {});
+  const Region both = opened(loaded.scene.keep, {"right/mask.nrrd"}, *loaded.scene.volume).region;
+  EXPECT_EQ(namesIn(both), (std::vector<std::string>{"Background", "mask (left)", "mask (right)"}));
+  EXPECT_EQ(namesIn(opened({}, {"left/mask.nrrd", "right/mask.nrrd"}, *loaded.scene.volume).region),
+            namesIn(both));
+  write("left/liver.nrrd", "0 7 7 0 0 0 0 0");
+  write("right/liver.nrrd", "0 0 0 0 0 0 1 1");
+  EXPECT_EQ(namesIn(opened({}, {"left/liver.nrrd", "right/liver.nrrd"}, *loaded.scene.volume).region),
+            (std::vector<std::string>{"Background", "liver (left)", "liver (right)"}));
 }
 
 TEST_F(LabelledScene, isRefusedInASentenceWithoutItsLabelMapOrLabel) {

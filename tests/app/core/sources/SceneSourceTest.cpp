@@ -154,6 +154,11 @@ TEST(SceneSource, aViewThatLooksPastTheVolumeOfAnotherPatientIsFittedToIt) {
   EXPECT_EQ(fitted.scene.transferFunction, session.scene.scene.transferFunction);
   EXPECT_NEAR(fitted.scene.camera.target.x, 1004.5, 9.0);
   EXPECT_NEAR(glm::distance(basisOf(fitted.scene.camera).forward, basisOf(camera).forward), 0.0, 1e-9);
+  options.bringsView = true;
+  const LoadedScene unasked = loadScene(path.string(), options, {});
+  EXPECT_FALSE(saysThatItIsFitted(unasked)) << "whoever asks looks from elsewhere";
+  EXPECT_EQ(unasked.scene.camera, camera);
+  options.bringsView = false;
   options.volume = "phantom:10"; // another one, which lies where that lay
   const LoadedScene seen = loadScene(path.string(), options, {});
   EXPECT_FALSE(saysThatItIsFitted(seen));

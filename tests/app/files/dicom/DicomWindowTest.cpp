@@ -111,8 +111,12 @@ TEST_F(DicomWindow, saysWhatTheFilesCarryAndWritesThemWithout) {
 TEST_F(DicomWindow, drawsNothingForAPlaceThatTakesNoFolder) {
   test::writeBytes(folder.path() / "file", "no folder");
   ask();
-  save("file/kept.dicom");
-  EXPECT_TRUE(labelSays(QStringLiteral("Not a directory")));
+  for (const char* below : {"file/kept.dicom", "file/below/kept.dicom"}) {
+    save(below);
+    EXPECT_TRUE(
+        labelSays(QStringLiteral("The folder %1 cannot be made (Not a directory)").arg(pathTo(below))))
+        << "the folder that was typed";
+  }
   EXPECT_EQ(dialog().findChild<QProgressBar*>()->value(), 0) << "nothing was drawn";
 }
 

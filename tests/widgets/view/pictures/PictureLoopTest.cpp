@@ -246,6 +246,35 @@ TEST(LoopInMemory, whatIsInterruptedAtRestIsTakenUpAgain) {
   EXPECT_TRUE(loop.state().sides[0].overflow);
 }
 
+// The whole picture before the exact one is drawn at a level of its own, however fast a finer one would be:
+// it is noted as that and drawn no finer, so that the exact one begins.
+TEST(LoopInMemory, beforeATolerancedPictureWithLightAWholeOneStands) {
+  PictureContext context;
+  context.makeCurrent = context.doneCurrent = [] {};
+  context.guard = [](const PictureContext::Work& work) { work(); };
+  PictureLoop loop([] { return std::make_unique<Pictures>(makeCpuEngine(2), makeMemoryScreen({})); },
+                   context);
+  QObject::connect(&loop, &PictureLoop::showNeeded, [&] { loop.drawIfStale(); });
+  PictureOrder order = phantomOrder();
+  order.movingMs = 1e9; // any level is fast enough
+  Scene& scene = order.scenes.front();
+  scene.shading.model = ShadingModel::classic;
+  scene.shading.lightDirection = glm::normalize(glm::dvec3(1, 1, -1));
+  scene.shading.shadow.strength = 0.7;
+  scene.quality.toleranceLevels = 4.0;
+  scene.quality.fineness = 2.0;
+  bool wasWhole = false;
+  QObject::connect(&loop, &PictureLoop::told, [&](const ViewNews& news) {
+    if (!news.state.resting && !news.state.sides.empty())
+      wasWhole = wasWhole || (news.state.sides[0].imageScale == 1.0 && news.state.sides[0].fraction == 0.0);
+  });
+  loop.show(order);
+  loop.drawIfStale();
+  while (!loop.state().resting)
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  EXPECT_TRUE(wasWhole);
+}
+
 TEST_F(Loop, withoutRoomDrawsNothing) {
   PictureOrder order = phantomOrder();
   order.size = {0, 0};
