@@ -15,6 +15,7 @@ namespace limn {
 struct PictureDelivery {
   int number = 0; ///< of the order
   QImage frame;   ///< what is to be seen, in device pixels
+  Camera camera;  ///< from which that was drawn
   ViewNews news;
   std::vector<GradientScale> scales;   ///< one for each side
   std::vector<RestingPicture> resting; ///< one for each side once all are complete; empty before
@@ -52,6 +53,7 @@ private:
   PictureLoop m_loop;
   int m_number = 0; ///< of the order that is being drawn
   QImage m_frame;
+  Camera m_camera;         ///< of the frame
   QString m_failure;       ///< why nothing is drawn; empty while drawing works
   bool m_isCoarse = false; ///< a coarse picture is being drawn
 
