@@ -77,6 +77,8 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
+  QObject::connect(&session.undoStack(), &QUndoStack::indexChanged, &window,
+                   [this](int steps) { leaveUndone(steps); });
 }
 
 MessageBar& WindowContext::addBar(const char* name) {
@@ -141,6 +143,20 @@ void WindowContext::keepClear(HintBar& bar) const {
 
 void WindowContext::showError(const QString& sentence) const {
   messages.show(MessageBar::Kind::error, sentence);
+}
+
+void WindowContext::messageGoesWithLastStep() {
+  m_saidOfStep = messages.sentence();
+  m_stepSaid = session.undoStack().index();
+}
+
+// With another volume all steps go.
+void WindowContext::leaveUndone(int steps) {
+  if (m_saidOfStep.isEmpty() || steps >= m_stepSaid)
+    return;
+  if (messages.sentence() == m_saidOfStep)
+    messages.hide();
+  m_saidOfStep.clear();
 }
 
 } // namespace limn
