@@ -138,6 +138,7 @@ DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
   for (const Scene& scene : asked)
     if (isPhysical(scene))
       told.paths = savedPathsText(scene.shading.physical);
+  told.beside = m_context.view.compareLayout() == CompareLayout::sideBySide ? 2 : 1;
   told.changePaths = [this] { emit pathsWanted(); };
   told.seconds = [this, asked](double scale) -> std::optional<double> {
     const std::vector<SideState> sides = m_context.view.pictureState().sides; // of now: they go on

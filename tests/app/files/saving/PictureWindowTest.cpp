@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "io/ImageFile.h"
+#include "widgets/controls/NumberField.h"
 
 #include <QComboBox>
 #include <QImage>
@@ -226,6 +227,37 @@ TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
   EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
 }
 
+// Two pictures beside each other share an odd width, of which each has whole pixels.
+TEST_F(SavedPicture, isAsWideInPixelsAsAskedForAndKeepsItsShape) {
+  const QSize shown = view().size() * view().devicePixelRatioF();
+  const auto save = [this](const char* name, const QString& width) {
+    QString promised;
+    onceAsked<PictureDialog>([&](PictureDialog& dialog) {
+      auto* size = dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"));
+      size->setCurrentIndex(size->findText(QStringLiteral("Width in pixels")));
+      auto* field = dialog.findChild<NumberField*>(QStringLiteral("pictureWidthPixels"));
+      EXPECT_TRUE(field->isVisible());
+      EXPECT_FALSE(dialog.findChild<NumberField*>(QStringLiteral("pictureWidth"))->isVisible());
+      field->selectAll();
+      QTest::keyClicks(field, width);
+      field->commit();
+      promised = dialog.findChild<QLabel*>(QStringLiteral("picturePixels"))->text();
+      QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
+    });
+    typeName(pathTo(name));
+    action(QStringLiteral("Save &picture…"))->trigger();
+    const QSize size = written(name).size();
+    EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
+    return size;
+  };
+  const QSize one = save("one.png", QStringLiteral("701"));
+  EXPECT_EQ(one.width(), 701);
+  EXPECT_NEAR(one.height(), 701.0 * shown.height() / shown.width(), 0.5) << "a whole number of pixels";
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  EXPECT_NEAR(save("two.png", QStringLiteral("701")).width(), 701, 1) << "two of one width";
+}
+
 TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {
   int plain = 0, print = 0, again = 0;
   onceAsked<PictureDialog>([&](PictureDialog& dialog) {
@@ -275,6 +307,12 @@ TEST(WrittenOptions, comeBackAsTheyWere) {
   options.ground = PictureOptions::Ground::transparent;
   options.marks.scale = false;
   EXPECT_EQ(readOptions(writtenOptions(options)), options);
+  options.size = PictureOptions::Size::pixels;
+  options.widthPixels = 1234;
+  EXPECT_EQ(readOptions(writtenOptions(options)), options);
+  options.widthPixels = PictureOptions{}.widthPixels;
+  const QString withoutWidth = writtenOptions(options).section(QLatin1Char(' '), 0, -2);
+  EXPECT_EQ(readOptions(withoutWidth), options) << "as they were written before";
   EXPECT_EQ(readOptions(QStringLiteral("what is this")), PictureOptions{});
 }
 
