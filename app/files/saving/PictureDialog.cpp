@@ -117,6 +117,8 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   m_ground->setToolTip(tr("What stands behind the tissue. JPEG knows no transparent ground."));
 
   auto* form = new QFormLayout;
+  if (!told.remark.isEmpty())
+    addRemark(*form);
   form->addRow(tr("Si&ze"), m_size);
   form->addRow(tr("&Width"), m_cm);
   form->addRow(tr("&Width"), m_width);
@@ -132,14 +134,14 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
           kind == PictureKind::slice ? tr("&Names: plane, place, window") : tr("&Names, and what is hidden"),
           on.names);
   addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
-  addMark("pictureScale", tr("&Scale bar"), on.scale);
+  addMark("pictureScale", tr("Scale &bar"), on.scale);
   addMark("pictureWarning", tr("\"Not for &diagnosis\""), on.warning);
   addMark("pictureMeasurements", tr("&Measurements"), on.measurements);
   for (QCheckBox* mark : m_marks)
     marks->addWidget(mark);
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  auto* save = buttons->addButton(tr("Save…"), QDialogButtonBox::AcceptRole);
+  auto* save = buttons->addButton(tr("&Save…"), QDialogButtonBox::AcceptRole);
   save->setObjectName(QStringLiteral("pictureSave"));
   save->setDefault(true);
   auto* column = new QVBoxLayout(this);
@@ -158,6 +160,13 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   for (const NumberField* width : {m_cm, m_width})
     connect(width, &NumberField::numberEdited, this, &PictureDialog::tellSize);
   show();
+}
+
+void PictureDialog::addRemark(QFormLayout& form) {
+  auto* remark = new QLabel(m_told.remark, this);
+  remark->setObjectName(QStringLiteral("pictureRemark"));
+  remark->setWordWrap(true);
+  form.addRow(remark);
 }
 
 // They stand among the properties of light, which the dialog is in the way of.

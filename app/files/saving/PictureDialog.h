@@ -55,6 +55,7 @@ struct DrawingTold {
   /// How long one takes that is larger by `scale`, s; absent where nobody knows. Empty: it takes no time.
   std::function<std::optional<double>(double scale)> seconds = {};
   int beside = 1;                         ///< so many pictures of one size stand beside each other in it
+  QString remark = {};                    ///< on what is saved; empty: nothing need be said
   QString paths = {};                     ///< of physical light: how far it is drawn; empty: there is none
   std::function<void()> changePaths = {}; ///< leads to where that is set, once the dialog is closed
 };
@@ -72,6 +73,7 @@ public:
   PictureOptions options() const;
 
 private:
+  void addRemark(QFormLayout& form);
   void addPaths(QFormLayout& form);
   void addMark(const char* name, const QString& text, bool isOn);
   void tellSize();

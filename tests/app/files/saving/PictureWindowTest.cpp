@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/files/exports/ExportDialog.h"
 #include "io/ImageFile.h"
 #include "widgets/controls/NumberField.h"
 
@@ -7,8 +8,10 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 
 #include <filesystem>
+#include <set>
 
 namespace limn::test {
 namespace {
@@ -144,6 +147,7 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   ASSERT_TRUE(stopButton().isVisible());
   QTest::mouseClick(&stopButton(), Qt::LeftButton);
   EXPECT_FALSE(stopButton().isVisible());
+  EXPECT_EQ(window->statusBar()->currentMessage(), QStringLiteral("Cancelled; nothing was saved."));
   bool isAsked = false;
   onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
     isAsked = true;
@@ -256,6 +260,58 @@ TEST_F(SavedPicture, isAsWideInPixelsAsAskedForAndKeepsItsShape) {
   setLayout(CompareLayout::sideBySide);
   ASSERT_TRUE(rest());
   EXPECT_NEAR(save("two.png", QStringLiteral("701")).width(), 701, 1) << "two of one width";
+}
+
+TEST_F(SavedPicture, saysWhereItsSlicesAreNotInTheFile) {
+  const auto remark = [this] {
+    QString said;
+    onceAsked<PictureDialog>([&said](PictureDialog& dialog) {
+      const auto* label = dialog.findChild<QLabel*>(QStringLiteral("pictureRemark"));
+      said = label ? label->text() : QString();
+      dialog.reject();
+    });
+    action(QStringLiteral("Save &picture…"))->trigger();
+    return said;
+  };
+  EXPECT_EQ(remark(), QString());
+  PlaneSettings settings = session().planes();
+  settings.layout = PlaneLayout::pictureAndThree;
+  session().setPlanes(settings);
+  EXPECT_TRUE(remark().startsWith(QStringLiteral("The 3D picture is saved without the slices")));
+}
+
+// Alt and a letter does one thing in each dialog.
+TEST_F(SavedPicture, noTwoThingsOfADialogHaveOneKey) {
+  const auto expectOneEach = [](const QDialog& dialog) {
+    QStringList texts;
+    for (const auto* button : dialog.findChildren<QAbstractButton*>())
+      if (!button->isHidden())
+        texts << button->text();
+    for (const auto* label : dialog.findChildren<QLabel*>())
+      if (label->buddy() && !label->buddy()->isHidden())
+        texts << label->text();
+    std::set<QKeySequence> keys;
+    for (const QString& text : texts) {
+      const QKeySequence key = QKeySequence::mnemonic(text);
+      EXPECT_TRUE(key.isEmpty() || keys.insert(key).second)
+          << dialog.windowTitle().toStdString() << ": " << text.toStdString();
+    }
+    EXPECT_TRUE(keys.contains(QKeySequence(Qt::ALT | Qt::Key_S))) << "one saves";
+  };
+  onceAsked<PictureDialog>([&](PictureDialog& dialog) {
+    const auto* save = dialog.findChild<QPushButton*>(QStringLiteral("pictureSave"));
+    EXPECT_EQ(QKeySequence::mnemonic(save->text()), QKeySequence(Qt::ALT | Qt::Key_S));
+    for (const PictureOptions::Size size : {PictureOptions::Size::print, PictureOptions::Size::pixels}) {
+      dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(static_cast<int>(size));
+      expectOneEach(dialog);
+    }
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  for (const char* name : {"saveFigure", "saveTurntable"})
+    window->findChild<QAction*>(QLatin1String(name))->trigger();
+  for (ExportDialog* dialog : window->findChildren<ExportDialog*>())
+    expectOneEach(*dialog);
 }
 
 TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {
