@@ -70,7 +70,8 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
                             window.centralWidget())),
       planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
   m_column.addWidget(&planes, 1);
-  new MessageOrder({&unsafe, &recovery, &kept, &messages, &unwritten, &patient, &tour}, &window);
+  // What is said of that which was just opened goes before what was left for it.
+  new MessageOrder({&unsafe, &recovery, &messages, &kept, &unwritten, &patient, &tour}, &window);
   for (MessageBar* bar : {&patient, &tour})
     bar->setBriefWhenLate(true);
   keepCubeFree();
