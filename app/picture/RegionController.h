@@ -99,8 +99,8 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
   std::vector<Cut> m_cuts;                ///< of it
   Region m_body;                          ///< of it, where it is known
-  QString m_opening; ///< labels or a folder of masks that are being read; empty: none are
-  QString m_said;    ///< the sentence about what was kept last, where it may still be said
+  QString m_opening;                 ///< labels or a folder of masks that are being read; empty: none are
+  QString m_said;                    ///< the sentence about what was kept last, where it may still be said
   std::vector<std::string> m_saidOf; ///< the files of its labels
   QString m_doing;                   ///< what is worked at, in words
   QElapsedTimer m_doingFor;

@@ -142,8 +142,9 @@ DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
     if (isPhysical(scene))
       told.paths = savedPathsText(scene.shading.physical);
   if (m_context.session.planes().layout != PlaneLayout::pictureOnly)
-    told.remark = tr("The 3D picture is saved without the slices: a right click on a slice saves that one, and "
-                     "File ▸ Save figure puts both in one file.");
+    told.remark =
+        tr("The 3D picture is saved without the slices: a right click on a slice saves that one, and "
+           "File ▸ Save figure puts both in one file.");
   told.beside = m_context.view.compareLayout() == CompareLayout::sideBySide ? 2 : 1;
   told.changePaths = [this] { emit pathsWanted(); };
   told.seconds = [this, asked](double scale) -> std::optional<double> {
@@ -366,7 +367,7 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
   const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
   m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name, QString::number(columns), QString::number(size.y));
-  m_left.begin();
+  m_left.begin(scenes.size());
   emit drawing(m_drawn);
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {

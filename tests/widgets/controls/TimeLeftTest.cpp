@@ -23,8 +23,23 @@ TEST(TimeLeft, isToldNoFinerThanItIsKnown) {
   EXPECT_EQ(aboutText(30.0 * 3600.0), QStringLiteral("about 30 h"));
 }
 
+TEST(TimeLeft, ofSeveralPicturesIsKnownInTheLastByItsOwnPace) {
+  TimeLeft two;
+  two.begin(2);
+  EXPECT_FALSE(two.left(0.25, 10.0)) << "the second may take longer";
+  EXPECT_FALSE(two.left(0.5, 20.0)) << "it begins";
+  EXPECT_EQ(two.left(0.75, 60.0), 40.0) << "as long as its first half";
+  two.begin(2);
+  EXPECT_FALSE(two.left(0.625, 20.0)) << "a quarter of it was there as it was first told";
+  // Rounding.
+  EXPECT_NEAR(two.left(0.75, 30.0).value_or(0.0), 20.0, 1e-12) << "half in twice the time of a quarter";
+  TimeLeft one;
+  one.begin();
+  EXPECT_EQ(one.left(0.25, 10.0), 30.0);
+}
+
 TEST(TimeLeft, isEmptyBeforeWorkBegins) {
-  const TimeLeft left;
+  TimeLeft left;
   EXPECT_TRUE(left.text(0.5).isEmpty());
 }
 
