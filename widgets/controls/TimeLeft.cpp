@@ -39,7 +39,7 @@ std::optional<double> secondsLeft(double fraction, double seconds) {
 
 void TimeLeft::begin(std::size_t pictures) {
   m_pictures = std::max(1.0, static_cast<double>(pictures));
-  m_last = pictures > 1 ? std::nullopt : std::optional(Place());
+  m_last.reset();
   m_clock.start();
 }
 
@@ -54,7 +54,7 @@ QString TimeLeft::text(double fraction) {
 std::optional<double> TimeLeft::left(double fraction, double seconds) {
   constexpr double rounding = 1e-9; // of the share that is done as the last picture begins
   const double ofLast = fraction * m_pictures - (m_pictures - 1.0);
-  if (ofLast < -rounding)
+  if (ofLast < rounding)
     return std::nullopt;
   if (!m_last)
     m_last = {ofLast, seconds};

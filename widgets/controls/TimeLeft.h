@@ -16,8 +16,9 @@ QString aboutText(double seconds);
 /// in the first two seconds and the first hundredth, of which nothing follows.
 std::optional<double> secondsLeft(double fraction, double seconds);
 
-/// Tells it of work under way. Of several pictures in one file each has an equal share of the work and takes
-/// a time of its own, so that nothing is known before the last.
+/// Tells it of work under way, by its pace since it was first seen to come on: what is prepared before says
+/// nothing. Of several pictures in one file each has an equal share of the work and takes a time of its own,
+/// so that nothing is known before the last.
 class TimeLeft {
 public:
   void begin(std::size_t pictures = 1);
@@ -39,7 +40,7 @@ private:
 
   QElapsedTimer m_clock;
   double m_pictures = 1.0;
-  std::optional<Place> m_last = Place(); ///< where that was first seen to be drawn; absent before
+  std::optional<Place> m_last; ///< where that was first seen to come on; absent before
 };
 
 } // namespace limn
