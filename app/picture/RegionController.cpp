@@ -407,6 +407,7 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
     return;
   }
   m_context.session.setKeep(found.region, gesture);
+  const bool isStep = m_context.session.scene().keep != kept;
   const std::size_t cuts = found.region.cuts.size();
   if (const auto label = cuts > before ? labelOfCut(found.region, cuts - 1) : std::nullopt)
     emit curveGiven(*label);
@@ -415,9 +416,13 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
   if (found.region.kind == Region::Kind::labels && replacesLabels(found.region, kept))
     sayWhatGaveWay(kept, found);
   else if (!found.remark.empty() && isRestricting(found.region))
-    sayOfStep(translated(found.remark), {}, {tr("Show everything"), [this] { showEverything(); }});
+    say(translated(found.remark), {}, {tr("Show everything"), [this] { showEverything(); }});
   else if (!found.remark.empty())
-    sayOfStep(translated(found.remark));
+    say(translated(found.remark));
+  else
+    return showScene(m_context.session.scene());
+  if (isStep)
+    m_context.messageGoesWithLastStep();
   showScene(m_context.session.scene());
 }
 
@@ -431,18 +436,17 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
     labels.cuts = m_context.session.scene().keep.cuts;
     setKeep(labels, {nextGestureId(), tr("labels of before")});
   };
-  sayOfStep(tr("The labels of %1 took the place of those of %2.")
-                .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume)),
-            found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
-            {tr("Bring those back"), bringBack});
+  say(tr("The labels of %1 took the place of those of %2.")
+          .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume)),
+      found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
+      {tr("Bring those back"), bringBack});
 }
 
-void RegionController::sayOfStep(const QString& sentence, const QStringList& details,
-                                 const MessageBar::Action& action) {
+void RegionController::say(const QString& sentence, const QStringList& details,
+                           const MessageBar::Action& action) {
   m_said = sentence;
   m_saidOf = sourcesOf(m_context.session.scene().keep);
   m_context.messages.show(MessageBar::Kind::warning, sentence, details, action);
-  m_context.messageGoesWithLastStep();
 }
 
 // Where those labels have gone otherwise than by undo, nothing that was said of them holds.

@@ -83,9 +83,8 @@ private:
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
   void sayWhatGaveWay(const Region& before, const FoundRegion& found);
-  /// Warns of something that the last undo step brought.
-  void sayOfStep(const QString& sentence, const QStringList& details = {},
-                 const MessageBar::Action& action = {});
+  /// Warns of something about what is kept now.
+  void say(const QString& sentence, const QStringList& details = {}, const MessageBar::Action& action = {});
   void leaveWhatWasSaid(const Scene& scene);
   void measureLabels(const Scene& scene);
   void hideTableBesideLabels(bool isHidden, const Gesture& gesture);
