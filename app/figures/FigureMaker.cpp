@@ -168,7 +168,9 @@ MadeFigure makeFigure(const Figure& figure, const MakingOptions& order, FigurePi
   judgeCrops(told.panels, order.effort);
   const FigureLayout layout = figureLayout(told);
   MadeFigure made = drawPanels(told, layout.pictureSize(), order, pixels);
-  made.figure = withErrors(made.figure, order);
+  MakingOptions silent = order; // how far the figure is does not begin anew with these small pictures
+  silent.effort.report = nullptr;
+  made.figure = withErrors(made.figure, silent);
   made.layout = layout;
   return made;
 }

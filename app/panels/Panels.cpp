@@ -204,11 +204,13 @@ void EarlierLook::use() {
     look.landmarks.reset();
   m_context.session.usePreset(fittedTo(look, m_context.document.histogram(), volume->grid()),
                               {nextGestureId(), tr("use the look of the volume before")});
-  if (!haveOneScale)
-    m_context.messages.show(
-        MessageBar::Kind::note,
-        tr("The look of the volume before was fitted to the values of this one: not both are in "
-           "Hounsfield units."));
+  if (haveOneScale)
+    return;
+  m_context.messages.show(
+      MessageBar::Kind::note,
+      tr("The look of the volume before was fitted to the values of this one: not both are in "
+         "Hounsfield units."));
+  m_context.messageGoesWithLastStep();
 }
 
 EmphasisController::EmphasisController(WindowContext& context, const CurveController& curves)

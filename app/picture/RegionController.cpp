@@ -12,7 +12,6 @@
 #include "scene/regions/BodyAndLabels.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
-#include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
 
@@ -329,7 +328,7 @@ void RegionController::showScene(const Scene& scene) {
   if (scene.keep.kind == Region::Kind::body)
     m_body = withoutCuts(scene.keep);
   m_bodyOnly->setChecked(hidesTable(scene.keep));
-  leaveWhatGaveWay(scene);
+  leaveWhatWasSaid(scene);
   measureLabels(scene);
 }
 
@@ -408,6 +407,7 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
     return;
   }
   m_context.session.setKeep(found.region, gesture);
+  const bool isStep = m_context.session.scene().keep != kept;
   const std::size_t cuts = found.region.cuts.size();
   if (const auto label = cuts > before ? labelOfCut(found.region, cuts - 1) : std::nullopt)
     emit curveGiven(*label);
@@ -416,10 +416,13 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
   if (found.region.kind == Region::Kind::labels && replacesLabels(found.region, kept))
     sayWhatGaveWay(kept, found);
   else if (!found.remark.empty() && isRestricting(found.region))
-    m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
-                            {tr("Show everything"), [this] { showEverything(); }});
+    say(translated(found.remark), {}, {tr("Show everything"), [this] { showEverything(); }});
   else if (!found.remark.empty())
-    m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
+    say(translated(found.remark));
+  else
+    return showScene(m_context.session.scene());
+  if (isStep)
+    m_context.messageGoesWithLastStep();
   showScene(m_context.session.scene());
 }
 
@@ -433,21 +436,26 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
     labels.cuts = m_context.session.scene().keep.cuts;
     setKeep(labels, {nextGestureId(), tr("labels of before")});
   };
-  m_gaveWay = tr("The labels of %1 took the place of those of %2.")
-                  .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume));
-  m_cameInstead = sourcesOf(found.region);
-  m_context.messages.show(MessageBar::Kind::warning, m_gaveWay,
-                          found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
-                          {tr("Bring those back"), bringBack});
+  say(tr("The labels of %1 took the place of those of %2.")
+          .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume)),
+      found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
+      {tr("Bring those back"), bringBack});
 }
 
-// Where those others have gone, by undo or with their volume, nothing is left to be brought back.
-void RegionController::leaveWhatGaveWay(const Scene& scene) {
-  if (m_gaveWay.isEmpty() || (scene.volume && sourcesOf(scene.keep) == m_cameInstead))
+void RegionController::say(const QString& sentence, const QStringList& details,
+                           const MessageBar::Action& action) {
+  m_said = sentence;
+  m_saidOf = sourcesOf(m_context.session.scene().keep);
+  m_context.messages.show(MessageBar::Kind::warning, sentence, details, action);
+}
+
+// Where those labels have gone otherwise than by undo, nothing that was said of them holds.
+void RegionController::leaveWhatWasSaid(const Scene& scene) {
+  if (m_said.isEmpty() || (scene.volume && sourcesOf(scene.keep) == m_saidOf))
     return;
-  if (m_context.messages.sentence() == m_gaveWay)
+  if (m_context.messages.sentence() == m_said)
     m_context.messages.hide();
-  m_gaveWay.clear();
+  m_said.clear();
 }
 
 void RegionController::cancel() {

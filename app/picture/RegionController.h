@@ -6,6 +6,7 @@
 #include "scene/regions/LabelFigures.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
+#include "widgets/controls/MessageBar.h"
 
 #include <QDeadlineTimer>
 #include <QElapsedTimer>
@@ -82,7 +83,9 @@ private:
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
   void sayWhatGaveWay(const Region& before, const FoundRegion& found);
-  void leaveWhatGaveWay(const Scene& scene);
+  /// Warns of something about what is kept now.
+  void say(const QString& sentence, const QStringList& details = {}, const MessageBar::Action& action = {});
+  void leaveWhatWasSaid(const Scene& scene);
   void measureLabels(const Scene& scene);
   void hideTableBesideLabels(bool isHidden, const Gesture& gesture);
   void offerCutsOfBefore(const Scene& scene);
@@ -95,10 +98,10 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
   std::vector<Cut> m_cuts;                ///< of it
   Region m_body;                          ///< of it, where it is known
-  QString m_opening; ///< labels or a folder of masks that are being read; empty: none are
-  QString m_gaveWay; ///< the sentence about labels whose place others took, where it is still said
-  std::vector<std::string> m_cameInstead; ///< the files of those others
-  QString m_doing;                        ///< what is worked at, in words
+  QString m_opening;                 ///< labels or a folder of masks that are being read; empty: none are
+  QString m_said;                    ///< the sentence about what was kept last, where it may still be said
+  std::vector<std::string> m_saidOf; ///< the files of its labels
+  QString m_doing;                   ///< what is worked at, in words
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
   bool m_goesOn = false;                        ///< as a part of a gesture, of which none need take anything

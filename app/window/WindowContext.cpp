@@ -70,13 +70,16 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
                             window.centralWidget())),
       planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
   m_column.addWidget(&planes, 1);
-  new MessageOrder({&unsafe, &recovery, &kept, &messages, &unwritten, &patient, &tour}, &window);
+  // What is said of that which was just opened goes before what was left for it.
+  new MessageOrder({&unsafe, &recovery, &messages, &kept, &unwritten, &patient, &tour}, &window);
   for (MessageBar* bar : {&patient, &tour})
     bar->setBriefWhenLate(true);
   keepCubeFree();
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
+  QObject::connect(&session.undoStack(), &QUndoStack::indexChanged, &window,
+                   [this](int steps) { leaveUndone(steps); });
 }
 
 MessageBar& WindowContext::addBar(const char* name) {
@@ -140,6 +143,20 @@ void WindowContext::keepClear(HintBar& bar) const {
 
 void WindowContext::showError(const QString& sentence) const {
   messages.show(MessageBar::Kind::error, sentence);
+}
+
+void WindowContext::messageGoesWithLastStep() {
+  m_saidOfStep = messages.sentence();
+  m_stepSaid = session.undoStack().index();
+}
+
+// With another volume all steps go.
+void WindowContext::leaveUndone(int steps) {
+  if (m_saidOfStep.isEmpty() || steps >= m_stepSaid)
+    return;
+  if (messages.sentence() == m_saidOfStep)
+    messages.hide();
+  m_saidOfStep.clear();
 }
 
 } // namespace limn

@@ -89,6 +89,9 @@ struct WindowContext {
   /// Says what went wrong in the bar above the picture.
   void showError(const QString& sentence) const;
 
+  /// What the bar of messages says now is about the last undo step, and goes where that is undone.
+  void messageGoesWithLastStep();
+
   QMainWindow& window;
   UserFolders folders;
   std::optional<MemoryBudget> memory;
@@ -103,6 +106,9 @@ private:
   QVBoxLayout& m_column; ///< of the middle
   MessageBar& addBar(const char* name);
   void keepCubeFree();
+  void leaveUndone(int steps);
+  QString m_saidOfStep; ///< the sentence about an undo step; empty: none is said
+  int m_stepSaid = 0;   ///< how many steps there were with that one
 
 public:
   MessageBar& recovery; ///< offers what an earlier window left behind

@@ -37,12 +37,30 @@ std::optional<double> secondsLeft(double fraction, double seconds) {
   return seconds * (1.0 - fraction) / fraction;
 }
 
-QString TimeLeft::text(double fraction) const {
+void TimeLeft::begin(std::size_t pictures) {
+  m_pictures = std::max(1.0, static_cast<double>(pictures));
+  m_last.reset();
+  m_clock.start();
+}
+
+QString TimeLeft::text(double fraction) {
   const double seconds = m_clock.isValid() ? 1e-3 * static_cast<double>(m_clock.elapsed()) : 0.0;
-  const std::optional<double> left = secondsLeft(fraction, seconds);
-  return left && *left >= leastSeconds
-             ? QLatin1Char(' ') + QObject::tr("(%1 left)", "a time").arg(aboutText(*left))
+  const std::optional<double> still = left(fraction, seconds);
+  return still && *still >= leastSeconds
+             ? QLatin1Char(' ') + QObject::tr("(%1 left)", "a time").arg(aboutText(*still))
              : QString();
+}
+
+std::optional<double> TimeLeft::left(double fraction, double seconds) {
+  constexpr double rounding = 1e-9; // of the share that is done as the last picture begins
+  const double ofLast = fraction * m_pictures - (m_pictures - 1.0);
+  if (ofLast < rounding)
+    return std::nullopt;
+  if (!m_last)
+    m_last = {ofLast, seconds};
+  const double rest = 1.0 - m_last->fraction;
+  return rest > 0.0 ? secondsLeft((ofLast - m_last->fraction) / rest, seconds - m_last->seconds)
+                    : std::nullopt;
 }
 
 } // namespace limn

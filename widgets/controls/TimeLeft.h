@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QString>
 
+#include <cstddef>
 #include <optional>
 
 namespace limn {
@@ -15,17 +16,31 @@ QString aboutText(double seconds);
 /// in the first two seconds and the first hundredth, of which nothing follows.
 std::optional<double> secondsLeft(double fraction, double seconds);
 
-/// Tells it of work under way.
+/// Tells it of work under way, by its pace since it was first seen to come on: what is prepared before says
+/// nothing. Of several pictures in one file each has an equal share of the work and takes a time of its own,
+/// so that nothing is known before the last.
 class TimeLeft {
 public:
-  void begin() { m_clock.start(); }
+  void begin(std::size_t pictures = 1);
 
   /// " (about 4 min left)" behind what is said of the work at this fraction; empty where nothing is known and
   /// where it is as good as done.
-  QString text(double fraction) const;
+  QString text(double fraction);
+
+  /// How long work still takes that came to this fraction so many seconds after it began, s: from the pace of
+  /// the last picture.
+  std::optional<double> left(double fraction, double seconds);
 
 private:
+  /// How far the last picture came, and when.
+  struct Place {
+    double fraction = 0.0;
+    double seconds = 0.0;
+  };
+
   QElapsedTimer m_clock;
+  double m_pictures = 1.0;
+  std::optional<Place> m_last; ///< where that was first seen to come on; absent before
 };
 
 } // namespace limn

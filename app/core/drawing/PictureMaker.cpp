@@ -51,9 +51,9 @@ bool leavesLightUnmeasured(const Scene& scene, const Drawer& by) {
   return by.engine == Engine::rayCaster && hasTravellingLight(scene);
 }
 
-// Draws a scene with the steps that keep its tolerance.
-MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
-                       const Drawer& by) {
+// Draws a scene with the steps that keep its tolerance. `trial` draws what is only looked at on the way.
+MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,
+                       const DrawScene& trial, StepControl control, const Drawer& by) {
   const auto made = [&](const Scene& drawn) {
     return MadePicture{draw(drawn, size),
                        drawn,
@@ -62,7 +62,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                        {},
                        false,
                        leavesLightUnmeasured(drawn, by) ? ImageError()
-                                                        : errorOfFilter(drawn, size, draw, by.filterBits),
+                                                        : errorOfFilter(drawn, size, trial, by.filterBits),
                        {}};
   };
   if (!needsSteps(scene)) {
@@ -75,7 +75,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                       "told with --engine cpu alone."));
     return picture;
   }
-  const WithinTolerance found = withinTolerance(scene, size, draw, control, by.filterBits);
+  const WithinTolerance found = withinTolerance(scene, size, trial, control, by.filterBits);
   MadePicture picture = made(found.scene);
   picture.steps = Message::tr("The picture is %1.").arg(describe(found));
   if (!found.holds)
@@ -131,7 +131,8 @@ void putInto(DrawnByPaths made, MadePicture& picture) {
     picture.notes.push_back(note);
 }
 
-// Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part.
+// Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part. Trials
+// tell nothing: how far a picture is would begin anew with each.
 template <class Renderer, class Draw>
 void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, const Effort& effort,
               StepControl control, const Drawer& by) {
@@ -139,9 +140,13 @@ void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, cons
   for (std::size_t i = 0; i < sitting.scenes.size(); ++i) {
     const auto place = static_cast<double>(i);
     const Effort part = partOf(effort, place / count, (place + 1.0) / count);
+    Effort silent = part;
+    silent.report = nullptr;
     MadePicture picture = makeWithin(
         sitting.scenes[i], sitting.size,
-        [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, part); }, control, by);
+        [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, part); },
+        [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, silent); }, control,
+        by);
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
     picture.canBeEstimated = stepsSeeFunction(renderer, picture.scene);
@@ -281,7 +286,7 @@ std::string exactnessOf(const MadePicture& picture) {
 
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
                            const Scene& scene, const glm::ivec2& size, const std::string& name) {
-  return makeWithin(scene, size, draw, StepControl::cells, {Engine::cpu, name});
+  return makeWithin(scene, size, draw, draw, StepControl::cells, {Engine::cpu, name});
 }
 
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {

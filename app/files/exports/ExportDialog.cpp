@@ -93,7 +93,7 @@ void ExportDialog::showProgress(double fraction) {
   m_bar->show();
   if (!wasWorking) {
     m_before = focusWidget();
-    m_left.begin();
+    m_left.begin(m_pictures);
   }
   setStartable(false);
   m_close->setText(tr("Cancel"));

@@ -72,6 +72,9 @@ protected:
   /// What is said once work is ended: what is true of that which begins now.
   void setCancelled(const QString& sentence) { m_cancelled = sentence; }
 
+  /// The work that begins next draws so many pictures one after another, each in a time of its own.
+  void setPictures(std::size_t count) { m_pictures = count; }
+
   /// Nothing is worked at any more; `sentence` says what came of it.
   void end(const QString& sentence);
 
@@ -95,6 +98,7 @@ private:
   QProgressBar* m_bar;
   QPushButton* m_close;
   TimeLeft m_left;
+  std::size_t m_pictures = 1;
   QPointer<QWidget> m_before; ///< what had the keyboard when work began
   std::vector<QPushButton*> m_starts;
 };

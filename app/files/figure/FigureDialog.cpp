@@ -369,9 +369,11 @@ void FigureDialog::sayWhatItIs() {
   }
 }
 
-// What is to be drawn in the end.
-Figure FigureDialog::wanted() const {
+// What is to be drawn in the end. Slices take no time.
+Figure FigureDialog::wanted() {
   Figure all = askedFigure();
+  setPictures(static_cast<std::size_t>(
+      std::ranges::count_if(all.panels, [](const FigurePanel& panel) { return !panel.plane; })));
   if (isExact())
     for (FigurePanel& panel : all.panels)
       if (Quality& quality = panel.scene.quality; !quality.toleranceLevels) {

@@ -64,7 +64,7 @@ private:
   void sayWhatItIs();
   void save();
   void copy();
-  Figure wanted() const;
+  Figure wanted();
   Figure withWhatIsKnown(Figure figure) const;
 
   std::function<FigureLooks()> m_looks;

@@ -5,6 +5,7 @@
 #include "widgets/figure/FigureText.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/overlay/OrientationCube.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include <QObject>
 
@@ -25,12 +26,22 @@ PanelSource withLook(const QString& pattern, const Scene& scene, const QString& 
   return {pattern.arg(name), std::move(panel)};
 }
 
+// As on screen, each by its own model, which is named where the two differ in it.
 void addLooks(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  if (from.look)
-    for (std::size_t side = 0; side < 2; ++side)
-      sources.push_back(withLook(QObject::tr("Compared: %1"),
-                                 side == 0 ? withPreset(from.scene, from.look->shown) : from.scene,
-                                 QString::fromStdString(from.look->names[side])));
+  if (!from.look)
+    return;
+  Comparison compared;
+  compared.scene = from.scene;
+  compared.layout = CompareLayout::sideBySide;
+  compared.look = from.look;
+  const std::vector<Scene> sides = scenesOfSides(compared);
+  const bool haveOneModel = sideTitle(sides[0]) == sideTitle(sides[1]);
+  for (int side = 0; side < 2; ++side) {
+    const auto at = static_cast<std::size_t>(side);
+    const QString name =
+        haveOneModel ? QString::fromStdString(from.look->names[at]) : sideTitle(compared, side);
+    sources.push_back(withLook(QObject::tr("Compared: %1"), sides[at], name));
+  }
 }
 
 void addRemembered(std::vector<PanelSource>& sources, const FigureIngredients& from) {

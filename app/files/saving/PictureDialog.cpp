@@ -24,6 +24,7 @@ namespace {
 constexpr double cmPerInch = 2.54;
 constexpr double narrowestCm = 2.0;
 constexpr double widestCm = 60.0;
+constexpr int narrowest = 16;      // pixels
 constexpr int longestSide = 16384; // of a picture in a file, pixels: more than drivers draw at once
 constexpr int changesPaths = 2;    // what the dialog ends with beside Accepted and Rejected
 
@@ -43,6 +44,8 @@ double scaleOf(const PictureOptions& options, int screenWidth) {
     return 4.0;
   case PictureOptions::Size::print:
     return options.printCm / cmPerInch * printDotsPerInch / std::max(1, screenWidth);
+  case PictureOptions::Size::pixels:
+    return double(options.widthPixels) / std::max(1, screenWidth);
   }
   return 1.0;
 }
@@ -53,15 +56,16 @@ QString writtenOptions(const PictureOptions& options) {
                     wordOf(static_cast<int>(options.ground))};
   for (const bool mark : {marks.names, marks.letters, marks.scale, marks.warning, marks.measurements})
     words << wordOf(mark ? 1 : 0);
+  words << wordOf(options.widthPixels);
   return words.join(QLatin1Char(' '));
 }
 
 PictureOptions readOptions(const QString& text) {
   const QStringList words = text.split(QLatin1Char(' '));
   PictureOptions options;
-  if (words.size() != 8)
+  if (words.size() < 8)
     return options;
-  options.size = static_cast<PictureOptions::Size>(std::clamp(words[0].toInt(), 0, 3));
+  options.size = static_cast<PictureOptions::Size>(std::clamp(words[0].toInt(), 0, 4));
   if (const double cm = words[1].toDouble(); cm >= narrowestCm && cm <= widestCm)
     options.printCm = cm;
   options.ground = static_cast<PictureOptions::Ground>(std::clamp(words[2].toInt(), 0, 3));
@@ -69,6 +73,8 @@ PictureOptions readOptions(const QString& text) {
   int at = 3;
   for (bool* mark : {&marks.names, &marks.letters, &marks.scale, &marks.warning, &marks.measurements})
     *mark = words[at++].toInt() != 0;
+  if (const int width = words.value(at).toInt(); width >= narrowest && width <= longestSide)
+    options.widthPixels = width;
   return options;
 }
 
@@ -86,27 +92,36 @@ QString groundRemark(const QString& path, const PictureOptions& options) {
 PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,
                              PictureKind kind, const DrawingTold& told)
     : QDialog(parent), m_screen(screen), m_told(told), m_size(new QComboBox(this)),
-      m_cm(new NumberField(narrowestCm, widestCm, 1, this)), m_ground(new QComboBox(this)),
+      m_cm(new NumberField(narrowestCm, widestCm, 1, this)),
+      m_width(new NumberField(narrowest, longestSide, 0, this)), m_ground(new QComboBox(this)),
       m_pixels(new QLabel(this)) {
   setObjectName(QStringLiteral("pictureDialog"));
   setWindowTitle(kind == PictureKind::slice ? tr("Save the slice") : tr("Save the picture"));
   m_size->setObjectName(QStringLiteral("pictureSize"));
   m_pixels->setObjectName(QStringLiteral("picturePixels"));
-  m_size->addItems(
-      {tr("As on screen"), tr("Twice as large"), tr("Four times as large"), tr("For print, 300 dpi")});
+  m_size->addItems({tr("As on screen"), tr("Twice as large"), tr("Four times as large"),
+                    tr("For print, 300 dpi"), tr("Width in pixels")});
   m_size->setCurrentIndex(static_cast<int>(options.size));
   m_cm->setObjectName(QStringLiteral("pictureWidth"));
   m_cm->setSuffix(QChar(0x00a0) + tr("cm"));
   m_cm->setAccessibleName(tr("Width on paper"));
   m_cm->setNumber(options.printCm);
+  m_width->setObjectName(QStringLiteral("pictureWidthPixels"));
+  m_width->setSuffix(QChar(0x00a0) + tr("pixels"));
+  m_width->setAccessibleName(tr("Width in pixels"));
+  m_width->setToolTip(tr("The height follows from the shape of the picture."));
+  m_width->setNumber(options.widthPixels);
   m_ground->setObjectName(QStringLiteral("pictureGround"));
   m_ground->addItems({tr("As on screen"), tr("White"), tr("Black"), tr("Transparent")});
   m_ground->setCurrentIndex(static_cast<int>(options.ground));
   m_ground->setToolTip(tr("What stands behind the tissue. JPEG knows no transparent ground."));
 
   auto* form = new QFormLayout;
+  if (!told.remark.isEmpty())
+    addRemark(*form);
   form->addRow(tr("Si&ze"), m_size);
   form->addRow(tr("&Width"), m_cm);
+  form->addRow(tr("&Width"), m_width);
   form->addRow(QString(), m_pixels);
   if (!told.paths.isEmpty())
     addPaths(*form);
@@ -119,14 +134,14 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
           kind == PictureKind::slice ? tr("&Names: plane, place, window") : tr("&Names, and what is hidden"),
           on.names);
   addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
-  addMark("pictureScale", tr("&Scale bar"), on.scale);
+  addMark("pictureScale", tr("Scale &bar"), on.scale);
   addMark("pictureWarning", tr("\"Not for &diagnosis\""), on.warning);
   addMark("pictureMeasurements", tr("&Measurements"), on.measurements);
   for (QCheckBox* mark : m_marks)
     marks->addWidget(mark);
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  auto* save = buttons->addButton(tr("Save…"), QDialogButtonBox::AcceptRole);
+  auto* save = buttons->addButton(tr("&Save…"), QDialogButtonBox::AcceptRole);
   save->setObjectName(QStringLiteral("pictureSave"));
   save->setDefault(true);
   auto* column = new QVBoxLayout(this);
@@ -136,12 +151,22 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   const auto show = [this, form] {
-    form->setRowVisible(m_cm, m_size->currentIndex() == static_cast<int>(PictureOptions::Size::print));
+    const auto size = static_cast<PictureOptions::Size>(m_size->currentIndex());
+    form->setRowVisible(m_cm, size == PictureOptions::Size::print);
+    form->setRowVisible(m_width, size == PictureOptions::Size::pixels);
     tellSize();
   };
   connect(m_size, &QComboBox::currentIndexChanged, this, show);
-  connect(m_cm, &NumberField::numberEdited, this, &PictureDialog::tellSize);
+  for (const NumberField* width : {m_cm, m_width})
+    connect(width, &NumberField::numberEdited, this, &PictureDialog::tellSize);
   show();
+}
+
+void PictureDialog::addRemark(QFormLayout& form) {
+  auto* remark = new QLabel(m_told.remark, this);
+  remark->setObjectName(QStringLiteral("pictureRemark"));
+  remark->setWordWrap(true);
+  form.addRow(remark);
 }
 
 // They stand among the properties of light, which the dialog is in the way of.
@@ -170,6 +195,7 @@ PictureOptions PictureDialog::options() const {
   PictureOptions options;
   options.size = static_cast<PictureOptions::Size>(m_size->currentIndex());
   options.printCm = m_cm->number();
+  options.widthPixels = qRound(m_width->number());
   options.ground = static_cast<PictureOptions::Ground>(m_ground->currentIndex());
   options.marks = {m_marks[0]->isChecked(), m_marks[1]->isChecked(), m_marks[2]->isChecked(),
                    m_marks[3]->isChecked(), m_marks[4]->isChecked()};
@@ -178,7 +204,8 @@ PictureOptions PictureDialog::options() const {
 
 void PictureDialog::tellSize() {
   const double scale = scaleOf(options(), m_screen.width());
-  const QSize size = m_screen * scale;
+  const int beside = m_told.beside; // each is drawn by itself, in whole pixels
+  const QSize size(beside * qRound(m_screen.width() * scale / beside), qRound(m_screen.height() * scale));
   const double seconds = m_told.seconds ? m_told.seconds(scale).value_or(0.0) : 0.0;
   const bool fits = std::max(size.width(), size.height()) <= longestSide;
   const QString pixels = tr("%1 × %2 pixels").arg(size.width()).arg(size.height());

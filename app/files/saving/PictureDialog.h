@@ -22,11 +22,12 @@ class Settings;
 
 /// How a picture of the view is saved.
 struct PictureOptions {
-  enum class Size { screen, twice, fourTimes, print };
+  enum class Size { screen, twice, fourTimes, print, pixels };
   enum class Ground { shown, white, black, transparent };
 
   Size size = Size::screen;
-  double printCm = 17.0; ///< its width on paper, > 0; of `print` alone
+  double printCm = 17.0;  ///< its width on paper, > 0; of `print` alone
+  int widthPixels = 1920; ///< > 0; of `pixels` alone
   Ground ground = Ground::shown;
   SavedMarks marks;
   bool operator==(const PictureOptions&) const = default;
@@ -53,6 +54,8 @@ enum class PictureKind { view, slice };
 struct DrawingTold {
   /// How long one takes that is larger by `scale`, s; absent where nobody knows. Empty: it takes no time.
   std::function<std::optional<double>(double scale)> seconds = {};
+  int beside = 1;                         ///< so many pictures of one size stand beside each other in it
+  QString remark = {};                    ///< on what is saved; empty: nothing need be said
   QString paths = {};                     ///< of physical light: how far it is drawn; empty: there is none
   std::function<void()> changePaths = {}; ///< leads to where that is set, once the dialog is closed
 };
@@ -70,6 +73,7 @@ public:
   PictureOptions options() const;
 
 private:
+  void addRemark(QFormLayout& form);
   void addPaths(QFormLayout& form);
   void addMark(const char* name, const QString& text, bool isOn);
   void tellSize();
@@ -78,6 +82,7 @@ private:
   DrawingTold m_told;
   QComboBox* m_size;
   NumberField* m_cm;
+  NumberField* m_width; ///< pixels
   QComboBox* m_ground;
   QLabel* m_pixels;
   std::vector<QCheckBox*> m_marks; ///< in the order of SavedMarks

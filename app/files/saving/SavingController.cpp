@@ -25,6 +25,8 @@
 namespace limn {
 namespace {
 
+constexpr int cancelledToldForMs = 4000;
+
 // What chance says of the pictures on screen, of the worse of two; absent until it does.
 std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
   if (state.sides.size() == 1 && state.sides.front().paths && state.sides.front().paths->p99_9Levels) {
@@ -103,6 +105,7 @@ PictureSaving::PictureSaving(WindowContext& context)
   });
   connect(m_stop, &QToolButton::clicked, this, [this] {
     forget();
+    m_context.window.statusBar()->showMessage(tr("Cancelled; nothing was saved."), cancelledToldForMs);
     emit cancelled();
   });
   forget();
@@ -138,6 +141,11 @@ DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
   for (const Scene& scene : asked)
     if (isPhysical(scene))
       told.paths = savedPathsText(scene.shading.physical);
+  if (m_context.session.planes().layout != PlaneLayout::pictureOnly)
+    told.remark =
+        tr("The 3D picture is saved without the slices: a right click on a slice saves that one, and "
+           "File ▸ Save figure puts both in one file.");
+  told.beside = m_context.view.compareLayout() == CompareLayout::sideBySide ? 2 : 1;
   told.changePaths = [this] { emit pathsWanted(); };
   told.seconds = [this, asked](double scale) -> std::optional<double> {
     const std::vector<SideState> sides = m_context.view.pictureState().sides; // of now: they go on
@@ -359,7 +367,7 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
   const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
   m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name, QString::number(columns), QString::number(size.y));
-  m_left.begin();
+  m_left.begin(scenes.size());
   emit drawing(m_drawn);
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {

@@ -150,5 +150,22 @@ TEST_F(LabelFilesWindow, whatIsSaidOfLabelsThatGaveWayGoesWhereThatIsUndone) {
   EXPECT_FALSE(messages().isVisible()) << "undo brings them back by now";
 }
 
+TEST_F(LabelFilesWindow, whatIsSaidOfMasksThatOverlapGoesWhereTheyAreUndone) {
+  write("label_Head.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 1 : 0; });
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  ASSERT_TRUE(openLabels("label_Head.nrrd"));
+  ASSERT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("lie in two masks")))
+      << messages().sentence().toStdString();
+  undo().undo();
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+  // Both steps at once, as the list of steps goes back.
+  undo().redo();
+  ASSERT_TRUE(openLabels("label_Brain.nrrd"));
+  ASSERT_TRUE(messages().isVisible());
+  undo().setIndex(0);
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+}
+
 } // namespace
 } // namespace limn

@@ -178,7 +178,10 @@ TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {
   ASSERT_TRUE(messages().isVisible() && !tour.isVisible());
   EXPECT_FALSE(goes(messages()));
   bar("keptBar").show(MessageBar::Kind::note, QStringLiteral("Your work is kept."));
-  EXPECT_TRUE(bar("keptBar").isVisible() && !messages().isVisible());
+  EXPECT_TRUE(messages().isVisible() && !bar("keptBar").isVisible()) << "what was opened comes first";
+  messages().hide();
+  EXPECT_TRUE(bar("keptBar").isVisible());
+  EXPECT_TRUE(goes(bar("keptBar")));
   messages().show(MessageBar::Kind::error, QStringLiteral("This went wrong."));
   EXPECT_TRUE(messages().isVisible() && !bar("keptBar").isVisible()) << "errors wait for no note";
   messages().hide();

@@ -23,8 +23,26 @@ TEST(TimeLeft, isToldNoFinerThanItIsKnown) {
   EXPECT_EQ(aboutText(30.0 * 3600.0), QStringLiteral("about 30 h"));
 }
 
+TEST(TimeLeft, followsFromThePaceSinceWorkWasSeenToComeOn) {
+  TimeLeft one;
+  one.begin();
+  EXPECT_FALSE(one.left(0.0, 0.0));
+  EXPECT_FALSE(one.left(0.25, 50.0)) << "what was prepared before is no pace";
+  EXPECT_NEAR(one.left(0.5, 60.0).value_or(0.0), 20.0, 1e-12) << "a quarter in ten seconds"; // rounding
+  EXPECT_EQ(one.left(1.0, 80.0), 0.0);
+}
+
+TEST(TimeLeft, ofSeveralPicturesIsKnownInTheLastByItsOwnPace) {
+  TimeLeft two;
+  two.begin(2);
+  EXPECT_FALSE(two.left(0.25, 10.0)) << "the second may take longer";
+  EXPECT_FALSE(two.left(0.5, 20.0)) << "it begins";
+  EXPECT_FALSE(two.left(0.625, 30.0)) << "a quarter of it was there as it was first seen";
+  EXPECT_NEAR(two.left(0.75, 40.0).value_or(0.0), 20.0, 1e-12) << "half in twice the time of a quarter";
+}
+
 TEST(TimeLeft, isEmptyBeforeWorkBegins) {
-  const TimeLeft left;
+  TimeLeft left;
   EXPECT_TRUE(left.text(0.5).isEmpty());
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of physical light until paths, levels or seconds are reached, and what they tell of themselves.
+// Pictures of physical light until paths, levels or seconds are reached, and what they tell of themselves;
+// and how far pictures of rays tell that they are.
 #include "app/core/drawing/PathDrawing.h"
 #include "app/core/drawing/PathAccuracy.h"
 #include "app/core/drawing/PictureMaker.h"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -103,6 +105,22 @@ TEST(PathDrawing, theErrorOfASinglePathIsNotKnown) {
   for (ControlPoint& point : nothing.transferFunction.points)
     point.opacity = 0.0;
   EXPECT_EQ(pathErrors(nothing, fewPixels, {2, {}, {}}).error, ImageError{});
+}
+
+// The pictures from which steps are found are none of those that are asked for.
+TEST(PictureProgress, neverGoesBack) {
+  Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
+  scene.quality.toleranceLevels = 0.5;
+  std::vector<double> told;
+  MakingOptions order;
+  order.engine = Engine::cpu;
+  order.effort.threads = 2;
+  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  constexpr glm::ivec2 severalStrips{16, 400};
+  makeEach({scene, scene}, severalStrips, order, [](std::size_t, const MadePicture&) {});
+  ASSERT_GE(told.size(), 4u) << "two strips of each at least";
+  EXPECT_EQ(std::ranges::adjacent_find(told, std::ranges::greater_equal()), told.end()) << "each strip once";
+  EXPECT_EQ(told.back(), 1.0);
 }
 
 } // namespace

@@ -300,6 +300,20 @@ TEST_F(SessionWindow, whatAnotherVolumeReplacesIsSaidToBeKeptAndComesBack) {
   EXPECT_FALSE(bar()->isWanted()) << "it is saved";
 }
 
+TEST_F(SessionWindow, whatIsSaidOfTheOpenedVolumeComesBeforeWhatIsKept) {
+  test::writeBytes(folder.path() / "plain.nrrd",
+                   "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n" +
+                       std::string(63, '\0') + '\x50');
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  ASSERT_TRUE(open(pathTo("plain.nrrd")));
+  EXPECT_NE(offer(*window, QStringLiteral("Set spacing…")), nullptr) << messages().sentence().toStdString();
+  EXPECT_EQ(offer(*window, QStringLiteral("Bring back")), nullptr);
+  messages().hide();
+  EXPECT_NE(offer(*window, QStringLiteral("Bring back")), nullptr) << "it follows";
+}
+
 TEST_F(SessionWindow, beforeAVolumeIsReadTheSessionIsOnTheDisk) {
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/core/sources/BuiltInPresets.h"
 #include "app/figures/FigureMaker.h"
 #include "app/figures/FigureOptions.h"
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/figure/FigurePreview.h"
+#include "app/picture/ComparisonController.h"
 #include "io/ImageFile.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/planes/PlaneDeck.h"
@@ -249,6 +251,26 @@ TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
     EXPECT_EQ(compared.panels[side].name,
               side == 0 ? QStringLiteral("CT bone and veil") : QStringLiteral("CT bone and veil, modified"));
   }
+}
+
+TEST_F(FigureWindow, twoPresetsWithAModelEachAreNamedByBothAsOnScreen) {
+  const std::vector<Preset> presets = builtInPresets();
+  const auto named = [&](const char* name) {
+    return *std::ranges::find(presets, std::string(name), &Preset::name);
+  };
+  setLayout(CompareLayout::sideBySide);
+  session().usePreset(named("CT bone"), {nextGestureId(), "preset"});
+  window->findChild<ComparisonController*>()->compareWith(named("CT skin"));
+  window->findChild<QAction*>(QStringLiteral("model-left-classic"))->trigger();
+  window->findChild<QAction*>(QStringLiteral("model-right-enhanced"))->trigger();
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(ask());
+  const Figure figure = dialog().askedFigure();
+  ASSERT_EQ(figure.panels.size(), 2u);
+  EXPECT_EQ(figure.panels[0].name, QStringLiteral("CT skin · Classic"));
+  EXPECT_EQ(figure.panels[1].name, QStringLiteral("CT bone · Enhanced"));
+  for (std::size_t side = 0; side < 2; ++side)
+    EXPECT_EQ(figure.panels[side].scene.shading.model, view().scenesOfSides()[side].shading.model);
 }
 
 TEST_F(FigureWindow, pdfTiffAndExrAreWrittenByTheirEndings) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/files/exports/ExportDialog.h"
 #include "io/ImageFile.h"
+#include "widgets/controls/NumberField.h"
 
 #include <QComboBox>
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 
 #include <filesystem>
+#include <set>
 
 namespace limn::test {
 namespace {
@@ -143,6 +147,7 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   ASSERT_TRUE(stopButton().isVisible());
   QTest::mouseClick(&stopButton(), Qt::LeftButton);
   EXPECT_FALSE(stopButton().isVisible());
+  EXPECT_EQ(window->statusBar()->currentMessage(), QStringLiteral("Cancelled; nothing was saved."));
   bool isAsked = false;
   onceAsked<PictureDialog>([&isAsked](PictureDialog& dialog) {
     isAsked = true;
@@ -226,6 +231,89 @@ TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
   EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
 }
 
+// Two pictures beside each other share an odd width, of which each has whole pixels.
+TEST_F(SavedPicture, isAsWideInPixelsAsAskedForAndKeepsItsShape) {
+  const QSize shown = view().size() * view().devicePixelRatioF();
+  const auto save = [this](const char* name, const QString& width) {
+    QString promised;
+    onceAsked<PictureDialog>([&](PictureDialog& dialog) {
+      auto* size = dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"));
+      size->setCurrentIndex(size->findText(QStringLiteral("Width in pixels")));
+      auto* field = dialog.findChild<NumberField*>(QStringLiteral("pictureWidthPixels"));
+      EXPECT_TRUE(field->isVisible());
+      EXPECT_FALSE(dialog.findChild<NumberField*>(QStringLiteral("pictureWidth"))->isVisible());
+      field->selectAll();
+      QTest::keyClicks(field, width);
+      field->commit();
+      promised = dialog.findChild<QLabel*>(QStringLiteral("picturePixels"))->text();
+      QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
+    });
+    typeName(pathTo(name));
+    action(QStringLiteral("Save &picture…"))->trigger();
+    const QSize size = written(name).size();
+    EXPECT_EQ(promised, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()));
+    return size;
+  };
+  const QSize one = save("one.png", QStringLiteral("701"));
+  EXPECT_EQ(one.width(), 701);
+  EXPECT_NEAR(one.height(), 701.0 * shown.height() / shown.width(), 0.5) << "a whole number of pixels";
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  EXPECT_NEAR(save("two.png", QStringLiteral("701")).width(), 701, 1) << "two of one width";
+}
+
+TEST_F(SavedPicture, saysWhereItsSlicesAreNotInTheFile) {
+  const auto remark = [this] {
+    QString said;
+    onceAsked<PictureDialog>([&said](PictureDialog& dialog) {
+      const auto* label = dialog.findChild<QLabel*>(QStringLiteral("pictureRemark"));
+      said = label ? label->text() : QString();
+      dialog.reject();
+    });
+    action(QStringLiteral("Save &picture…"))->trigger();
+    return said;
+  };
+  EXPECT_EQ(remark(), QString());
+  PlaneSettings settings = session().planes();
+  settings.layout = PlaneLayout::pictureAndThree;
+  session().setPlanes(settings);
+  EXPECT_TRUE(remark().startsWith(QStringLiteral("The 3D picture is saved without the slices")));
+}
+
+// Alt and a letter does one thing in each dialog.
+TEST_F(SavedPicture, noTwoThingsOfADialogHaveOneKey) {
+  const auto expectOneEach = [](const QDialog& dialog) {
+    QStringList texts;
+    for (const auto* button : dialog.findChildren<QAbstractButton*>())
+      if (!button->isHidden())
+        texts << button->text();
+    for (const auto* label : dialog.findChildren<QLabel*>())
+      if (label->buddy() && !label->buddy()->isHidden())
+        texts << label->text();
+    std::set<QKeySequence> keys;
+    for (const QString& text : texts) {
+      const QKeySequence key = QKeySequence::mnemonic(text);
+      EXPECT_TRUE(key.isEmpty() || keys.insert(key).second)
+          << dialog.windowTitle().toStdString() << ": " << text.toStdString();
+    }
+    EXPECT_TRUE(keys.contains(QKeySequence(Qt::ALT | Qt::Key_S))) << "one saves";
+  };
+  onceAsked<PictureDialog>([&](PictureDialog& dialog) {
+    const auto* save = dialog.findChild<QPushButton*>(QStringLiteral("pictureSave"));
+    EXPECT_EQ(QKeySequence::mnemonic(save->text()), QKeySequence(Qt::ALT | Qt::Key_S));
+    for (const PictureOptions::Size size : {PictureOptions::Size::print, PictureOptions::Size::pixels}) {
+      dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(static_cast<int>(size));
+      expectOneEach(dialog);
+    }
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  for (const char* name : {"saveFigure", "saveTurntable"})
+    window->findChild<QAction*>(QLatin1String(name))->trigger();
+  for (ExportDialog* dialog : window->findChildren<ExportDialog*>())
+    expectOneEach(*dialog);
+}
+
 TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {
   int plain = 0, print = 0, again = 0;
   onceAsked<PictureDialog>([&](PictureDialog& dialog) {
@@ -275,6 +363,12 @@ TEST(WrittenOptions, comeBackAsTheyWere) {
   options.ground = PictureOptions::Ground::transparent;
   options.marks.scale = false;
   EXPECT_EQ(readOptions(writtenOptions(options)), options);
+  options.size = PictureOptions::Size::pixels;
+  options.widthPixels = 1234;
+  EXPECT_EQ(readOptions(writtenOptions(options)), options);
+  options.widthPixels = PictureOptions{}.widthPixels;
+  const QString withoutWidth = writtenOptions(options).section(QLatin1Char(' '), 0, -2);
+  EXPECT_EQ(readOptions(withoutWidth), options) << "as they were written before";
   EXPECT_EQ(readOptions(QStringLiteral("what is this")), PictureOptions{});
 }
 
