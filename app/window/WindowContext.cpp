@@ -73,7 +73,7 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   new MessageOrder({&unsafe, &recovery, &kept, &messages, &unwritten, &patient, &tour}, &window);
   for (MessageBar* bar : {&patient, &tour})
     bar->setBriefWhenLate(true);
-  keepCubeFree();
+  placeBars();
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
@@ -98,8 +98,8 @@ MakingOptions WindowContext::drawnLikeTheView() const {
   return order;
 }
 
-// A click on the cube turns the picture, also while something is said of it.
-void WindowContext::keepCubeFree() {
+// Slices stay free, and the cube: a click on it turns the picture, also while something is said of it.
+void WindowContext::placeBars() {
   const auto cubePlace = [this] {
     const OverlaySource source{view.order(), view.pictureState()};
     const auto cube = source.comparison.scene.volume ? orientationCubeOf(source) : std::nullopt;
@@ -107,6 +107,7 @@ void WindowContext::keepCubeFree() {
                 : QRect();
   };
   for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten}) {
+    bar->setPart(view);
     bar->setKeptFree(cubePlace);
     QObject::connect(&view, &CompareView::told, bar, &MessageBar::lookAgain);
   }

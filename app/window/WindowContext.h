@@ -102,7 +102,7 @@ struct WindowContext {
 private:
   QVBoxLayout& m_column; ///< of the middle
   MessageBar& addBar(const char* name);
-  void keepCubeFree();
+  void placeBars();
 
 public:
   MessageBar& recovery; ///< offers what an earlier window left behind
