@@ -76,7 +76,8 @@ void CropBoxController::followUndo(int steps) {
     return;
   const bool comesBack = m_begun->isUndone;
   const Scene& scene = m_context.session.scene();
-  if (scene.volume != m_begun->volume || (comesBack && !isBegun(scene)))
+  const bool isTurned = m_context.view.order().comparison.turnedBox.has_value(); // another box
+  if (scene.volume != m_begun->volume || isTurned || (comesBack && !isBegun(scene)))
     return m_begun.reset();
   if (!comesBack && isBegun(scene))
     return; // another step was undone
