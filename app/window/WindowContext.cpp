@@ -100,11 +100,10 @@ MakingOptions WindowContext::drawnLikeTheView() const {
 
 // Slices stay free, and the cube: a click on it turns the picture, also while something is said of it.
 void WindowContext::placeBars() {
-  const auto cubePlace = [this] {
-    const OverlaySource source{view.order(), view.pictureState()};
+  const auto cubePlace = [&seen = view, middle = window.centralWidget()] {
+    const OverlaySource source{seen.order(), seen.pictureState()};
     const auto cube = source.comparison.scene.volume ? orientationCubeOf(source) : std::nullopt;
-    return cube ? cube->plate.toAlignedRect().translated(view.mapTo(window.centralWidget(), QPoint()))
-                : QRect();
+    return cube ? cube->plate.toAlignedRect().translated(seen.mapTo(middle, QPoint())) : QRect();
   };
   for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten}) {
     bar->setPart(view);

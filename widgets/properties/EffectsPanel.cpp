@@ -31,9 +31,9 @@ QString sentence(QString phrase) {
 // "12 ms ± 3"; a cost that is lost in its spread is about none.
 QString costWithSpread(const EffectCost& cost) {
   const QString text = translated(costText(cost));
-  return isLost(cost) ? text
-                      : EffectsPanel::tr("%1 ± %2").arg(
-                            text, fixedNumber(cost.spreadMs, cost.spreadMs < 10.0 ? 1 : 0));
+  return isLostInSpread(cost) ? text
+                              : EffectsPanel::tr("%1 ± %2").arg(
+                                    text, fixedNumber(cost.spreadMs, cost.spreadMs < 10.0 ? 1 : 0));
 }
 
 void setTextColor(QLabel& label, const QColor& color) {

@@ -271,7 +271,8 @@ private:
   HWY_INLINE Looks::Mixed mixedAt(int node, int part, VF factor) const {
     const VF scalar = scalarAt(node, part);
     const Mask every = hn::Eq(scalar, scalar);
-    return m_samples.looks.mixedAt(m_samples.indexAt(placesOf(node, part)), scalar, factor, every, true);
+    return m_samples.looks.mixedAt(m_samples.indexAt(placesOf(node, part)), scalar, factor, every,
+                                   Looks::Colors::ofAll);
   }
 
   // What lies at a node of some pieces absorbs, where no gradient changes that.

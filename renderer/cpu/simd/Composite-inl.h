@@ -173,7 +173,7 @@ private:
   // What looks make of samples whose gradients are known.
   HWY_INLINE Looks::Mixed mixedAt(VF step, VF scalar, const Gradients& gradients, Mask wanted) const {
     const VF factor = m_changesOpacity ? m_samples.light.opacityFactor(gradients) : all(1.0f);
-    return m_samples.looks.mixedAt(m_samples.indexAt(step), scalar, factor, wanted, true);
+    return m_samples.looks.mixedAt(m_samples.indexAt(step), scalar, factor, wanted, Looks::Colors::ofSeen);
   }
 
   // Lights and adds the seen samples of a group. Returns how many they are.

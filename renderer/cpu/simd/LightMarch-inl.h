@@ -223,7 +223,7 @@ private:
     const bool changes = m_terms.effects.hasAny(opacityChanges);
     if (m_looks.areAny()) {
       const VF factor = changes ? factorAt(index) : all(1.0f);
-      const Looks::Mixed mixed = m_looks.mixedAt(index, scalar, factor, wanted, false);
+      const Looks::Mixed mixed = m_looks.mixedAt(index, scalar, factor, wanted, Looks::Colors::ofNone);
       return hn::IfThenElseZero(mixed.seen, mixed.extinction);
     }
     VF opacity;

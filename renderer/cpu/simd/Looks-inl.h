@@ -27,22 +27,26 @@ public:
 
   bool areAny() const { return m_terms.effects.has(Effect::labelLooks); }
 
+  /// Of which samples colours are found: of all, those that absorb nothing have their only look's, or are
+  /// black where looks meet.
+  enum class Colors { ofNone, ofSeen, ofAll };
+
   /// What samples absorb.
   struct Mixed {
     Mask seen;     // where some look has an opacity, whatever the factor makes of it
-    V3 color;      // if asked for
+    V3 color;      // as asked for
     VF extinction; // per length
   };
 
   /// Samples at continuous voxel indices with the scalars there, their opacities times `factor`.
-  HWY_NOINLINE Mixed mixedAt(const V3& index, VF scalar, VF factor, Mask wanted, bool withColor) const {
+  HWY_NOINLINE Mixed mixedAt(const V3& index, VF scalar, VF factor, Mask wanted, Colors colors) const {
     HWY_ALIGN float alone[most];
     const LookBits bits = looksOfCells(index, wanted, alone);
     const VF look = hn::Load(floats, alone);
     const Mask meets = hn::AndNot(hn::Ge(look, hn::Zero(floats)), wanted);
     if (hn::AllFalse(floats, meets) && std::has_single_bit(bits))
-      return byOne(std::countr_zero(bits), index, scalar, factor, wanted, withColor);
-    return bySeveral(bits, look, meets, index, scalar, factor, wanted, withColor);
+      return byOne(std::countr_zero(bits), index, scalar, factor, wanted, colors);
+    return bySeveral(bits, look, meets, index, scalar, factor, wanted, colors);
   }
 
   /// Of pre-integrated steps those that lie within one look.
@@ -158,7 +162,7 @@ private:
   }
 
   HWY_NOINLINE Mixed byOne(int look, const V3& index, VF scalar, VF factor, Mask wanted,
-                           bool withColor) const {
+                           Colors colors) const {
     const Function function = functionOf(look);
     Mixed mixed{wanted, zero(), hn::Zero(floats)};
     VF opacity;
@@ -168,10 +172,12 @@ private:
       opacity = hn::Mul(opacity, weight);
       mixed.seen = hn::And(mixed.seen, hn::Gt(weight, hn::Zero(floats)));
     }
+    if (colors == Colors::ofAll)
+      mixed.color = function.colorAt(scalar, wanted);
     if (hn::AllFalse(floats, mixed.seen))
       return mixed;
     mixed.extinction = hn::IfThenElseZero(mixed.seen, extinctionOf(look, opacity, factor));
-    if (withColor)
+    if (colors == Colors::ofSeen)
       mixed.color = function.colorAt(scalar, mixed.seen);
     return mixed;
   }
@@ -200,8 +206,9 @@ private:
   }
 
   HWY_NOINLINE Mixed bySeveral(LookBits bits, VF alone, Mask meets, const V3& index, VF scalar, VF factor,
-                               Mask wanted, bool withColor) const {
+                               Mask wanted, Colors colors) const {
     Mixed mixed{none(), zero(), hn::Zero(floats)};
+    const LookBits ofAlone = bits;
     const bool anyMeets = !hn::AllFalse(floats, meets);
     Around around;
     if (anyMeets) {
@@ -222,16 +229,19 @@ private:
       looks[count++] = look;
       mixed.seen = hn::Or(mixed.seen, seen[count - 1]);
     }
-    if (count == 0)
+    if (count == 0) {
+      if (colors == Colors::ofAll)
+        colorUnseen(ofAlone, alone, scalar, wanted, mixed);
       return mixed;
-    const VF ofAlone = m_hasRegion ? weightAt(index) : all(1.0f);
+    }
+    const VF weightAlone = m_hasRegion ? weightAt(index) : all(1.0f);
     const bool mixes = anyMeets && !hn::AllFalse(floats, hn::And(meets, mixed.seen));
     if (mixes && m_hasRegion)
       weighAround(index, around);
     mixed.seen = none();
     VF extinctions[mostFunctions];
     for (int i = 0; i < count; ++i) {
-      VF share = all(1.0f), weight = ofAlone;
+      VF share = all(1.0f), weight = weightAlone;
       if (mixes) {
         VF met, weighed;
         shareOf(around, all(static_cast<float>(looks[i])), m_hasRegion, met, weighed);
@@ -246,7 +256,7 @@ private:
       mixed.extinction = hn::Add(mixed.extinction, extinctions[i]);
       mixed.seen = hn::Or(mixed.seen, seen[i]);
     }
-    if (!withColor || hn::AllFalse(floats, mixed.seen))
+    if (colors == Colors::ofNone)
       return mixed;
     // Parts of the whole first, so that of one look alone the colour is its own to the last bit.
     const VF whole = hn::IfThenElse(hn::Gt(mixed.extinction, hn::Zero(floats)), mixed.extinction, all(1.0f));
@@ -260,7 +270,21 @@ private:
                      hn::MulAdd(part, hn::IfThenElseZero(seen[i], color.z), mixed.color.z)};
     }
     mixed.color = clamped(mixed.color, 0.0f, 1.0f);
+    if (colors == Colors::ofAll)
+      colorUnseen(ofAlone, alone, scalar, wanted, mixed);
     return mixed;
+  }
+
+  // Between nodes colours are quadratics, so that one counts that absorbs nothing itself: it must not depend
+  // on what the samples beside it show.
+  HWY_INLINE void colorUnseen(LookBits bits, VF alone, VF scalar, Mask wanted, Mixed& mixed) const {
+    const Mask unseen = hn::AndNot(hn::Gt(mixed.extinction, hn::Zero(floats)), wanted);
+    for (; bits != 0; bits &= bits - 1) {
+      const int look = std::countr_zero(bits);
+      const Mask own = hn::And(unseen, hn::Eq(alone, all(static_cast<float>(look))));
+      if (!hn::AllFalse(floats, own))
+        mixed.color = chosen(own, functionOf(look).colorAt(scalar, own), mixed.color);
+    }
   }
 
   const PictureTerms& m_terms;

@@ -71,7 +71,8 @@ struct Samples {
   HWY_NOINLINE Absorbed absorbedBy(VF scalar, VF step, Mask wanted, bool areWhole, bool withColor) const {
     Absorbed absorbed;
     if (looks.areAny()) {
-      const Looks::Mixed mixed = looks.mixedAt(indexAt(step), scalar, all(1.0f), wanted, withColor);
+      const Looks::Mixed mixed = looks.mixedAt(indexAt(step), scalar, all(1.0f), wanted,
+                                               withColor ? Looks::Colors::ofSeen : Looks::Colors::ofNone);
       return {mixed.seen, mixed.color, mixed.extinction, mixed.extinction};
     }
     const Mask opaque = function.opacityWhereSeen(scalar, wanted, absorbed.opacity);
@@ -124,7 +125,8 @@ struct Samples {
     if (hn::AllFalse(floats, others))
       return absorbed;
     const Looks::Mixed mixed =
-        looks.mixedAt(middle, field.scalarAt(middle), all(1.0f), others, !terms.effects.has(Effect::xray));
+        looks.mixedAt(middle, field.scalarAt(middle), all(1.0f), others,
+                      terms.effects.has(Effect::xray) ? Looks::Colors::ofNone : Looks::Colors::ofSeen);
     const Mask seen = hn::And(others, mixed.seen);
     absorbed.seen = hn::Or(absorbed.seen, seen);
     absorbed.color = chosen(seen, mixed.color, absorbed.color);

@@ -129,13 +129,13 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
   return rows;
 }
 
-bool isLost(const EffectCost& cost) {
+bool isLostInSpread(const EffectCost& cost) {
   const double size = std::abs(cost.ms);
   return size <= 2.0 * cost.spreadMs || size < 0.05;
 }
 
 Message costText(const EffectCost& cost) {
-  if (isLost(cost))
+  if (isLostInSpread(cost))
     return Message::tr("≈ 0 ms");
   const auto number = [](double ms) { return Message::fixed(ms, ms < 10.0 ? 1 : 0); };
   const Message size = number(std::abs(cost.ms));

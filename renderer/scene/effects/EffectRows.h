@@ -36,7 +36,7 @@ struct EffectCost {
 
 /// Whether a cost is lost in its spread, or too small to be told: where it is less than two spreads, which is
 /// three times what the median of seven pairs scatters by.
-bool isLost(const EffectCost& cost);
+bool isLostInSpread(const EffectCost& cost);
 
 /// A cost in words: "12 ms", "saves 210 of 270 ms" (all that the picture would take without it, so that
 /// nobody looks for it in what it takes now), or "≈ 0 ms" where it is lost.

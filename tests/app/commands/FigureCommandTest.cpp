@@ -91,6 +91,26 @@ protected:
   test::TemporaryFolder folder;
 };
 
+// Of another patient, whose head lies a metre away: both panels see it from one place.
+TEST_F(FigureCommand, panelsThatLookPastAnotherVolumeAreFittedToItAlike) {
+  make("figure phantom:16 --model compare -o " + file("both.png") + small);
+  std::ofstream(file("other.nrrd"))
+      << "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n"
+         "space directions: (9,0,0) (0,9,0) (0,0,9)\nspace origin: (9000,0,0)\n"
+         "encoding: ascii\n\n0 900 900 900 900 900 900 900\n";
+  SourceOptions options;
+  options.volume = file("other.nrrd");
+  const auto fitted = loadFigure(file("both.png"), options, {});
+  ASSERT_TRUE(fitted);
+  ASSERT_EQ(fitted->panels.size(), 2u);
+  for (const LoadedFigure::Panel& panel : fitted->panels) {
+    EXPECT_FALSE(panel.scene.hasOwnCamera);
+    EXPECT_EQ(panel.scene.scene.camera, fitted->panels[0].scene.scene.camera);
+    EXPECT_NEAR(panel.scene.scene.camera.target.x, 9004.5, 9.0);
+  }
+  EXPECT_NE(fitted->panels[0].scene.scene.shading.model, fitted->panels[1].scene.scene.shading.model);
+}
+
 TEST_F(FigureCommand, aPanelThatIsNoneIsRefusedBeforeTheWorkWithTheNearest) {
   for (const auto& [word, meant] :
        {std::pair("axiall", "axial"), {"bone", "CT bone"}, {"clasic", "classic"}}) {

@@ -139,6 +139,29 @@ TEST_F(DicomSegmentation, sayWhatTheySegmentWhereTheFileDoes) {
   EXPECT_EQ(labels[2].type, "");
 }
 
+// Opened together, each keeps the name that its file gives it.
+TEST_F(DicomSegmentation, ofOneSegmentEachAreMasksAmongOthers) {
+  const auto oneOf = [](const char* name, int height) {
+    DicomBuilder file = segmentation();
+    file.text(0x00280008, "IS", "1")
+        .sequence(0x00620002, {segment(1, name, {})})
+        .sequence(0x52009230, {frameOf(1, height)})
+        .pixels(std::vector<std::uint8_t>{1, 0});
+    return file;
+  };
+  const std::vector<std::filesystem::path> files{folder.path() / "a.dcm", folder.path() / "b.dcm"};
+  oneOf("Größe", 30).write(files[0]);
+  oneOf("Rib", 34).write(files[1]);
+  const Segmentation read = readSegmentations(files, gridOfVolume());
+  const LabelMap& map = *read.region.labels;
+  EXPECT_EQ(read.remark.english(), "");
+  ASSERT_EQ(map.labels().size(), 3u);
+  EXPECT_EQ(map.labels()[1].name, "Größe");
+  EXPECT_EQ(map.labels()[2].name, "Rib");
+  EXPECT_EQ(valueAt(map, {0, 0, 0}), 1);
+  EXPECT_EQ(valueAt(map, {0, 0, 2}), 2);
+}
+
 TEST_F(DicomSegmentation, coloursAreThoseOfTheStandard) {
   // sRGB red in CIELab of D50 is (54.29, 80.80, 69.89), green (87.82, -79.27, 80.99), blue (29.57, 68.29,
   // -112.03): B. Lindbloom's calculator, Bradford adaptation.

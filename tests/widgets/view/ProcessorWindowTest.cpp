@@ -5,6 +5,7 @@
 #include "scene/basics/Error.h"
 #include "support/MappedVolume.h"
 #include "support/TemporaryFolder.h"
+#include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/pictures/PictureScreen.h"
 
 #include <QSignalSpy>
@@ -60,6 +61,25 @@ TEST(OnProcessor, aDragMovesThePictureAndItComesToRestAgain) {
   ASSERT_TRUE(host.rest());
   EXPECT_NE(host.view.currentPicture(0), before);
   EXPECT_EQ(host.view.currentPicture(0), host.drawn(0));
+}
+
+// A late picture is the old one: letters of the new camera would name wrong sides of it.
+TEST(OnProcessor, lettersTurnTogetherWithThePictureThatIsSeen) {
+  ProcessorHost host;
+  host.view.setOverlayVisible(true);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  const Overlay overlay = overlayOf({host.view.order(), host.view.pictureState()});
+  ASSERT_FALSE(overlay.letters.empty());
+  const std::optional<QRectF> left = overlay.letters[0].places[0];
+  ASSERT_TRUE(left);
+  const auto letter = [&] { return host.seen().copy(left->toAlignedRect()); };
+  const QImage before = letter();
+  host.scene.camera = orbited(host.scene.camera, 1.5707963, 0.0);
+  host.view.setScene(host.scene);
+  EXPECT_EQ(letter(), before) << "the next picture comes in a later turn of the event loop";
+  ASSERT_TRUE(host.rest());
+  EXPECT_NE(letter(), before);
 }
 
 TEST(OnProcessor, ofAnotherVolumeNothingIsToldUntilItIsSeen) {

@@ -113,6 +113,7 @@ void PictureWorker::show() {
       return;
     m_loop.pictures()->show(m_loop.order());
     m_frame = m_loop.pictures()->frame();
+    m_camera = m_loop.pictures()->side(0).scene().camera;
     m_loop.noteShown();
   });
   m_isCoarse = false;
@@ -121,7 +122,7 @@ void PictureWorker::show() {
 }
 
 void PictureWorker::deliver() {
-  PictureDelivery delivery{m_number, m_measurements, m_frame, m_loop.news(), {}, {}};
+  PictureDelivery delivery{m_number, m_measurements, m_frame, m_camera, m_loop.news(), {}, {}};
   delivery.news.failure = m_failure;
   for (int side = 0; side < static_cast<int>(delivery.news.state.sides.size()); ++side) {
     delivery.scales.push_back(m_loop.gradientScaleOf(side));
@@ -256,8 +257,12 @@ void ProcessorDrawing::paint(QPainter& painter) {
     return;
   }
   painter.drawImage(all, frame);
-  if (order().hasOverlay)
-    paintOverlay(painter, overlayOf(overlaySource()));
+  if (!order().hasOverlay)
+    return;
+  // Letters, cube and marks belong to the picture that is seen, however late it is.
+  OverlaySource source = overlaySource();
+  source.comparison.scene.camera = m_delivery.camera;
+  paintOverlay(painter, overlayOf(source));
 }
 
 } // namespace limn

@@ -16,6 +16,7 @@ struct PictureDelivery {
   int number = 0;       ///< of the order
   int measurements = 0; ///< of what effects cost that were begun
   QImage frame;         ///< what is to be seen, in device pixels
+  Camera camera;        ///< from which that was drawn
   ViewNews news;
   std::vector<GradientScale> scales;   ///< one for each side
   std::vector<RestingPicture> resting; ///< one for each side once all are complete; empty before
@@ -57,6 +58,7 @@ private:
   int m_number = 0;       ///< of the order that is being drawn
   int m_measurements = 0; ///< that were begun
   QImage m_frame;
+  Camera m_camera;         ///< of the frame
   QString m_failure;       ///< why nothing is drawn; empty while drawing works
   bool m_isCoarse = false; ///< a coarse picture is being drawn
 

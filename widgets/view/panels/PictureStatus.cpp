@@ -143,7 +143,7 @@ constexpr double singleLevels = 2.0 * nearlyExactLevels;
 // that were drawn it is measured, too, beside what they say of all others.
 bool areAccurate(const PictureState& state) {
   return std::ranges::all_of(state.sides, [](const SideState& side) {
-    return side.chance && !side.measuredLevels && side.chance->p99_9 <= exactLevels;
+    return side.chance && !side.measuredLevels && side.chance->p99_9 <= screenLevels;
   });
 }
 
@@ -153,7 +153,7 @@ QString badgeText(const PictureState& state) {
   if (!state.resting)
     return QObject::tr("○ preview");
   const bool isWithin = isResolved(state) && isLightMeasured(state) && isKnown(state) &&
-                        *levelsOf(worstOf(state)) <= exactLevels;
+                        *levelsOf(worstOf(state)) <= screenLevels;
   if (isWithin && isChecked(state))
     return QObject::tr("● exact to the screen");
   if (state.refines)
@@ -209,7 +209,7 @@ EndText textOf(RefinementEnd end) {
 // What was drawn says that the steps did not do what they are meant for.
 bool isFartherOff(const PictureState& state) {
   return std::ranges::any_of(
-      state.sides, [](const SideState& side) { return side.chance && side.chance->levels > exactLevels; });
+      state.sides, [](const SideState& side) { return side.chance && side.chance->levels > screenLevels; });
 }
 
 EndText endText(const PictureState& state) {
@@ -405,7 +405,7 @@ std::vector<PictureStatusText> commonStatusTexts() {
   state.resting = state.refines = true;
   side.shownMs = 88800.0;
   const PictureStatusText refining = pictureStatusText(state, {});
-  side.estimate = ErrorEstimate{exactLevels, 0.0, 1.0};
+  side.estimate = ErrorEstimate{screenLevels, 0.0, 1.0};
   const PictureStatusText exact = pictureStatusText(state, {});
   side.chance = ErrorByChance{0.88, 0.0, 0.88, chancePixels};
   return {preview, refining, exact, pictureStatusText(state, {})};

@@ -56,7 +56,7 @@ struct SideState {
 
 /// What the screen can show, levels: a difference of one in one of a thousand colour values (DEFINITION
 /// section 9).
-inline constexpr double exactLevels = 1.0;
+inline constexpr double screenLevels = 1.0;
 
 /// The error that is told of a side, in levels: the measured one where there is one, which stands in the
 /// accuracy panel, too; then what chance found; absent while nothing is known.

@@ -86,7 +86,7 @@ RestTurn Pictures::checkByChance() {
   if (const RestTurn turn = m_chance.step(sides()); turn != RestTurn::nothing)
     return turn;
   for (int i = 0; i < m_count; ++i)
-    if (const std::optional<ErrorByChance> error = m_chance.error(i); error && error->levels > exactLevels)
+    if (const std::optional<ErrorByChance> error = m_chance.error(i); error && error->levels > screenLevels)
       return m_refinement.tighten(*m_engine, sides()) ? RestTurn::worked : RestTurn::nothing;
   return RestTurn::nothing;
 }

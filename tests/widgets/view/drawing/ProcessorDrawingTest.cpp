@@ -124,6 +124,7 @@ TEST_F(Worker, deliversCoarsePicturesAndThenTheWholeOne) {
   const PictureDelivery& last = deliveries.back();
   EXPECT_EQ(*last.resting[0].image, CpuRenderer(1).render(turned(0.0), pictureSize));
   EXPECT_EQ(last.frame.convertToFormat(QImage::Format_RGBA8888), last.resting[0].bytes);
+  EXPECT_EQ(last.camera, turned(0.0).camera);
 }
 
 TEST_F(Worker, ofManyOrdersTheLastOneIsCompleteAndNoneIsMixedWithAnother) {
