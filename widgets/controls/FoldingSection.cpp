@@ -211,7 +211,7 @@ bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
 void SectionPanel::focusInEvent(QFocusEvent* event) {
   QScrollArea::focusInEvent(event);
   if (event->reason() == Qt::ActiveWindowFocusReason)
-    return; // as it was
+    return;                                                               // as it was
   setProperty("focusByPointer", event->reason() == Qt::MouseFocusReason); // theme.qss
   style()->unpolish(this);
   style()->polish(this);

@@ -95,10 +95,11 @@ TEST_F(Room, messagesLieOverThePictureAndNotOverSlices) {
   };
   ASSERT_LT(picture().width(), window->centralWidget()->width());
   EXPECT_TRUE(picture().contains(messages().geometry()));
+  const int beside = messages().width();
   // It follows the picture, and lies over everything where it has more to say than that holds.
   named("planes-picture").trigger();
   QCoreApplication::processEvents();
-  EXPECT_NEAR(messages().geometry().center().x(), window->centralWidget()->rect().center().x(), 1);
+  EXPECT_GT(messages().width(), beside);
   named("planes-picture_and_three").trigger();
   QCoreApplication::processEvents();
   EXPECT_TRUE(picture().contains(messages().geometry()));
