@@ -92,7 +92,7 @@ std::optional<SessionDocument> OpenDocument::unsaved(SessionDocument now) const 
     return std::nullopt;
   now.isUnsaved = m_session.isEdited();
   now.savedAs = m_sessionFile.toStdString();
-  now.label = labelOf(*this).toStdString();
+  now.label = labelOf(*this, m_sessionFile.isEmpty() ? m_request.source : m_sessionFile).toStdString();
   return now;
 }
 

@@ -60,8 +60,8 @@ public:
   /// It was saved to a file as `now`.
   void settleIn(const QString& file, const SessionDocument& now);
 
-  /// What has to be kept of the session `now` so that nothing is lost; absent as long as all is as it was
-  /// when it counted as saved.
+  /// What has to be kept of the session `now` so that nothing is lost, called by the file that saving would
+  /// write to where there is one; absent as long as all is as it was when it counted as saved.
   std::optional<SessionDocument> unsaved(SessionDocument now) const;
 
 private:

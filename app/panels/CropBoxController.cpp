@@ -9,6 +9,7 @@
 #include "widgets/view/CompareView.h"
 
 #include <QApplication>
+#include <QUndoStack>
 
 namespace limn {
 
@@ -41,6 +42,7 @@ CropBoxController::CropBoxController(WindowContext& context, const CropSection& 
     m_isEdited = !folded;
     show();
   });
+  connect(&context.session.undoStack(), &QUndoStack::indexChanged, this, &CropBoxController::followUndo);
   connect(qApp, &QApplication::focusChanged, this,
           [this](const QWidget*, const QWidget* now) { followFocus(now); });
 }
@@ -55,6 +57,7 @@ void CropBoxController::begin(bool isShown) {
     m_begun = Begun{scene.volume, around, nextGestureId()};
     m_context.view.setCropHidesNothing(true); // of the body alone; what lies beside it is hidden already
     m_context.session.setCrop(around, {m_begun->gesture, tr("crop box around the body")});
+    m_begun->step = m_context.session.undoStack().index();
   } else if (!isShown && isBegun(scene)) {
     // The same gesture: undo sees that nothing is left of it.
     m_context.session.setCrop({}, {m_begun->gesture, tr("crop box around the body")});
@@ -65,6 +68,21 @@ void CropBoxController::begin(bool isShown) {
 
 bool CropBoxController::isBegun(const Scene& scene) const {
   return m_begun && m_begun->volume == scene.volume && m_begun->crop == scene.crop;
+}
+
+// What was done instead of redoing it leaves the box away.
+void CropBoxController::followUndo(int steps) {
+  if (!m_begun || (steps < m_begun->step) == m_begun->isUndone)
+    return;
+  const bool comesBack = m_begun->isUndone;
+  const Scene& scene = m_context.session.scene();
+  const bool isTurned = m_context.view.order().comparison.turnedBox.has_value(); // another box
+  if (scene.volume != m_begun->volume || isTurned || (comesBack && !isBegun(scene)))
+    return m_begun.reset();
+  if (!comesBack && isBegun(scene))
+    return; // another step was undone
+  m_begun->isUndone = !comesBack;
+  m_action->setChecked(comesBack);
 }
 
 bool CropBoxController::isShown() const {

@@ -20,7 +20,8 @@ struct WindowContext;
 
 /// Shows the crop box in the picture while its action is checked, and while the crop section is used: on
 /// while one goes from there to its handles in the view. Where nothing is cropped yet and the body is known
-/// the action puts the box around that, and takes it back where nobody has moved it since.
+/// the action puts the box around that, and takes it back where nobody has moved it since. Undo of that step
+/// puts the box away, too, and redo brings it back.
 class CropBoxController : public QObject {
   Q_OBJECT
 
@@ -36,11 +37,14 @@ private:
     std::shared_ptr<const Volume> volume;
     CropBox crop;
     std::uint64_t gesture = 0;
+    int step = 0; ///< how many steps are done with that one; fewer once the oldest were forgotten
+    bool isUndone = false;
   };
 
   void show();
   void begin(bool isShown);
   bool isBegun(const Scene& scene) const; ///< it shows that box
+  void followUndo(int steps);             ///< that are done
   void followFocus(const QWidget* now);
 
   WindowContext& m_context;

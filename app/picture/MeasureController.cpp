@@ -82,6 +82,7 @@ MeasureController::MeasureController(WindowContext& context)
       edit({m_led->before, m_inHand, {m_led->gesture, {}}});
   });
   connect(input, &ViewInput::measureRemoved, this, &MeasureController::remove);
+  connect(input, &ViewInput::measureDropped, this, &MeasureController::drop);
   connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
     if (std::exchange(m_isAtRest, news.state.resting) != m_isAtRest)
       findHidden();
@@ -179,22 +180,25 @@ void MeasureController::findHidden() {
       });
 }
 
+// While one is being drawn no other is in hand, so that Delete takes none that is finished.
 void MeasureController::show() {
+  const std::optional<std::size_t> inHand = m_open ? std::nullopt : m_inHand;
   std::vector<SeenMeasure> seen;
   for (std::size_t number = 0; m_volume && number < m_measured.size(); ++number)
     if (const Measured& one = m_measured[number]; isSeenInPicture(one.measurement))
       seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
-                      m_inHand == number, isLedInSlices(one.measurement),
+                      inHand == number, isLedInSlices(one.measurement),
                       number < m_hidden.size() ? m_hidden[number] : std::array<bool, 2>{}});
   if (m_open && !m_open->placesMm.empty())
     seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true, {}});
   m_context.view.setMeasures(seen);
-  emit shown(m_measured, m_volume, m_inHand);
+  emit shown(m_measured, m_volume, inHand);
 }
 
 void MeasureController::goTo(std::size_t number) {
   if (number >= m_measured.size())
     return;
+  drop();
   m_inHand = number;
   PlaneContent content;
   content.volume = m_volume;
@@ -208,8 +212,16 @@ void MeasureController::useTool(Measurement::Kind kind) {
 }
 
 void MeasureController::remove() {
-  if (m_volume && m_inHand)
+  if (!drop() && m_volume && m_inHand)
     edit(withoutMeasure(m_measured, *m_inHand, *m_volume));
+}
+
+bool MeasureController::drop() {
+  if (!std::exchange(m_open, std::nullopt))
+    return false;
+  sayNext({});
+  show();
+  return true;
 }
 
 // Another tool leaves what has not all of its places.

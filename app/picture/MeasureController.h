@@ -52,6 +52,7 @@ private:
   bool hasSlices() const;
   void layAside(); ///< the tools that measure
   void remove();
+  bool drop(); ///< what lacks places; false where nothing does
   void pick(const Ray& ray, int side);
   void take(const MeasureHandle& handle, std::uint64_t gesture);
   void lead(const Ray& ray, int side);

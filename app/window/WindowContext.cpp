@@ -74,7 +74,7 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   new MessageOrder({&unsafe, &recovery, &messages, &kept, &unwritten, &patient, &tour}, &window);
   for (MessageBar* bar : {&patient, &tour})
     bar->setBriefWhenLate(true);
-  keepCubeFree();
+  placeBars();
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
@@ -101,14 +101,15 @@ MakingOptions WindowContext::drawnLikeTheView() const {
   return order;
 }
 
-// A click on the cube turns the picture, also while something is said of it.
-void WindowContext::keepCubeFree() {
+// Slices stay free, and the cube: a click on it turns the picture, also while something is said of it.
+void WindowContext::placeBars() {
   const auto cubePlace = [&seen = view, middle = window.centralWidget()] {
     const OverlaySource source{seen.order(), seen.pictureState()};
     const auto cube = source.comparison.scene.volume ? orientationCubeOf(source) : std::nullopt;
     return cube ? cube->plate.toAlignedRect().translated(seen.mapTo(middle, QPoint())) : QRect();
   };
   for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten}) {
+    bar->setPart(view);
     bar->setKeptFree(cubePlace);
     QObject::connect(&view, &CompareView::told, bar, &MessageBar::lookAgain);
   }

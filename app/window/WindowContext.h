@@ -105,7 +105,7 @@ struct WindowContext {
 private:
   QVBoxLayout& m_column; ///< of the middle
   MessageBar& addBar(const char* name);
-  void keepCubeFree();
+  void placeBars();
   void leaveUndone(int steps);
   QString m_saidOfStep; ///< the sentence about an undo step; empty: none is said
   int m_stepSaid = 0;   ///< how many steps there were with that one

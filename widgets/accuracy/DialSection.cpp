@@ -175,12 +175,15 @@ QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measure
   if (!averaged.isEmpty())
     parts
         << (averaged.size() == steps
-                ? tr("The dial's steps average the curve between samples; the chart has them without, too.")
-                : tr("Of the dial's steps these average the curve between samples, so that they miss none of "
-                     "it: %1. The chart has each step both ways.")
+                ? tr("With every step thin tissue between two samples is counted in, too (curve averaged); "
+                     "the chart also has each step without that.")
+                : tr("With these steps thin tissue between two samples is counted in, too (curve averaged): "
+                     "%1. The chart has each step with and without that.")
                       .arg(averaged.join(QStringLiteral(", "))));
   if (!beaten.isEmpty())
     parts << tr("Slower and farther off than another position: %1.").arg(beaten.join(QStringLiteral(", ")));
+  if (measured && steps > 0)
+    parts << tr("Levels and times of the steps are those of the picture before it is refined.");
   const bool refines = !scene.quality.toleranceLevels && !m_points.empty();
   if (refines && hasTravellingLight(scene))
     parts << tr("From there it refines while nothing moves, but shadows and occlusion come from a grid of "

@@ -7,11 +7,13 @@
 #include <QAccessibleWidget>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QScrollBar>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -204,6 +206,15 @@ bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == widget() && event->type() == QEvent::LayoutRequest)
     updateGeometry();
   return QScrollArea::eventFilter(watched, event);
+}
+
+void SectionPanel::focusInEvent(QFocusEvent* event) {
+  QScrollArea::focusInEvent(event);
+  if (event->reason() == Qt::ActiveWindowFocusReason)
+    return;                                                               // as it was
+  setProperty("focusByPointer", event->reason() == Qt::MouseFocusReason); // theme.qss
+  style()->unpolish(this);
+  style()->polish(this);
 }
 
 } // namespace limn

@@ -67,7 +67,8 @@ private:
 };
 
 /// Parts of the window's business one below another; it scrolls down alone, and is never narrower than what
-/// it holds needs beside the scroll bar.
+/// it holds needs beside the scroll bar. A frame shows that it has the keyboard, but not after a click
+/// between its controls, where it would look like a selection.
 class SectionPanel : public QScrollArea {
 public:
   explicit SectionPanel(QWidget* parent = nullptr);
@@ -84,6 +85,7 @@ public:
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
 };
 
 } // namespace limn

@@ -109,20 +109,42 @@ void MessageBar::arrangeIn(int width) {
     m_row->setDirection(direction);
 }
 
+int MessageBar::heightAt(int width) const {
+  return hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
+}
+
 // At the lower edge of a room, in its middle.
 QRect MessageBar::placeIn(const QRect& room) {
   const int width = std::min(room.width(), widestOver);
   arrangeIn(width);
-  const int height =
-      std::min(room.height(), hasHeightForWidth() ? heightForWidth(width) : sizeHint().height());
+  const int height = std::min(room.height(), heightAt(width));
   return {room.left() + (room.width() - width) / 2, room.bottom() + 1 - height, width, height};
 }
 
 void MessageBar::layOver() {
   if (!parentWidget())
     return;
-  QRect room = parentWidget()->rect().adjusted(marginOver, marginOver, -marginOver, -marginBelow);
   m_laidBeside = m_keptFree();
+  const QRect all = parentWidget()->rect();
+  QRect place;
+  if (m_part)
+    place = placeOver({m_part->mapTo(parentWidget(), QPoint()), m_part->size()});
+  if (!all.contains(place) || !fits(place))
+    place = placeOver(all);
+  setGeometry(place);
+  // Buttons were put beside and below to see how high that is: laid out now, that calls for no other look.
+  layout()->activate();
+  QCoreApplication::removePostedEvents(this, QEvent::LayoutRequest);
+  raise();
+}
+
+bool MessageBar::fits(const QRect& place) const {
+  return place.width() >= narrowestOver && place.height() >= heightAt(place.width());
+}
+
+// At the lower edge of an area, beside what is kept free or above it.
+QRect MessageBar::placeOver(const QRect& area) {
+  QRect room = area.adjusted(marginOver, marginOver, -marginOver, -marginBelow);
   QRect place = placeIn(room);
   if (place.intersects(m_laidBeside)) {
     const int left = m_laidBeside.right() + 1 + marginOver;
@@ -132,8 +154,12 @@ void MessageBar::layOver() {
       room.setBottom(m_laidBeside.top() - 1 - marginOver);
     place = placeIn(room);
   }
-  setGeometry(place);
-  raise();
+  return place;
+}
+
+void MessageBar::setPart(QWidget& part) {
+  m_part = &part;
+  part.installEventFilter(this);
 }
 
 void MessageBar::lookAgain() {
@@ -152,7 +178,8 @@ void MessageBar::goInTime() {
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == parent() && event->type() == QEvent::Resize)
+  const bool isMoved = event->type() == QEvent::Resize || event->type() == QEvent::Move;
+  if (isMoved && (watched == parent() || watched == m_part))
     layOver();
   return QFrame::eventFilter(watched, event);
 }

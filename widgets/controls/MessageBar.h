@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
 #include <QStringList>
 
 #include <functional>
@@ -52,6 +53,10 @@ public:
   /// What is kept free may be elsewhere now.
   void lookAgain();
 
+  /// A widget within its parent that it lies over where all that it says has room there; otherwise, and at
+  /// first, it lies over all of its parent.
+  void setPart(QWidget& part);
+
   /// Whether it is seen, or would be unless it were held back.
   bool isWanted() const { return m_isWanted; }
 
@@ -76,6 +81,9 @@ protected:
 private:
   void layOver();
   QRect placeIn(const QRect& room);
+  QRect placeOver(const QRect& area);
+  bool fits(const QRect& place) const;
+  int heightAt(int width) const; ///< that it needs
   void arrangeIn(int width);
   void goInTime();
 
@@ -86,7 +94,8 @@ private:
   QToolButton* m_action;
   QToolButton* m_close;
   std::function<QRect()> m_keptFree = [] { return QRect(); };
-  QRect m_laidBeside; ///< what was kept free as it was laid out
+  QRect m_laidBeside;       ///< what was kept free as it was laid out
+  QPointer<QWidget> m_part; ///< of the parent; null: all of it
   std::function<void()> m_run;
   std::function<void()> m_dismiss;
   QTimer* m_end; ///< runs while a note stands that nobody reads

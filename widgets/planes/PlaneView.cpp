@@ -345,9 +345,13 @@ void PlaneView::contextMenuEvent(QContextMenuEvent* event) {
 bool PlaneView::obey(int key, bool isFast) {
   if (obeyInLine(key))
     return true;
-  const bool isHeld = (key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock) || key == Qt::Key_AltGr;
-  if (key != Qt::Key_Escape && !isHeld && endLooseDrag() && key == Qt::Key_Delete)
+  if ((key == Qt::Key_Delete || key == Qt::Key_Backspace) && m_drag && m_drag->isLoose) {
+    cancel();
     return true;
+  }
+  const bool isHeld = (key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock) || key == Qt::Key_AltGr;
+  if (key != Qt::Key_Escape && !isHeld)
+    endLooseDrag();
   if (moveByKey(key, isFast ? fastSlices : 1))
     return true;
   if (const std::optional<PlaneTool> tool = toolOfKey(key)) {

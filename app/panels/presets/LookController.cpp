@@ -69,7 +69,7 @@ struct NamedRemarks {
   QStringList remarks;
 };
 
-/// Each remark on a file's looks once; one that is not on all of them names those that it is on.
+/// Each remark on a file's looks once; of several it says which it is on.
 QStringList remarksOnFile(const std::vector<NamedRemarks>& looks) {
   QStringList all, told;
   for (const NamedRemarks& look : looks)
@@ -81,7 +81,9 @@ QStringList remarksOnFile(const std::vector<NamedRemarks>& looks) {
       if (look.remarks.contains(remark))
         names << look.look;
     const bool isOnAll = names.size() == static_cast<qsizetype>(looks.size());
-    told << (isOnAll ? remark : QObject::tr("%1: %2").arg(names.join(QObject::tr(", ")), remark));
+    told << (looks.size() == 1 ? remark
+             : isOnAll         ? QObject::tr("All of them: %1").arg(remark)
+                               : QObject::tr("%1: %2").arg(names.join(QObject::tr(", ")), remark));
   }
   return told;
 }

@@ -84,6 +84,8 @@ TEST_F(OpenDocumentTest, savingToAFileSettlesIt) {
   EXPECT_TRUE(titleOf(document, true).startsWith(QStringLiteral("mine.json · head.nii")));
   edit(30.0);
   EXPECT_EQ(document.unsaved(document.described())->savedAs, "/data/mine.json");
+  EXPECT_TRUE(
+      QString::fromStdString(document.unsaved(document.described())->label).startsWith("mine.json · "));
   document.close();
   EXPECT_TRUE(document.sessionFile().isEmpty());
   EXPECT_FALSE(document.unsaved(document.described()));

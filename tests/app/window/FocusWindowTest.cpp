@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/theme/LookStyle.h"
 #include "widgets/view/panels/FocusRing.h"
 
 #include <QApplication>
 #include <QImage>
+#include <QScrollArea>
 
 #include <algorithm>
 #include <cctype>
@@ -74,6 +76,24 @@ TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
       << "after " << reached.size() << ", at " << described(*QApplication::focusWidget());
   EXPECT_TRUE(reached.contains(curves().valueEditor()->canvas()));
   EXPECT_GE(reached.size(), 30u);
+}
+
+// A frame around a whole panel looks like a selection, and nobody selected it.
+TEST_P(FocusWindowTest, aClickBetweenThePanelsControlsDrawsNoFrameAroundItAndTabDoes) {
+  applyTheme(*qApp, GetParam());
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  QScrollArea* panel = window->findChild<PropertiesPanel*>();
+  ASSERT_NE(panel, nullptr);
+  view().setFocus();
+  const QImage without = around(*panel);
+  QTest::mouseClick(panel, Qt::LeftButton, {}, {1, 1});
+  ASSERT_TRUE(panel->hasFocus());
+  QCoreApplication::processEvents();
+  EXPECT_EQ(differingPixels(around(*panel), without), 0);
+  panel->clearFocus();
+  panel->setFocus(Qt::TabFocusReason);
+  EXPECT_GE(differingPixels(around(*panel), without), 16);
 }
 
 // What is typed into nowhere is nobody's: keys of one letter belong to the part that has the keyboard.

@@ -472,6 +472,25 @@ TEST_F(MeasureWindow, inThePictureAnAngleIsThreeClicksAndAMarkOne) {
   EXPECT_EQ(measurements().size(), 2u);
 }
 
+TEST_F(MeasureWindow, deleteTakesBackWhatIsBegunBeforeWhatIsFinished) {
+  press(view(), Qt::Key_G);
+  for (const QPoint& at : {QPoint(-30, 0), QPoint(0, 0), QPoint(0, -30)})
+    click(inPicture(at));
+  ASSERT_EQ(measurements().size(), 1u);
+  for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {
+    click(inPicture({20, 20}));
+    EXPECT_EQ(view().order().comparison.measures.size(), 2u) << "it is begun";
+    press(axial(), Qt::Key_Delete);
+    EXPECT_EQ(measurements().size(), 1u) << "a slice takes nothing that is finished either";
+    press(view(), key);
+    EXPECT_EQ(measurements().size(), 1u);
+    EXPECT_EQ(view().order().comparison.measures.size(), 1u) << "nor is a lone place left";
+    EXPECT_EQ(view().tool(), ViewTool::angle);
+  }
+  press(view(), Qt::Key_Delete);
+  EXPECT_TRUE(measurements().empty());
+}
+
 TEST_F(MeasureWindow, whereNothingIsSeenNothingIsMeasured) {
   press(view(), Qt::Key_D);
   click(inPicture({-static_cast<int>(view().logicalRect(0).width() / 2) + 4, 0}));

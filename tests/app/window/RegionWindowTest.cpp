@@ -328,6 +328,32 @@ TEST_F(RegionWindow, theCropBoxBeginsAroundTheBodyAndLeavesNoTraceWhereNobodyMov
   EXPECT_EQ(scene().crop, moved);
 }
 
+TEST_F(RegionWindow, undoOfTheBoxAroundTheBodyPutsItAwayAndRedoBringsItBack) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  QAction& cropBox = *window->findChild<QAction*>(QStringLiteral("cropBox"));
+  cropBox.trigger();
+  const CropBox around = scene().crop;
+  ASSERT_NE(around, CropBox{});
+  undo().undo();
+  EXPECT_FALSE(cropBox.isChecked());
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  EXPECT_EQ(scene().crop, CropBox{});
+  undo().redo();
+  EXPECT_TRUE(cropBox.isChecked());
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  EXPECT_EQ(scene().crop, around);
+  // A step after it is another matter, and one in its place leaves the box away.
+  session().setCrop({}, {nextGestureId(), QStringLiteral("reset")});
+  EXPECT_TRUE(cropBox.isChecked()) << "nothing was undone";
+  undo().undo();
+  EXPECT_TRUE(cropBox.isChecked());
+  undo().undo();
+  Scene other = scene();
+  other.shading.exponent += 1.0;
+  session().edit(other, {nextGestureId(), "shine"});
+  EXPECT_FALSE(cropBox.isChecked());
+}
+
 // A note that something is cut off is of use only where something is.
 TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));

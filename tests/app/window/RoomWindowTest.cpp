@@ -81,6 +81,34 @@ TEST_F(Room, messagesTakeNoneFromThePictureAndOneIsSeenAtATime) {
   EXPECT_EQ(view().size(), before);
 }
 
+// Where slices are shown, too, a message stands in the place of the picture: they are read meanwhile.
+TEST_F(Room, messagesLieOverThePictureAndNotOverSlices) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setSize({1440, 900});
+  named("planes-picture_and_three").trigger();
+  ASSERT_TRUE(rest());
+  const QString sentence = QStringLiteral("The slices lie far apart, and surfaces show a band for each.");
+  messages().show(MessageBar::Kind::warning, sentence);
+  QCoreApplication::processEvents();
+  const auto picture = [this] {
+    return QRect(view().mapTo(window->centralWidget(), QPoint()), view().size());
+  };
+  ASSERT_LT(picture().width(), window->centralWidget()->width());
+  EXPECT_TRUE(picture().contains(messages().geometry()));
+  const int beside = messages().width();
+  // It follows the picture, and lies over everything where it has more to say than that holds.
+  named("planes-picture").trigger();
+  QCoreApplication::processEvents();
+  EXPECT_GT(messages().width(), beside);
+  named("planes-picture_and_three").trigger();
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(picture().contains(messages().geometry()));
+  messages().show(MessageBar::Kind::warning, QString(sentence + QLatin1Char(' ')).repeated(20));
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(picture().contains(messages().geometry()));
+  EXPECT_TRUE(window->centralWidget()->rect().contains(messages().geometry()));
+}
+
 TEST_F(Room, aNoteGoesByItselfUnlessItIsRead) {
   const auto runs = [this] { return messages().findChild<QTimer*>()->isActive(); };
   messages().show(MessageBar::Kind::note, QStringLiteral("Said in passing."));

@@ -40,6 +40,17 @@ TEST(ParaViewLook, aMapBecomesItsCurve) {
   EXPECT_EQ(onlyLook(paraViewMap().dump()).preset, look.preset) << "without a list around it";
 }
 
+TEST(ParaViewLook, namesOfSingleValuesAreToldAsLeftOut) {
+  EXPECT_FALSE(isTold(onlyLook(listOf(paraViewMap())).changes, "names of single values"));
+  for (const char* key : {"Annotations", "AnnotatedValues", "ActiveAnnotatedValues"}) {
+    json map = paraViewMap();
+    map[key] = json::array();
+    EXPECT_FALSE(isTold(onlyLook(listOf(map)).changes, "names of single values")) << key;
+    map[key] = {"300", "Bone"};
+    EXPECT_TRUE(isTold(onlyLook(listOf(map)).changes, "names of single values were left out")) << key;
+  }
+}
+
 TEST(ParaViewLook, volViewsOpacityIsReadAndADifferenceTold) {
   json map = paraViewMap();
   map["OpacityPoints"] = {100, 0, 900, 0.7};

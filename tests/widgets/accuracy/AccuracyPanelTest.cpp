@@ -187,7 +187,7 @@ TEST_F(AccuracyPanelTest, theDialSaysWhichStepsAverageTheCurveAndWhichAnotherBea
   EXPECT_FALSE(note().contains(QStringLiteral("average"))) << note().toStdString();
   scene.quality.preintegrated = Preintegration::always;
   panel.setScene(scene);
-  EXPECT_TRUE(note().startsWith(QStringLiteral("The dial's steps average the curve")))
+  EXPECT_TRUE(note().startsWith(QStringLiteral("With every step thin tissue between two samples is counted")))
       << note().toStdString();
   scene.quality.preintegrated = Preintegration::automatic;
   panel.setScene(scene);
@@ -197,7 +197,9 @@ TEST_F(AccuracyPanelTest, theDialSaysWhichStepsAverageTheCurveAndWhichAnotherBea
   ASSERT_FALSE(dialPoints(scene, steepest)[1].preintegrated) << "a tenth steeper than steps of 2 allow";
   AccuracyReport report = sampleReport(pointsToMeasure(scene, steepest));
   panel.setMeasured({report, scene, steepest, {}});
-  EXPECT_TRUE(note().contains(QStringLiteral("so that they miss none of it: 2."))) << note().toStdString();
+  EXPECT_TRUE(note().startsWith(QStringLiteral("With these steps thin tissue between two samples is counted "
+                                               "in, too (curve averaged): 2. ")))
+      << note().toStdString();
   // Averaged steps take longer, so that the step of 1, which does not average, is there sooner.
   EXPECT_TRUE(note().contains(QStringLiteral("another position: 2."))) << note().toStdString();
   for (MeasuredPoint& measured : report.points)
@@ -208,6 +210,14 @@ TEST_F(AccuracyPanelTest, theDialSaysWhichStepsAverageTheCurveAndWhichAnotherBea
   panel.setMeasured({report, scene, steepest, {}});
   EXPECT_TRUE(note().contains(QStringLiteral("Slower and farther off than another position: 2, 1/8.")))
       << note().toStdString();
+}
+
+// What is seen at rest is closer than the step that the dial stands at.
+TEST_F(AccuracyPanelTest, theDialSaysThatItsFiguresAreOfThePictureBeforeItIsRefined) {
+  const QString sentenceOfIt = QStringLiteral("are those of the picture before it is refined.");
+  EXPECT_FALSE(textOf<DialSection>("note").contains(sentenceOfIt)) << "there are no figures yet";
+  measure();
+  EXPECT_TRUE(textOf<DialSection>("note").contains(sentenceOfIt));
 }
 
 TEST_F(AccuracyPanelTest, theDialSaysWhyShadowsKeepAPictureFromBeingExact) {

@@ -209,13 +209,14 @@ TEST_F(PlaneViewTest, oneClickAloneMeasuresNothingAndDeleteTakesTheOneInHandAway
   drag(view, {100, 100}, {160, 100});
   drag(view, {100, 200}, {160, 200});
   const std::vector<Measurement> measured = host.measurements();
-  for (const auto& end : std::vector<std::function<void()>>{[&] { QTest::keyClick(&view, Qt::Key_Delete); },
-                                                            [&] { QTest::keyClick(&view, Qt::Key_Escape); },
-                                                            [&] { view.setTool(PlaneTool::distance); },
-                                                            [&] {
-                                                              QEvent left(QEvent::Leave);
-                                                              QApplication::sendEvent(&view, &left);
-                                                            }}) {
+  for (const auto& end : std::vector<std::function<void()>>{
+           [&] { QTest::keyClick(&view, Qt::Key_Delete); },
+           [&] { QTest::keyClick(&view, Qt::Key_Backspace); },
+           [&] { QTest::keyClick(&view, Qt::Key_Escape); }, [&] { view.setTool(PlaneTool::distance); },
+           [&] {
+             QEvent left(QEvent::Leave);
+             QApplication::sendEvent(&view, &left);
+           }}) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 230});
     EXPECT_EQ(host.measurements().size(), 3u) << "it is begun";
     end();
@@ -229,6 +230,23 @@ TEST_F(PlaneViewTest, oneClickAloneMeasuresNothingAndDeleteTakesTheOneInHandAway
   EXPECT_FALSE(host.content.inHand);
   QTest::keyClick(&view, Qt::Key_Delete);
   EXPECT_EQ(host.measurements().size(), 1u) << "nothing is in hand";
+}
+
+// Its last leg follows the pointer and could end any time.
+TEST_F(PlaneViewTest, deleteTakesTheAngleThatIsBegunAndLeavesTheOneBefore) {
+  view.setTool(PlaneTool::distance);
+  drag(view, {100, 100}, {160, 100});
+  const std::vector<Measurement> measured = host.measurements();
+  view.setTool(PlaneTool::angle);
+  for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, {80, 120});
+    QTest::mouseClick(&view, Qt::LeftButton, {}, {80, 220});
+    QTest::mouseMove(&view, {180, 220});
+    ASSERT_EQ(host.measurements().size(), 2u);
+    QTest::keyClick(&view, key);
+    EXPECT_EQ(host.measurements(), measured);
+    EXPECT_EQ(host.content.inHand, 0u);
+  }
 }
 
 TEST_F(PlaneViewTest, anAngleIsDrawnToItsCornerAndFollowsThePointerToItsEnd) {

@@ -166,6 +166,19 @@ TEST(OnProcessor, itsStateTellsTheErrorOfThePictureAndItsEffects) {
   EXPECT_TRUE(host.view.pictureState().renderer.startsWith(QStringLiteral("CPU engine")));
 }
 
+// However long the thread takes to end a piece of what it draws.
+TEST(OnProcessor, aMeasurementOfCostsIsSaidAtOnce) {
+  ProcessorHost host;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  EffectTimes times;
+  QObject::connect(&host.view, &CompareView::told, [&](const ViewNews& news) { times = news.times; });
+  host.view.measureEffects();
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(times.isMeasuring);
+  EXPECT_TRUE(test::waitUntil([&] { return !times.isMeasuring && !times.costs.empty(); }));
+}
+
 TEST(OnProcessor, whatChangesWhileTheViewIsHiddenIsDrawnOnceItIsSeen) {
   ProcessorHost host;
   ASSERT_TRUE(host.show());

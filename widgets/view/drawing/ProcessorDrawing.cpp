@@ -73,6 +73,21 @@ void PictureWorker::begin() {
   show();
 }
 
+void PictureWorker::measureEffects() {
+  m_isInterrupted = true;
+  QMetaObject::invokeMethod(this, &PictureWorker::beginMeasuring, Qt::QueuedConnection);
+}
+
+void PictureWorker::beginMeasuring() {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_isInterrupted = m_isWoken || m_endsPreparing; // an order, or the end, is still to come
+  }
+  ++m_measurements;
+  m_loop.measureEffects();
+  deliver();
+}
+
 void PictureWorker::guard(const PictureContext::Work& work) {
   try {
     work();
@@ -107,7 +122,7 @@ void PictureWorker::show() {
 }
 
 void PictureWorker::deliver() {
-  PictureDelivery delivery{m_number, m_frame, m_camera, m_loop.news(), {}, {}};
+  PictureDelivery delivery{m_number, m_measurements, m_frame, m_camera, m_loop.news(), {}, {}};
   delivery.news.failure = m_failure;
   for (int side = 0; side < static_cast<int>(delivery.news.state.sides.size()); ++side) {
     delivery.scales.push_back(m_loop.gradientScaleOf(side));
@@ -188,7 +203,19 @@ void ProcessorDrawing::drawOrder(const PictureOrder& order) {
 }
 
 void ProcessorDrawing::measureEffects() {
-  QMetaObject::invokeMethod(m_worker, &PictureWorker::measureEffects);
+  if (m_delivery.news.effects.empty())
+    return;
+  ++m_measurements;
+  m_worker->measureEffects();
+  noteMeasuring();
+  QMetaObject::invokeMethod(
+      this, [this] { tell(); }, Qt::QueuedConnection);
+}
+
+// Said at once: to begin, the thread may first have to end a piece of what it draws.
+void ProcessorDrawing::noteMeasuring() {
+  if (m_delivery.measurements < m_measurements)
+    m_delivery.news.times.isMeasuring = true;
 }
 
 // Pictures of an earlier order are shown, too: while something moves there are no others.
@@ -201,8 +228,9 @@ void ProcessorDrawing::receive() {
     delivery->news.failure.clear();
     delivery->resting.clear();
   }
-  const bool isNews = delivery->news != m_delivery.news;
-  m_delivery = std::move(*delivery);
+  const ViewNews before = std::exchange(m_delivery, std::move(*delivery)).news;
+  noteMeasuring();
+  const bool isNews = before != m_delivery.news;
   m_canvas->update();
   if (isNews)
     tell();

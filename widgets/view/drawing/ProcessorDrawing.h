@@ -13,9 +13,10 @@ namespace limn {
 
 /// What there is of an order so far.
 struct PictureDelivery {
-  int number = 0; ///< of the order
-  QImage frame;   ///< what is to be seen, in device pixels
-  Camera camera;  ///< from which that was drawn
+  int number = 0;       ///< of the order
+  int measurements = 0; ///< of what effects cost that were begun
+  QImage frame;         ///< what is to be seen, in device pixels
+  Camera camera;        ///< from which that was drawn
   ViewNews news;
   std::vector<GradientScale> scales;   ///< one for each side
   std::vector<RestingPicture> resting; ///< one for each side once all are complete; empty before
@@ -39,19 +40,23 @@ public:
   /// From any thread: ends what is being drawn or got ready, before the thread ends.
   void interrupt() { m_isInterrupted = m_endsPreparing = true; }
 
-  void measureEffects() { m_loop.measureEffects(); }
+  /// From any thread: measures what the effects of the last picture cost. What is being drawn at rest gives
+  /// way and goes on after that.
+  void measureEffects();
 
 signals:
   void delivered(); ///< there is something to take
 
 private:
   void begin();
+  void beginMeasuring();
   void guard(const PictureContext::Work& work);
   void show();
   void deliver();
 
   PictureLoop m_loop;
-  int m_number = 0; ///< of the order that is being drawn
+  int m_number = 0;       ///< of the order that is being drawn
+  int m_measurements = 0; ///< that were begun
   QImage m_frame;
   Camera m_camera;         ///< of the frame
   QString m_failure;       ///< why nothing is drawn; empty while drawing works
@@ -88,6 +93,7 @@ protected:
 private:
   class Canvas;
   void receive();
+  void noteMeasuring();
   void paint(QPainter& painter);
 
   Canvas* m_canvas;
@@ -95,6 +101,7 @@ private:
   PictureWorker* m_worker; ///< on the thread
   PictureOrder m_pictures; ///< the last order
   int m_number = 0;        ///< of its pictures: the same asks only to put them together otherwise
+  int m_measurements = 0;  ///< of what effects cost that were asked for
   int m_forgotten = -1;    ///< the last order for the volume before
   QTimer m_askTimer;       ///< several changes of one turn are one order
   PictureDelivery m_delivery;

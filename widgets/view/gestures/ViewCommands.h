@@ -56,10 +56,10 @@ struct Swap { ///< show the other side while held
 struct CloseLine { ///< that is being drawn
   bool operator==(const CloseLine&) const = default;
 };
-struct ShortenLine { ///< by its last corner
+struct ShortenLine { ///< by its last corner; what is being measured goes wholly
   bool operator==(const ShortenLine&) const = default;
 };
-struct Remove { ///< the measurement in hand
+struct Remove { ///< the measurement that is being drawn, or else the one in hand
   bool operator==(const Remove&) const = default;
 };
 struct Cancel {

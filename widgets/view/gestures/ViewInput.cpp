@@ -425,6 +425,8 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
       m_line.reset();
   } else if (std::holds_alternative<Cancel>(command) && m_line)
     m_line.reset();
+  else if (std::holds_alternative<ShortenLine>(command))
+    emit measureDropped();
   else if (std::holds_alternative<Remove>(command))
     emit measureRemoved();
   else if (std::holds_alternative<Cancel>(command) && m_measure) {

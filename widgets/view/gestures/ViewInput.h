@@ -109,7 +109,8 @@ signals:
   void measureTaken(const limn::MeasureHandle& handle, std::uint64_t gesture);
   void measureLed(const limn::Ray& ray, int side);
   void measureLeft();
-  void measureRemoved(); ///< the one in hand shall be deleted
+  void measureRemoved(); ///< the one that is being drawn shall be dropped, or else the one in hand deleted
+  void measureDropped(); ///< the one that is being drawn shall be dropped
   void cameraReset();
   /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
   void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);

@@ -95,6 +95,27 @@ QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label
   return labelPlate(source.font, label, side, isShared && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
 }
 
+// What lines cut away and what pieces hide are told apart; empty where nothing is taken away.
+QString cutText(const Region& region) {
+  if (!isCutAway(region))
+    return {};
+  int lines = 0, hidden = 0, alone = 0;
+  for (const Cut& cut : region.cuts) {
+    if (!takesAway(cut))
+      continue;
+    const auto* piece = std::get_if<ConnectedPiece>(&cut.how);
+    ++(!piece ? lines : piece->fate == ConnectedPiece::Fate::hidden ? hidden : alone);
+  }
+  QStringList parts;
+  if (lines > 0)
+    parts << QObject::tr("cut by hand");
+  if (hidden > 0)
+    parts << (hidden == 1 ? QObject::tr("1 piece hidden") : QObject::tr("%1 pieces hidden").arg(hidden));
+  if (alone > 0)
+    parts << QObject::tr("a piece alone");
+  return parts.join(QStringLiteral(", "));
+}
+
 // What it tells, and what a click on it does.
 struct HiddenWords {
   HiddenBy by;
@@ -227,8 +248,9 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
 QString regionText(const Region& region) {
   if (!isRestricting(region))
     return {};
-  if (isCutAway(region) && region.kind == Region::Kind::body)
-    return QObject::tr("Body only, cut by hand");
+  const QString cut = cutText(region);
+  if (!cut.isEmpty() && region.kind == Region::Kind::body)
+    return QObject::tr("Body only, %1", "what was cut").arg(cut);
   QStringList notes;
   const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(listedLabels(region));
   const auto weighed =
@@ -238,8 +260,8 @@ QString regionText(const Region& region) {
   if (region.kind == Region::Kind::labels && weighed > 0)
     notes << (weighed == 1 ? QObject::tr("1 label hidden or faded")
                            : QObject::tr("%1 labels hidden or faded").arg(weighed));
-  if (isCutAway(region))
-    notes << QObject::tr("Cut by hand");
+  if (!cut.isEmpty())
+    notes << cut.left(1).toUpper() + cut.mid(1);
   return notes.join(QStringLiteral(" · "));
 }
 

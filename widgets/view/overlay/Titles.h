@@ -54,7 +54,8 @@ int labelAt(const OverlaySource& source, const QPointF& point);
 /// What a tool tip says at a point; empty for nothing.
 QString toolTipAt(const OverlaySource& source, const QPointF& point);
 
-/// What a region hides: "Body only: table hidden", "2 labels hidden or faded"; empty where it hides nothing.
+/// What a region hides: "Body only: table hidden", "2 labels hidden or faded", "Cut by hand, 1 piece hidden";
+/// empty where it hides nothing.
 QString regionText(const Region& region);
 
 /// Tells that a part of the volume is hidden, and by what.

@@ -57,6 +57,7 @@ private:
   std::vector<BentPoint> opacities(const std::vector<BentPoint>& colors, std::vector<Message>& changes);
   SegmentRule colorRule(std::vector<Message>& changes);
   bool flag(const std::string& key);
+  bool namesValues();
 
   JsonFields m_fields;
   const std::string& m_file;
@@ -122,6 +123,14 @@ bool ParaViewMap::flag(const std::string& key) {
          !m_fields.child(key).is_null();
 }
 
+// Annotations, which a legend shows.
+bool ParaViewMap::namesValues() {
+  return std::ranges::any_of(
+      std::array{"Annotations", "AnnotatedValues", "ActiveAnnotatedValues"}, [this](const char* key) {
+        return m_fields.has(key) && m_fields.child(key).is_array() && !m_fields.child(key).empty();
+      });
+}
+
 SegmentRule ParaViewMap::colorRule(std::vector<Message>& changes) {
   std::string space = "RGB";
   m_fields.has("ColorSpace") ? m_fields.text("ColorSpace", space) : m_fields.text("colorSpace", space);
@@ -171,6 +180,8 @@ ReadLook ParaViewMap::look(const std::optional<LookTarget>& target) {
   if (m_fields.has("NanColor"))
     tell(read.changes,
          Message::tr("Its colour of values that are no number was left out: Limn has none such."));
+  if (namesValues())
+    tell(read.changes, Message::tr("Its names of single values were left out: Limn's curves have none."));
   tell(read.changes, oneMillimetreTaken);
   read.preset.name = m_name.empty() ? lookNameOf(m_file, m_index) : plainText(m_name, 200);
   read.preset.modality = modalityIn(read.preset.name);

@@ -5,6 +5,7 @@
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -117,6 +118,32 @@ TEST_F(SessionWindow, whatIsOpenedAfterAnUnsavedSessionIsUnmarked) {
   ASSERT_TRUE(window->isWindowModified());
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   EXPECT_FALSE(window->isWindowModified());
+}
+
+// What Ctrl+S will write to is named before it is restored, and while it is open.
+TEST_F(SessionWindow, whatADeadWindowLeftNamesTheFileThatItWasSavedTo) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  saving().writeSession(pathTo("mine.json"));
+  const std::string saved = test::bytesOfFile(folder.path() / "mine.json");
+  const QString title = window->windowTitle();
+  workALittle();
+  ASSERT_TRUE(waitForAutosave());
+  die();
+  window = newWindow();
+  window->keepSessions();
+  const QToolButton* button = offer(*window, QStringLiteral("Restore"));
+  ASSERT_NE(button, nullptr);
+  QStringList said;
+  for (const QLabel* label : button->parentWidget()->findChildren<QLabel*>())
+    said << label->text();
+  EXPECT_TRUE(said.join(QLatin1Char(' ')).contains(QStringLiteral("mine.json")))
+      << said.join(QLatin1Char(' ')).toStdString();
+  ASSERT_TRUE(restore(*window));
+  EXPECT_EQ(window->windowTitle(), title);
+  EXPECT_TRUE(title.startsWith(QStringLiteral("mine.json"))) << title.toStdString();
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_EQ(test::bytesOfFile(folder.path() / "mine.json"), saved) << "restoring writes nothing there";
 }
 
 TEST_F(SessionWindow, savingAgainAsksForNoName) {

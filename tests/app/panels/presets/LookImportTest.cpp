@@ -10,7 +10,7 @@ namespace limn {
 namespace {
 
 // Two colour maps of ParaView, the second with its colours in Lab. Neither says per which length it is.
-TEST(LookImport, aRemarkOnOneOfAFilesLooksNamesItAndOneOnAllIsMadeOnce) {
+TEST(LookImport, aRemarkOnOneOfAFilesLooksNamesItAndOneOnAllIsMadeOnceAndSaysSo) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "maps.json";
   std::ofstream(file) << R"([
@@ -22,11 +22,12 @@ TEST(LookImport, aRemarkOnOneOfAFilesLooksNamesItAndOneOnAllIsMadeOnce) {
   EXPECT_EQ(import.presets, QStringList({"Plain", "Bent"}));
   ASSERT_EQ(import.files.size(), 1u);
   const QStringList& told = import.files.front().sentences;
-  EXPECT_EQ(told, QStringList({
-                      "The file does not say over which length its opacities hold; 1 mm was taken.",
-                      "Bent: Colours between points in the colour space Lab became points in RGB.",
-                      "Bent: Curved segments became straight ones that differ from them by at most 0.01.",
-                  }));
+  EXPECT_EQ(told,
+            QStringList({
+                "All of them: The file does not say over which length its opacities hold; 1 mm was taken.",
+                "Bent: Colours between points in the colour space Lab became points in RGB.",
+                "Bent: Curved segments became straight ones that differ from them by at most 0.01.",
+            }));
 }
 
 } // namespace

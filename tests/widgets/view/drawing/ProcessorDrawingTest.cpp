@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <semaphore>
+#include <thread>
 
 // Pictures from a thread of their own, without a window and without OpenGL.
 
@@ -19,6 +21,44 @@ namespace limn {
 namespace {
 
 constexpr glm::ivec2 pictureSize{160, 120};
+
+// Holds the first piece of a finer picture until it is cancelled.
+class HoldingEngine final : public DrawingEngine {
+public:
+  explicit HoldingEngine(std::atomic<bool>& isHolding) : m_isHolding(isHolding) {}
+
+  double makeReady(const Scene& scene, const Effort& effort) override {
+    return m_engine->makeReady(scene, effort);
+  }
+  std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                            const IsCancelled& isCancelled) override {
+    const Quality& quality = scene.quality;
+    const bool isFiner = quality.toleranceLevels || quality.stepVoxels < Quality{}.stepVoxels;
+    if (isFiner && isCancelled && !m_isHolding.exchange(true)) {
+      while (!isCancelled())
+        std::this_thread::yield();
+      throw Cancelled();
+    }
+    return m_engine->draw(scene, size, tile, isCancelled);
+  }
+  Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
+    return m_engine->drawUnlimited(scene, size);
+  }
+  bool prepare(const Scene& scene, const glm::ivec2& size) override { return m_engine->prepare(scene, size); }
+  std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) override {
+    return m_engine->measureEffects(scene, size);
+  }
+  DrawingFacts facts(const Scene& scene) override { return m_engine->facts(scene); }
+  GradientScale gradientScale() const override { return m_engine->gradientScale(); }
+  int compiledPrograms() const override { return m_engine->compiledPrograms(); }
+  double memoryMb() const override { return m_engine->memoryMb(); }
+  std::string name() const override { return m_engine->name(); }
+  Message limitation() const override { return m_engine->limitation(); }
+
+private:
+  std::atomic<bool>& m_isHolding;
+  std::unique_ptr<DrawingEngine> m_engine = makeCpuEngine(2);
+};
 
 class Worker : public testing::Test {
 protected:
@@ -64,10 +104,12 @@ protected:
   }
 
   bool refuses = false; ///< to make an engine
+  bool holds = false;   ///< makes one that waits
+  std::atomic<bool> isHolding = false;
   PictureWorker* worker = new PictureWorker([this] {
     if (std::exchange(refuses, false))
       throw Error(Error::Kind::input, "There is no engine.");
-    return makeCpuEngine(2);
+    return holds ? std::make_unique<HoldingEngine>(isHolding) : makeCpuEngine(2);
   });
   QThread thread;
   QObject receiver;
@@ -147,6 +189,17 @@ TEST_F(Worker, afterAFailureTheNextOrderIsDrawn) {
 }
 
 // The destructor above waits for the thread.
+// A piece may take very long, as of light that travels.
+TEST_F(Worker, whatRefinesGivesWayToAMeasurementAndGoesOnAfterIt) {
+  holds = true;
+  ask(1, turned(0.0));
+  ASSERT_TRUE(test::waitUntil([&] { return isHolding && !deliveries.empty(); }));
+  worker->measureEffects();
+  ASSERT_TRUE(test::waitUntil([&] { return !deliveries.back().news.times.costs.empty(); }));
+  EXPECT_EQ(deliveries.back().measurements, 1);
+  EXPECT_TRUE(test::waitUntil([&] { return deliveries.back().news.state.refinementEnd.has_value(); }));
+}
+
 TEST_F(Worker, endsInTheMiddleOfAPicture) {
   Scene scene = turned(0.0);
   scene.quality.stepVoxels = 1.0 / 64.0;

@@ -60,6 +60,32 @@ TEST_F(HiddenNotes, tellWhatIsHidden) {
             QStringLiteral("Body only: table hidden"));
 }
 
+// What a line took and what was picked as a piece are brought back in different places.
+TEST_F(HiddenNotes, tellHiddenPiecesBesideWhatWasCut) {
+  const auto piece = [](ConnectedPiece::Fate fate) {
+    ConnectedPiece one;
+    one.fate = fate;
+    return Cut{one};
+  };
+  const Cut hidden = piece(ConnectedPiece::Fate::hidden);
+  Region region = bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1});
+  region.isCut = true;
+  region.weights.push_back(0.0);
+  const auto textOf = [&](const std::vector<Cut>& cuts) {
+    region.cuts = cuts;
+    return regionText(region);
+  };
+  EXPECT_EQ(textOf({Cut{Scissors{}}}), QStringLiteral("Body only, cut by hand"));
+  EXPECT_EQ(textOf({hidden}), QStringLiteral("Body only, 1 piece hidden"));
+  EXPECT_EQ(textOf({Cut{Scissors{}}, hidden, hidden}),
+            QStringLiteral("Body only, cut by hand, 2 pieces hidden"));
+  EXPECT_EQ(textOf({Cut{Scissors{}}, Cut{hidden.how, false}}), QStringLiteral("Body only, cut by hand"))
+      << "one that is off hides nothing";
+  EXPECT_EQ(textOf({piece(ConnectedPiece::Fate::alone)}), QStringLiteral("Body only, a piece alone"));
+  region.kind = Region::Kind::all;
+  EXPECT_EQ(textOf({Cut{Scissors{}}, hidden}), QStringLiteral("Cut by hand, 1 piece hidden"));
+}
+
 // Whoever sees the file alone would take for the patient what is left of them.
 TEST_F(HiddenNotes, goWithTheNamesIntoAFile) {
   keepBody();
