@@ -1692,14 +1692,6 @@
         <translation>zum Zeiger hin zoomen; Bereich eines gewählten Teils</translation>
     </message>
     <message>
-        <source>Body only, cut by hand</source>
-        <translation>Nur Körper, von Hand beschnitten</translation>
-    </message>
-    <message>
-        <source>Cut by hand</source>
-        <translation>Von Hand beschnitten</translation>
-    </message>
-    <message>
         <source>View: %1</source>
         <translation>Ansicht: %1</translation>
     </message>
@@ -2140,6 +2132,39 @@
     <message>
         <source>Of the colour values of the pixels that were drawn 999 of 1000 lie within %1 levels of the exact picture.</source>
         <translation>Von den Farbwerten der gezogenen Pixel liegen 999 von 1000 höchstens %1 Stufen vom exakten Bild.</translation>
+    </message>
+    <message>
+        <source>All of them: %1</source>
+        <translation>Alle: %1</translation>
+    </message>
+    <message>
+        <source>cut by hand</source>
+        <translation>von Hand beschnitten</translation>
+    </message>
+    <message>
+        <source>1 piece hidden</source>
+        <translation>1 Teil ausgeblendet</translation>
+    </message>
+    <message>
+        <source>%1 pieces hidden</source>
+        <translation>%1 Teile ausgeblendet</translation>
+    </message>
+    <message>
+        <source>a piece alone</source>
+        <translation>ein Teil allein</translation>
+    </message>
+    <message>
+        <source>Body only, %1</source>
+        <comment>what was cut</comment>
+        <translation>Nur Körper, %1</translation>
+    </message>
+    <message>
+        <source>Single pixels lie farther off than the steps are meant for; &quot;Show where it is not exact&quot; in the accuracy panel shows where.</source>
+        <translation>Einzelne Pixel weichen weiter ab, als die Schritte vorsehen; „Zeigen, wo es nicht exakt ist“ im Bedienfeld Genauigkeit zeigt, wo.</translation>
+    </message>
+    <message>
+        <source>It stays as it is while &quot;Sharpen while nothing moves&quot; is off in the settings.</source>
+        <translation>Es bleibt so, solange „Im Stillstand verfeinern“ in den Einstellungen aus ist.</translation>
     </message>
 </context>
 <context>
@@ -2635,10 +2660,6 @@
     <message>
         <source>swap the sides</source>
         <translation>Seiten tauschen</translation>
-    </message>
-    <message>
-        <source>Both sides have the model %1 now, so that they differ by their looks alone; each can be given another.</source>
-        <translation>Beide Seiten haben jetzt das Modell %1, damit sie sich nur in ihrem Aussehen unterscheiden; jeder kann ein anderes gegeben werden.</translation>
     </message>
 </context>
 <context>
@@ -3237,14 +3258,6 @@
         <translation>Gemessen wurde aus einer anderen Richtung.</translation>
     </message>
     <message>
-        <source>The dial&apos;s steps average the curve between samples; the chart has them without, too.</source>
-        <translation>Die Schritte des Reglers mitteln die Kurve zwischen den Abtastungen; das Diagramm hat sie auch ohne das.</translation>
-    </message>
-    <message>
-        <source>Of the dial&apos;s steps these average the curve between samples, so that they miss none of it: %1. The chart has each step both ways.</source>
-        <translation>Von den Schritten des Reglers mitteln diese die Kurve zwischen den Abtastungen, damit ihnen nichts von ihr entgeht: %1. Das Diagramm hat jeden Schritt auf beide Arten.</translation>
-    </message>
-    <message>
         <source>Slower and farther off than another position: %1.</source>
         <translation>Langsamer und weniger genau als eine andere Stellung: %1.</translation>
     </message>
@@ -3259,6 +3272,18 @@
     <message>
         <source>Steps meant to be %1</source>
         <translation>Schritte, gedacht als %1</translation>
+    </message>
+    <message>
+        <source>With every step thin tissue between two samples is counted in, too (curve averaged); the chart also has each step without that.</source>
+        <translation>Bei jedem Schritt zählt auch dünnes Gewebe zwischen zwei Abtastpunkten mit (gemittelte Kurve); das Diagramm zeigt jeden Schritt auch ohne.</translation>
+    </message>
+    <message>
+        <source>With these steps thin tissue between two samples is counted in, too (curve averaged): %1. The chart has each step with and without that.</source>
+        <translation>Bei diesen Schritten zählt auch dünnes Gewebe zwischen zwei Abtastpunkten mit (gemittelte Kurve): %1. Das Diagramm zeigt jeden Schritt mit und ohne.</translation>
+    </message>
+    <message>
+        <source>Levels and times of the steps are those of the picture before it is refined.</source>
+        <translation>Stufen und Zeiten der Schritte sind die des Bildes, bevor es verfeinert wird.</translation>
     </message>
 </context>
 <context>
@@ -8847,6 +8872,14 @@
         <source>The curves that single labels and pieces had were left out.</source>
         <translation>Die eigenen Kurven einzelner Labels und Stücke wurden weggelassen.</translation>
     </message>
+    <message>
+        <source>Its names of single values were left out: Limn&apos;s curves have none.</source>
+        <translation>Seine Namen einzelner Werte wurden weggelassen: Kurven von Limn haben keine.</translation>
+    </message>
+    <message>
+        <source>saves %1 of %2 ms</source>
+        <translation>spart %1 von %2 ms</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9798,20 +9831,12 @@
         <translation>&amp;Buchstaben der Seiten (R, L, …)</translation>
     </message>
     <message>
-        <source>&amp;Scale bar</source>
-        <translation>Ma&amp;ßstab</translation>
-    </message>
-    <message>
         <source>&quot;Not for &amp;diagnosis&quot;</source>
         <translation>„Nicht zur &amp;Diagnose“</translation>
     </message>
     <message>
         <source>&amp;Measurements</source>
         <translation>&amp;Messungen</translation>
-    </message>
-    <message>
-        <source>Save…</source>
-        <translation>Speichern…</translation>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
@@ -9853,6 +9878,26 @@
         <source>%1, %2 to draw</source>
         <comment>pixels, a time</comment>
         <translation>%1, zu zeichnen in %2</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>The height follows from the shape of the picture.</source>
+        <translation>Die Höhe folgt aus der Form des Bildes.</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>Maßsta&amp;b</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
     </message>
 </context>
 <context>
@@ -9995,6 +10040,14 @@
     <message>
         <source>Another picture is being drawn into its file; wait until it is there, or cancel it in the status bar.</source>
         <translation>Ein anderes Bild wird gerade in seine Datei gezeichnet; warten Sie, bis es da ist, oder brechen Sie es in der Statuszeile ab.</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was saved.</source>
+        <translation>Abgebrochen; nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>The 3D picture is saved without the slices: a right click on a slice saves that one, and File ▸ Save figure puts both in one file.</source>
+        <translation>Das 3D-Bild wird ohne die Schichten gespeichert: Ein Rechtsklick auf eine Schicht speichert diese, und Datei ▸ Abbildung speichern fasst beides in einer Datei zusammen.</translation>
     </message>
 </context>
 <context>
@@ -11085,6 +11138,10 @@
     <message>
         <source>Save elsewhere…</source>
         <translation>Anderswo speichern…</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
     </message>
 </context>
 <context>
