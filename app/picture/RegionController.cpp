@@ -25,6 +25,17 @@
 namespace limn {
 namespace {
 
+// Cuts that were asked for, of which those behind the cuts of then come behind the cuts of now.
+std::vector<Cut> cutsOver(const std::vector<Cut>& now, const std::vector<Cut>& then,
+                          const std::vector<Cut>& wanted) {
+  const auto [end, added] = std::ranges::mismatch(then, wanted);
+  if (end != then.end())
+    return wanted;
+  std::vector<Cut> cuts = now;
+  cuts.insert(cuts.end(), added, wanted.end());
+  return cuts;
+}
+
 // What was cut away first, so that one who wants that back keeps the table hidden; then the rest: labels stay
 // open, each shown wholly, and a body goes. Cuts stay in their list, off where they hide something.
 Region shownWholly(const Region& region) {
@@ -214,7 +225,10 @@ void RegionController::hideTableBesideLabels(bool isHidden, const Gesture& gestu
   } else if (isHidden) {
     start(tr("Looking for the body"), gesture,
           [body = m_body](const Region& labels, const Volume& volume, const Progress& progress) {
-            return withBodyOf(withoutCuts(labels), volume, body, progress);
+            // They may have been closed meanwhile.
+            return labels.kind == Region::Kind::labels
+                       ? withBodyOf(withoutCuts(labels), volume, body, progress)
+                       : FoundRegion{labels, {}};
           });
   }
 }
@@ -303,7 +317,8 @@ void RegionController::cut(const Region& region, const std::vector<Cut>& cuts, c
   const bool isKept = region == m_context.session.scene().keep;
   start(tr("Cutting"), gesture,
         [region, isKept, cuts](const Region& kept, const Volume& volume, const Progress& progress) {
-          return cutIn(volume, isKept ? kept : region, cuts, progress);
+          return isKept ? cutIn(volume, kept, cutsOver(kept.cuts, region.cuts, cuts), progress)
+                        : cutIn(volume, region, cuts, progress);
         });
   m_cutsWanted = cuts;
 }

@@ -9893,7 +9893,7 @@
     </message>
     <message>
         <source>Scale &amp;bar</source>
-        <translation>Maßsta&amp;b</translation>
+        <translation>Maßs&amp;tab</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -11142,6 +11142,10 @@
     <message>
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Too late to cancel: the file was being written.</source>
+        <translation>Zu spät zum Abbrechen: Die Datei wurde gerade geschrieben.</translation>
     </message>
 </context>
 <context>

@@ -394,8 +394,11 @@ BackgroundWork::Deliver SavingController::written(const PictureFile& file,
                                                   const std::shared_ptr<const std::vector<Image>>& sides,
                                                   bool isOffered) {
   try {
+    m_isWriting = true;
     file.write(*sides);
+    m_isWriting = false;
   } catch (const Error& error) {
+    m_isWriting = false;
     return [this, file, sides, failure = error.sentence()] {
       emit drawing({});
       offerElsewhere(file, sides, translated(failure));
@@ -423,6 +426,8 @@ void SavingController::offerElsewhere(const PictureFile& file,
     const QString path = askForPicturePlace(m_context);
     if (path.isEmpty())
       return;
+    if (m_drawing.isRunning()) // it began while the place was looked for
+      return m_context.notes.sayFailure(anotherIsDrawn());
     PictureFile other = file;
     other.path = path.toStdString();
     emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
@@ -437,6 +442,9 @@ void SavingController::sayGround(const QString& path, const PictureOptions& opti
 }
 
 void SavingController::cancelPicture() {
+  if (m_isWriting)
+    m_context.window.statusBar()->showMessage(tr("Too late to cancel: the file was being written."),
+                                              cancelledToldForMs);
   m_drawing.cancel();
   emit drawing({}); // of work that was ended nothing more is told
 }

@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QString>
 
+#include <atomic>
 #include <functional>
 #include <vector>
 
@@ -149,9 +150,10 @@ private:
 
   WindowContext& m_context;
   std::function<SessionDocument()> m_session;
-  BackgroundWork m_drawing; ///< of a picture that is larger than the one on screen
-  QString m_drawn;          ///< what is said of it
-  TimeLeft m_left;          ///< of it
+  std::atomic<bool> m_isWriting{false}; ///< the file of what was drawn
+  BackgroundWork m_drawing;             ///< of a picture that is larger than the one on screen
+  QString m_drawn;                      ///< what is said of it
+  TimeLeft m_left;                      ///< of it
 };
 
 } // namespace limn
