@@ -2163,8 +2163,8 @@
         <translation>Einzelne Pixel weichen weiter ab, als die Schritte vorsehen; „Zeigen, wo es nicht exakt ist“ im Bedienfeld Genauigkeit zeigt, wo.</translation>
     </message>
     <message>
-        <source>It stays as it is while &quot;Sharpen while nothing moves&quot; is off in the settings.</source>
-        <translation>Es bleibt so, solange „Im Stillstand verfeinern“ in den Einstellungen aus ist.</translation>
+        <source>It stays as it is while &quot;Sharpen while nothing moves&quot; is off in the settings, and while accuracy is measured.</source>
+        <translation>Es bleibt so, solange „Im Stillstand verfeinern“ in den Einstellungen aus ist und solange die Genauigkeit gemessen wird.</translation>
     </message>
 </context>
 <context>

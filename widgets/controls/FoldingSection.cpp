@@ -210,7 +210,8 @@ bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void SectionPanel::focusInEvent(QFocusEvent* event) {
   QScrollArea::focusInEvent(event);
-  if (event->reason() == Qt::ActiveWindowFocusReason)
+  if (event->reason() == Qt::ActiveWindowFocusReason || event->reason() == Qt::PopupFocusReason ||
+      event->reason() == Qt::MenuBarFocusReason)
     return;                                                               // as it was
   setProperty("focusByPointer", event->reason() == Qt::MouseFocusReason); // theme.qss
   style()->unpolish(this);

@@ -220,7 +220,8 @@ bool PlaneView::obeyInLine(int key) {
     return false;
   if (key == Qt::Key_Return || key == Qt::Key_Enter)
     closeLine();
-  else if (key == Qt::Key_Escape || (key == Qt::Key_Backspace && !shortenLine(*m_line)))
+  else if (key == Qt::Key_Escape || key == Qt::Key_Delete ||
+           (key == Qt::Key_Backspace && !shortenLine(*m_line)))
     forgetLine();
   else if (key != Qt::Key_Backspace)
     return false;

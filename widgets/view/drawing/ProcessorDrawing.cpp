@@ -214,8 +214,10 @@ void ProcessorDrawing::measureEffects() {
 
 // Said at once: to begin, the thread may first have to end a piece of what it draws.
 void ProcessorDrawing::noteMeasuring() {
-  if (m_delivery.measurements < m_measurements)
-    m_delivery.news.times.isMeasuring = true;
+  if (m_delivery.measurements >= m_measurements)
+    return;
+  m_delivery.news.times = {};
+  m_delivery.news.times.isMeasuring = true;
 }
 
 // Pictures of an earlier order are shown, too: while something moves there are no others.

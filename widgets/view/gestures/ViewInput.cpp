@@ -423,7 +423,7 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
   else if (std::holds_alternative<ShortenLine>(command) && m_line) {
     if (!shortenLine(*m_line))
       m_line.reset();
-  } else if (std::holds_alternative<Cancel>(command) && m_line)
+  } else if ((std::holds_alternative<Cancel>(command) || std::holds_alternative<Remove>(command)) && m_line)
     m_line.reset();
   else if (std::holds_alternative<ShortenLine>(command))
     emit measureDropped();

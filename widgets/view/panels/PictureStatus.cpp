@@ -224,7 +224,8 @@ EndText endText(const PictureState& state) {
             QObject::tr("The picture is being drawn again with smaller steps.")};
   if (state.resting && !hasPaths(state))
     return {QObject::tr("step %1"),
-            QObject::tr("It stays as it is while \"Sharpen while nothing moves\" is off in the settings.")};
+            QObject::tr("It stays as it is while \"Sharpen while nothing moves\" is off in the settings, "
+                        "and while accuracy is measured.")};
   return {QObject::tr("step %1"), {}};
 }
 

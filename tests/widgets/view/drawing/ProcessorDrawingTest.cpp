@@ -188,7 +188,6 @@ TEST_F(Worker, afterAFailureTheNextOrderIsDrawn) {
   EXPECT_TRUE(isComplete(2));
 }
 
-// The destructor above waits for the thread.
 // A piece may take very long, as of light that travels.
 TEST_F(Worker, whatRefinesGivesWayToAMeasurementAndGoesOnAfterIt) {
   holds = true;
@@ -200,6 +199,7 @@ TEST_F(Worker, whatRefinesGivesWayToAMeasurementAndGoesOnAfterIt) {
   EXPECT_TRUE(test::waitUntil([&] { return deliveries.back().news.state.refinementEnd.has_value(); }));
 }
 
+// The destructor above waits for the thread.
 TEST_F(Worker, endsInTheMiddleOfAPicture) {
   Scene scene = turned(0.0);
   scene.quality.stepVoxels = 1.0 / 64.0;
