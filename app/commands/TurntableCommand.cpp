@@ -60,7 +60,10 @@ void runTurntable(const TurntableArguments& arguments) {
     };
     Scene written = scene;
     nameSources(written.keep, shareable);
-    return sceneToJson(written, shareable(loaded.volumePath), {}, loaded.measurements);
+    SceneDocument document = documentOf(written, shareable(loaded.volumePath));
+    document.measurements = loaded.measurements;
+    document.sides.emplace(); // one picture
+    return sceneToJson(document);
   };
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Message> notes = writeTurntable(arguments.out, turntable, order, describe);

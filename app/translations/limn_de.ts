@@ -8878,7 +8878,7 @@
     </message>
     <message>
         <source>saves %1 of %2 ms</source>
-        <translation>spart %1 von %2 ms</translation>
+        <translation>spart %1 von %2&#xa0;ms</translation>
     </message>
 </context>
 <context>

@@ -323,9 +323,13 @@ void TurntableDialog::save() {
             measurements = m_context.session.measurements()](const std::string& path, const Effort& effort) {
              MakingOptions told = order;
              told.effort = effort;
-             writeTurntable(
-                 path, turntable, told,
-                 [&](const Scene& scene) { return sceneToJson(scene, volume, {}, measurements); }, mark);
+             const DescribeScene describe = [&](const Scene& scene) {
+               SceneDocument document = documentOf(scene, volume);
+               document.measurements = measurements;
+               document.sides.emplace(); // one picture
+               return sceneToJson(document);
+             };
+             writeTurntable(path, turntable, told, describe, mark);
              return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
            });
 }

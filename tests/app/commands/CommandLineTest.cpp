@@ -368,7 +368,7 @@ TEST_F(CommandLine, aSceneWhoseVolumeMovedSaysSoAndOpensWithItsNewPlace) {
 TEST_F(CommandLine, thatAViewIsFittedToAnotherVolumeIsSaidOnlyWhereNoOtherViewIsGiven) {
   std::ofstream(file("scene.json"))
       << R"({"limn_scene": 1, "volume": "gone.nii", "image": {"width": 8, "height": 8},)"
-         R"( "camera": {"position": [9300, 0, 0], "target": [9000, 0, 0]}})";
+         R"( "camera": {"position": [9300, 0, 0], "target": [9300, 300, 0]}})";
   const std::string command =
       "render " + file("scene.json").string() + " --volume phantom:8 -o " + file("m.png").string();
   const std::string sentence = "The saved view looks past this volume";

@@ -143,7 +143,7 @@ TEST(PictureStatusText, whoReadsThatItIsNotExactIsToldWhyAndWhatCanBeDone) {
   EXPECT_FALSE(tells("smaller ones would show no difference")) << "pixels say otherwise";
   EXPECT_TRUE(tells("\"Show where it is not exact\" in the accuracy panel"));
   state.sides[0].chance->levels = 0.9;
-  EXPECT_FALSE(tells("farther off"));
+  EXPECT_FALSE(tells("Single pixels lie farther off"));
 }
 
 TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
