@@ -17,7 +17,7 @@ namespace {
 
 constexpr int widestOver = 720;      // of what lies over a picture, pixels
 constexpr int narrowestBeside = 240; // of a sentence beside buttons
-constexpr int narrowestOver = 280;   // beside what is kept free
+constexpr int narrowestOver = 240;   // beside what is kept free
 constexpr int marginOver = 12;
 constexpr int marginBelow = 48; // clear of what is written at the lower edge of a picture
 
@@ -124,6 +124,7 @@ QRect MessageBar::placeIn(const QRect& room) {
 void MessageBar::layOver() {
   if (!parentWidget())
     return;
+  layout()->activate(); // a sentence that has just changed is measured anew
   m_laidBeside = m_keptFree();
   const QRect all = parentWidget()->rect();
   QRect place;
