@@ -92,6 +92,12 @@ struct WindowContext {
   /// What the bar of messages says now is about the last undo step, and goes where that is undone.
   void messageGoesWithLastStep();
 
+private:
+  // Before the session, whose undo stack tells of its end.
+  QString m_saidOfStep; ///< the sentence about an undo step; empty: none is said
+  int m_stepSaid = 0;   ///< how many steps there were with that one
+
+public:
   QMainWindow& window;
   UserFolders folders;
   std::optional<MemoryBudget> memory;
@@ -107,8 +113,6 @@ private:
   MessageBar& addBar(const char* name);
   void placeBars();
   void leaveUndone(int steps);
-  QString m_saidOfStep; ///< the sentence about an undo step; empty: none is said
-  int m_stepSaid = 0;   ///< how many steps there were with that one
 
 public:
   MessageBar& recovery; ///< offers what an earlier window left behind
