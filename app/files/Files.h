@@ -4,6 +4,7 @@
 #include "app/files/exports/SurfaceDialog.h"
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/opening/OpeningController.h"
+#include "app/files/saving/PictureSaving.h"
 #include "app/files/saving/SavingController.h"
 #include "app/files/saving/SessionSafety.h"
 #include "app/files/saving/SliceSaving.h"

@@ -374,29 +374,23 @@ void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
   const Scene& scene = m_context.session.scene();
   const bool isImage =
       scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
-  if (sides && !isImage)
-    return showSides(*sides);
-  if (isImage && !m_beforeImage) {
+  if (sides && !isImage) {
+    m_look.reset();
+    m_lookFrom.reset();
+    m_ownModel.reset();
+    m_beforeImage.reset();
+    m_wanted = sides->layout;
+    if (pictureCount(sides->layout) == 2) { // a single one leaves the models of two
+      m_left = sides->left;
+      m_right = {.shown = sides->right};
+      m_context.view.setWipePosition(sides->wipe);
+    }
+  } else if (isImage && !m_beforeImage) {
     m_beforeImage = {m_wanted, m_isAsked};
     m_wanted = CompareLayout::single;
   } else if (!isImage && m_beforeImage) {
     std::tie(m_wanted, m_isAsked) = *m_beforeImage;
     m_beforeImage.reset();
-  }
-  fitLayout();
-}
-
-// The models of two pictures are chosen anew only by a picture of two.
-void ComparisonController::showSides(const ShownSides& sides) {
-  m_look.reset();
-  m_lookFrom.reset();
-  m_ownModel.reset();
-  m_beforeImage.reset();
-  m_wanted = sides.layout;
-  if (pictureCount(sides.layout) == 2) {
-    m_left = sides.left;
-    m_right = {.shown = sides.right};
-    m_context.view.setWipePosition(sides.wipe);
   }
   fitLayout();
 }

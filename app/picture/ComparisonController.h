@@ -120,7 +120,6 @@ private:
   CompareLayout layoutWithRoom() const;
   void fitLayout();
   void noteSlices();
-  void showSides(const ShownSides& sides);
   void addLayouts();
   void addModels();
   void addSnapshot();

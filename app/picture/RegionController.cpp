@@ -25,17 +25,6 @@
 namespace limn {
 namespace {
 
-// Cuts that were asked for, of which those behind the cuts of then come behind the cuts of now.
-std::vector<Cut> cutsOver(const std::vector<Cut>& now, const std::vector<Cut>& then,
-                          const std::vector<Cut>& wanted) {
-  const auto [end, added] = std::ranges::mismatch(then, wanted);
-  if (end != then.end())
-    return wanted;
-  std::vector<Cut> cuts = now;
-  cuts.insert(cuts.end(), added, wanted.end());
-  return cuts;
-}
-
 // What was cut away first, so that one who wants that back keeps the table hidden; then the rest: labels stay
 // open, each shown wholly, and a body goes. Cuts stay in their list, off where they hide something.
 Region shownWholly(const Region& region) {
@@ -63,12 +52,6 @@ bool areAlike(const Grid& a, const Grid& b) {
       return false;
   }
   return true;
-}
-
-std::vector<Cut> withoutNames(std::vector<Cut> cuts) {
-  for (Cut& cut : cuts)
-    cut.name.clear();
-  return cuts;
 }
 
 // What is worked at for less is not said: a bar that flashes tells nobody anything.

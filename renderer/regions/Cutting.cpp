@@ -326,4 +326,20 @@ Region lit(const Region& region, const BitGrid& lit, double weight, const Effort
   return shown;
 }
 
+std::vector<Cut> cutsOver(const std::vector<Cut>& now, const std::vector<Cut>& then,
+                          const std::vector<Cut>& wanted) {
+  const auto [end, added] = std::ranges::mismatch(then, wanted);
+  if (end != then.end())
+    return wanted;
+  std::vector<Cut> cuts = now;
+  cuts.insert(cuts.end(), added, wanted.end());
+  return cuts;
+}
+
+std::vector<Cut> withoutNames(std::vector<Cut> cuts) {
+  for (Cut& cut : cuts)
+    cut.name.clear();
+  return cuts;
+}
+
 } // namespace limn

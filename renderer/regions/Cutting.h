@@ -44,4 +44,12 @@ BitGrid keptVoxels(const Region& region, const Volume& volume, const Effort& eff
 /// says it. Throws as cutRegion.
 Region lit(const Region& region, const BitGrid& lit, double weight, const Effort& effort = {});
 
+/// Cuts that were `wanted` while there were those of `then`, where there are those of `now`: what was added
+/// behind the former comes behind the latter; any others are wanted as they are.
+std::vector<Cut> cutsOver(const std::vector<Cut>& now, const std::vector<Cut>& then,
+                          const std::vector<Cut>& wanted);
+
+/// Cuts that take the same voxels are alike without their names.
+std::vector<Cut> withoutNames(std::vector<Cut> cuts);
+
 } // namespace limn

@@ -426,26 +426,6 @@ static void frameWhatIsPassed(LoadedScene& loaded, const Progress& progress) {
                                   "view is fitted to this volume."));
 }
 
-// Panels that differ in their model alone see the same: it is found once. Slices look from nowhere.
-static void framePanels(LoadedFigure& figure, const SourceOptions& options, const Progress& progress) {
-  std::vector<std::pair<Scene, const LoadedScene*>> found; // as a panel was before, and the panel
-  for (LoadedFigure::Panel& panel : figure.panels) {
-    LoadedScene& loaded = panel.scene;
-    if (panel.plane || !mayLookPast(loaded, options))
-      continue;
-    Scene before = loaded.scene;
-    before.shading = {};
-    const auto same = std::ranges::find(found, before, &std::pair<Scene, const LoadedScene*>::first);
-    if (same == found.end()) {
-      frameWhatIsPassed(loaded, progress);
-      found.emplace_back(before, &loaded);
-    } else {
-      loaded.scene.camera = same->second->scene.camera;
-      loaded.hasOwnCamera = same->second->hasOwnCamera;
-    }
-  }
-}
-
 std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
                                        const Progress& progress) {
   const std::optional<FigureDocument> figure = figureIn(source);
@@ -456,12 +436,13 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   for (const FigurePanelDocument& panel : figure->panels) {
     loaded.panels.push_back(
         {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
-    const LoadedScene& scene = loaded.panels.back().scene;
+    LoadedScene& scene = loaded.panels.back().scene;
+    if (!panel.plane && mayLookPast(scene, options)) // slices look from nowhere
+      frameWhatIsPassed(scene, progress);
     // One that was turned by hand is another volume.
     if (panel.scene.orientation.empty())
       more.opened.emplace(scene.volumePath, scene.scene.volume);
   }
-  framePanels(loaded, options, progress);
   return loaded;
 }
 

@@ -7,7 +7,7 @@
 #include "app/document/DocumentText.h"
 #include "app/document/PrivateNames.h"
 #include "app/files/saving/ComparedPicture.h"
-#include "app/files/saving/DrawingTime.h"
+#include "app/files/saving/PictureSaving.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
@@ -17,15 +17,12 @@
 
 #include <QFileInfo>
 #include <QImage>
-#include <QLabel>
 #include <QStatusBar>
-#include <QTimer>
-#include <QToolButton>
 
 namespace limn {
 namespace {
 
-constexpr int cancelledToldForMs = 4000;
+constexpr int toldForMs = 4000;
 
 // What chance says of the pictures on screen, of the worse of two; absent until it does.
 std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
@@ -60,148 +57,7 @@ std::optional<ShownSides> sidesOf(const Comparison& shown) {
   return ShownSides{shown.layout, shown.models[0], shown.models[1], shown.wipe};
 }
 
-QString anotherIsDrawn() {
-  return PictureSaving::tr(
-      "Another picture is being drawn into its file; wait until it is there, or cancel it "
-      "in the status bar.");
-}
-
-QString askForPicturePlace(WindowContext& context) {
-  return askWhereToSave(&context.window,
-                        {.title = PictureSaving::tr("Save the picture"),
-                         .suggested = suggestedName(context.document) + QStringLiteral(".png"),
-                         .filters = {PictureSaving::tr("Pictures (*.png *.tif *.jpg *.exr)")},
-                         .isPicture = true},
-                        context.settings);
-}
-
 } // namespace
-
-PictureSaving::PictureSaving(WindowContext& context)
-    : QObject(&context.window), m_context(context), m_text(new QLabel(context.window.statusBar())),
-      m_stop(new QToolButton(context.window.statusBar())) {
-  const QAction* save = context.actions.add(
-      QStringLiteral("savePicture"),
-      {.text = tr("Save &picture…"),
-       .place = {Menu::file, 2, 4},
-       .shortcut = tr("Ctrl+Shift+S"),
-       .toolTip = tr("Saves the picture on screen at full quality, with its scene inside."),
-       .icon = QStringLiteral("snapshot"),
-       .iconText = tr("Snapshot"),
-       .tool = {ToolPlace::atTheEnd, 1},
-       .needsVolume = true});
-  connect(save, &QAction::triggered, this, &PictureSaving::ask);
-  m_stop->setObjectName(QStringLiteral("stopWaiting"));
-  m_stop->setText(tr("Cancel"));
-  m_stop->setAccessibleName(tr("Cancel: saving the picture"));
-  m_stop->setMaximumHeight(m_text->sizeHint().height());
-  m_stop->setStyleSheet(QStringLiteral("padding: 0px 4px; margin: 0px; text-decoration: underline;"));
-  context.window.statusBar()->insertPermanentWidget(2, m_text);
-  context.window.statusBar()->insertPermanentWidget(3, m_stop);
-  // Once the event loop is back: the view may be drawing.
-  connect(&context.view, &CompareView::told, this, [this] {
-    if (!m_awaited.path().isEmpty())
-      QTimer::singleShot(0, this, &PictureSaving::look);
-  });
-  connect(m_stop, &QToolButton::clicked, this, [this] {
-    forget();
-    m_context.window.statusBar()->showMessage(tr("Cancelled; nothing was saved."), cancelledToldForMs);
-    emit cancelled();
-  });
-  forget();
-}
-
-PictureContent PictureSaving::content() const {
-  return {m_context.view.scenesOfSides(), m_context.view.compareLayout()};
-}
-
-void PictureSaving::ask() {
-  if (m_isDrawing)
-    return m_context.notes.sayFailure(anotherIsDrawn());
-  const PictureContent asked = content();
-  const glm::ivec2 screen = savedSize(m_context.view.order().geometry);
-  const std::optional<PictureOptions> options = askHowToSave(
-      {screen.x, screen.y}, m_context.settings, &m_context.window, PictureKind::view, told(asked.scenes));
-  if (!options)
-    return;
-  const QString path = askForPicturePlace(m_context);
-  const auto requirePlace = [&] { // before anything is drawn for it
-    requirePictureEnding(path.toStdString());
-    requireWritable(path.toStdString());
-  };
-  if (path.isEmpty() || !m_context.notes.attempt(requirePlace))
-    return;
-  m_awaited.await(path, asked, *options);
-  look();
-}
-
-// By what the screen's pictures took; what is as it stands there takes no time.
-DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
-  DrawingTold told;
-  for (const Scene& scene : asked)
-    if (isPhysical(scene))
-      told.paths = savedPathsText(scene.shading.physical);
-  if (m_context.session.planes().layout != PlaneLayout::pictureOnly)
-    told.remark =
-        tr("The 3D picture is saved without the slices: a right click on a slice saves that one, and "
-           "File ▸ Save figure puts both in one file.");
-  told.beside = m_context.view.compareLayout() == CompareLayout::sideBySide ? 2 : 1;
-  told.changePaths = [this] { emit pathsWanted(); };
-  told.seconds = [this, asked](double scale) -> std::optional<double> {
-    const std::vector<SideState> sides = m_context.view.pictureState().sides; // of now: they go on
-    double all = 0.0;
-    bool isOnScreen = scale == 1.0;
-    for (std::size_t side = 0; side < asked.size() && side < sides.size(); ++side) {
-      const std::optional<double> seconds = secondsToDraw(asked[side], sides[side], scale * scale);
-      if (!seconds)
-        return std::nullopt;
-      all += *seconds;
-      isOnScreen = isOnScreen && isAsSaved(asked[side], sides[side]);
-    }
-    return isOnScreen ? 0.0 : all;
-  };
-  return told;
-}
-
-void PictureSaving::look() {
-  const QString path = m_awaited.path();
-  if (path.isEmpty())
-    return;
-  switch (m_awaited.look(content(), [this] { return m_context.view.restingImage(0).has_value(); })) {
-  case AwaitedPicture::Outcome::waits:
-    say(tr("Saving %1 once the picture is complete").arg(QFileInfo(path).fileName()));
-    break;
-  case AwaitedPicture::Outcome::complete:
-    forget();
-    emit complete(path, m_awaited.options());
-    break;
-  case AwaitedPicture::Outcome::changed:
-    forget();
-    m_context.notes.sayFailure(
-        tr("The picture changed before it was complete, so it is not saved; save it again."));
-    break;
-  }
-}
-
-void PictureSaving::forget() {
-  m_awaited.forget();
-  say({});
-}
-
-void PictureSaving::sayDrawing(const QString& text) {
-  m_isDrawing = !text.isEmpty();
-  say(text);
-}
-
-QString PictureSaving::underWay() const {
-  return m_isDrawing || !m_awaited.path().isEmpty() ? m_text->text() : QString();
-}
-
-void PictureSaving::say(const QString& text) {
-  m_text->setText(text);
-  m_text->setVisible(!text.isEmpty());
-  m_stop->setVisible(!text.isEmpty());
-}
 
 SavingController::SavingController(WindowContext& context, std::function<SessionDocument()> session)
     : QObject(&context.window), m_context(context), m_session(std::move(session)) {
@@ -444,7 +300,7 @@ void SavingController::sayGround(const QString& path, const PictureOptions& opti
 void SavingController::cancelPicture() {
   if (m_isWriting)
     m_context.window.statusBar()->showMessage(tr("Too late to cancel: the file was being written."),
-                                              cancelledToldForMs);
+                                              toldForMs);
   m_drawing.cancel();
   emit drawing({}); // of work that was ended nothing more is told
 }

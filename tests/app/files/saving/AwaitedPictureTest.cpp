@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/files/saving/SavingController.h"
+#include "app/files/saving/PictureSaving.h"
 
 #include <gtest/gtest.h>
 
