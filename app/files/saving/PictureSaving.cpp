@@ -42,7 +42,7 @@ PictureSaving::PictureSaving(WindowContext& context)
       QStringLiteral("savePicture"),
       {.text = tr("Save &picture…"),
        .place = {Menu::file, 2, 4},
-       .shortcut = tr("Ctrl+Shift+S"),
+       .shortcut = tr("Ctrl+Shift+P"),
        .toolTip = tr("Saves the picture on screen at full quality, with its scene inside."),
        .icon = QStringLiteral("snapshot"),
        .iconText = tr("Snapshot"),

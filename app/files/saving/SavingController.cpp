@@ -71,7 +71,10 @@ SavingController::SavingController(WindowContext& context, std::function<Session
                            .needsVolume = true});
   const QAction* saveAs = context.actions.add(
       QStringLiteral("saveSessionAs"),
-      {.text = tr("Save session &as…"), .place = {Menu::file, 2, 2}, .needsVolume = true});
+      {.text = tr("Save session &as…"),
+       .place = {Menu::file, 2, 2},
+       .shortcut = tr("Ctrl+Shift+S"),
+       .needsVolume = true});
   const QAction* scene =
       context.actions.add(QStringLiteral("saveScene"),
                           {.text = tr("Save look and ca&mera (scene)…"),

@@ -244,7 +244,7 @@ TEST_F(ToolWindow, theListOfKeysNamesThem) {
   QString text;
   for (const QLabel* label : dialog->findChildren<QLabel*>())
     text += label->text();
-  for (const char* key : {"[ · M · Z · W", "Esc", "PgUp PgDn", "Del", "Ctrl+Shift+S"})
+  for (const char* key : {"[ · M · Z · W", "Esc", "PgUp PgDn", "Del", "Ctrl+Shift+S", "Ctrl+Shift+P"})
     EXPECT_TRUE(text.contains(QString::fromUtf8(key))) << key;
   dialog->close();
 }

@@ -93,12 +93,21 @@ TEST_F(Saving, theFileOfTheWholeNameIsReplacedOnlyWhereTheUserSaysSo) {
   EXPECT_NE(test::bytesOfFile(folder.path() / "mine.limn.json"), "old");
 }
 
+TEST_F(Saving, theKeysOfOtherProgramsSaveTheSessionUnderAnotherName) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  typeName(pathTo("another"));
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(fs::exists(folder.path() / "another.limn.json"));
+  EXPECT_FALSE(fs::exists(folder.path() / "another.png"));
+}
+
 TEST_F(Saving, aPictureIsAskedForAtOnceAndSavedOnceItIsComplete) {
   ASSERT_TRUE(open(QStringLiteral("phantom:2")));
   ASSERT_FALSE(view().pictureState().resting);
   onceAsked<PictureDialog>([](PictureDialog& dialog) { dialog.accept(); });
   typeName(pathTo("mypicture"));
-  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(test::waitUntil([this] { return fs::exists(folder.path() / "mypicture.png"); }));
   EXPECT_TRUE(view().pictureState().resting);
   EXPECT_FALSE(stop().isVisible());
