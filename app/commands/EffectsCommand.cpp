@@ -11,9 +11,11 @@
 #include "raycaster/CasterCosts.h"
 #include "scene/PictureFigures.h"
 
+#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <thread>
 
 namespace limn {
 namespace {
@@ -29,7 +31,7 @@ struct EffectsArguments {
 struct Report {
   std::string renderer;
   std::vector<EffectRow> rows;
-  std::vector<std::optional<EffectCost>> costs; ///< one per row
+  std::vector<std::optional<EffectCost>> costs, wouldCosts; ///< one per row: of what is on, and off
   double wholeMs = 0.0;
   std::string method;
   Overflow overflow;
@@ -40,14 +42,19 @@ template <class Renderer>
 Report measuredReport(Renderer& renderer, CostedDrawing& drawing, const std::string& name, const Scene& scene,
                       int frames, const Progress& progress) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  Report report{name, effectRows(scene, renderer.plan(scene)), {}, 0.0, {}, {}};
+  Report report{name, effectRows(scene, renderer.plan(scene)), {}, {}, 0.0, {}, {}};
   EffectCosts costs(scene, size, report.rows, frames);
-  while (costs.step(drawing))
+  costs.addWhatIsOff();
+  while (costs.step(drawing)) {
+    if (costs.isWaiting())
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (progress.report)
       progress.report(costs.fraction(), "Measuring the effects");
+  }
   if (progress.report)
     progress.report(1.0, "Measuring the effects");
   report.costs = costs.costs();
+  report.wouldCosts = costs.wouldCosts();
   report.wholeMs = costs.wholeMs();
   report.method = drawing.method();
   report.overflow = overflowOf(renderer.renderUnlimited(scene, size));
@@ -55,12 +62,16 @@ Report measuredReport(Renderer& renderer, CostedDrawing& drawing, const std::str
 }
 
 void printJson(const Report& report) {
-  std::cout << effectsJson(report.renderer, report.rows, report.costs);
+  std::cout << effectsJson(report.renderer, report.rows, report.costs, report.wouldCosts);
 }
 
-// Why a row is on or off and, where it is known, what it brought to the picture.
-std::string whyAndWhat(const EffectRow& row, const std::optional<EffectCost>& cost) {
+// Why a row is on or off and, where it is known, what it brought to the picture or would cost and bring.
+std::string whyAndWhat(const EffectRow& row, const std::optional<EffectCost>& cost,
+                       const std::optional<EffectCost>& wouldCost) {
   const std::string why = row.reason.english();
+  if (wouldCost)
+    return why + "; " + wouldCostText(*wouldCost).english() +
+           (wouldCost->brought ? ", " + wouldBringText(*wouldCost->brought).english() : std::string());
   return cost && cost->brought ? why + "; " + broughtText(*cost->brought).english() : why;
 }
 
@@ -85,7 +96,7 @@ void printTable(const Report& report, const Scene& scene, int frames) {
       std::printf("%22s %8.1f", costText(*cost).english().c_str(), cost->spreadMs);
     else
       std::printf("%22s %8s", "", "");
-    std::printf("  %s\n", whyAndWhat(row, report.costs[i]).c_str());
+    std::printf("  %s\n", whyAndWhat(row, report.costs[i], report.wouldCosts[i]).c_str());
   }
   std::printf("\n%s.\n", methodLine(report, scene, frames).c_str());
   if (!isPhysical(scene))
@@ -104,8 +115,9 @@ Report reportWithOpenGl(const Scene& scene, int frames, const Progress& progress
 Report reportOnProcessor(const Scene& scene, int frames, const Progress& progress) {
   CpuRenderer renderer(0, CpuRenderer::Tolerance::stepsFirst); // as pictures are drawn
   if (isPhysical(scene)) { // its paths are followed once, not with and without something
-    Report report{renderer.name(), effectRows(scene, renderer.plan(scene)), {}, 0.0, {}, {}};
+    Report report{renderer.name(), effectRows(scene, renderer.plan(scene)), {}, {}, 0.0, {}, {}};
     report.costs.resize(report.rows.size());
+    report.wouldCosts.resize(report.rows.size());
     return report;
   }
   CpuCosts drawing(renderer);

@@ -6,9 +6,15 @@
 namespace limn {
 
 Image CpuCosts::tileOf(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) {
-  if (!m_light)
-    m_light = m_renderer.lightOf(scene);
-  return m_renderer.drawWithout(leftOut, scene, size, tile, &*m_light);
+  return m_renderer.drawWithout(leftOut, scene, size, tile, &m_light.light());
+}
+
+bool CpuCosts::useLightOf(const Scene& scene) {
+  const bool isSampled = scene.quality.light == LightDetail::sampled ||
+                         (scene.quality.light == LightDetail::fine && scene.quality.toleranceLevels);
+  if (isSampled)
+    m_light.useNone();
+  return isSampled || m_light.use(scene, [this](const Scene& first) { return m_renderer.lightOf(first); });
 }
 
 void CpuCosts::draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/CostLight.h"
 #include "cpu/CpuRenderer.h"
 #include "engine/EffectCosts.h"
 
@@ -11,6 +12,7 @@ class CpuCosts : public CostedDrawing {
 public:
   explicit CpuCosts(CpuRenderer& renderer) : m_renderer(renderer) {}
 
+  bool useLightOf(const Scene& scene) override;
   void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override;
   Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override;
   void calibrate(const Work&) override {}
@@ -21,7 +23,7 @@ private:
   Image tileOf(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile);
 
   CpuRenderer& m_renderer;
-  std::optional<LightVolumes> m_light; ///< of the first scene
+  CostLight m_light;
 };
 
 } // namespace limn

@@ -49,6 +49,8 @@ struct EffectFigures {
                                                 ///< before all is measured
   double wholeMs = 0.0;                         ///< of the picture with all its effects
   std::string method;                           ///< how the time was measured, a phrase
+  std::vector<std::optional<EffectCost>> wouldCosts{}; ///< the same of what is off, where it could be on
+  bool isWaiting = false;                              ///< for light that is found beside
 };
 
 /// Measures what each effect of a picture costs, a frame at a time. Ends before its engine does.

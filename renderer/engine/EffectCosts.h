@@ -19,8 +19,12 @@ public:
   using Work = std::function<void()>;
   virtual ~CostedDrawing() = default;
 
+  /// Draws in the light that travels in this scene from here on, whatever scene is drawn; comes first. False
+  /// while it is still being found, on a thread beside: nothing waits for it. That of the first scene is
+  /// known.
+  virtual bool useLightOf(const Scene& scene) = 0;
+
   /// Draws a tile of a picture of `size` pixels without some effects, and what cannot be had without them.
-  /// All are drawn in the light that travels in the first scene: none waits for light to be found.
   virtual void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) = 0;
 
   /// The whole picture so drawn.
@@ -40,21 +44,31 @@ public:
 /// effects are drawn one after the other, in turn for all rows, after one pixel each that compiles and
 /// uploads. So what else the machine does weighs on both sides of a difference alike. One whole picture at
 /// a time, so that a window stays awake; a drawing may take more to calibrate itself. Of shadows and
-/// occlusion it tells what they bring to the picture, too.
+/// occlusion it tells what they bring to the picture, too. What is off can be measured in a scene that has it
+/// besides, one row after the other, because such a scene may need light and fields of its own.
 class EffectCosts {
 public:
-  /// `rows` are those of the scene's plan; what is off costs nothing and is not measured. A crop box is
-  /// measured against the whole volume, a surface against the composite.
+  /// `rows` are those of the scene's plan; what is off costs nothing and is not measured, unless that is
+  /// asked for. A crop box is measured against the whole volume, a surface against the composite.
   EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows, int frames = 7);
 
-  /// Draws the next frame, one whole picture, with the same drawing each time. False when none is left.
-  bool step(CostedDrawing& drawing);
+  /// Has what is off measured, too, where it can be switched on alone (withUsualEffect). Before all steps.
+  void addWhatIsOff();
 
-  bool isComplete() const { return m_next == frameCount(); }
+  /// Draws the next frame, one whole picture, with the same drawing each time. False when none is left. Where
+  /// `isWaiting` afterwards it drew none, because light is still being found.
+  bool step(CostedDrawing& drawing);
+  bool isWaiting() const { return m_isWaiting; }
+
+  bool isComplete() const { return m_next == m_turns.size(); }
   double fraction() const; ///< of the frames, 0..1
 
   /// One per row; absent where the row is off and before all is measured.
   std::vector<std::optional<EffectCost>> costs() const;
+
+  /// One per row: what the picture would take more with an effect that is off, and what that would bring to
+  /// it; absent where it is on, was not measured, or not all is measured yet.
+  std::vector<std::optional<EffectCost>> wouldCosts() const;
 
   /// The median time of the whole picture, ms; 0 before all is measured.
   double wholeMs() const;
@@ -63,30 +77,37 @@ public:
   int frames() const { return m_frames; }
 
 private:
-  // The whole picture, or one without the effects of a row.
+  // A scene with a row's effects, and one without.
   struct Variant {
-    Scene scene;
-    EffectSet leftOut;
-    std::vector<double> wholeMs; ///< of the whole pictures drawn beside it
-    std::vector<double> ms;
+    std::size_t row = 0;
+    Scene with, without;
+    EffectSet leftOut;                      ///< without
+    bool isOff = false;                     ///< in the picture, which then is the one without
+    std::vector<double> withMs;             ///< of the pictures drawn beside those without
+    std::vector<double> ms;                 ///< without
     std::optional<PictureChange> brought{}; ///< by what is left out
   };
-  // One picture that is measured: of a variant, or a whole one beside it.
+  // What is done with one picture of a variant.
+  enum class Purpose { calibrate, prepare, compare, measure };
   struct Turn {
+    Purpose purpose = Purpose::measure;
     std::size_t variant = 0;
-    bool isWhole = true;
+    bool isWith = true;
   };
-  int frameCount() const;
-  int firstVariant() const { return m_comparesLight ? 2 : 1; }
-  Turn turnAt(int measured) const;
+  void planPicture();
+  void planRounds(std::size_t first, std::size_t end);
+  void draw(CostedDrawing& drawing, const Turn& turn);
+  std::vector<std::optional<EffectCost>> costsOf(bool areOff) const;
 
-  std::vector<Variant> m_variants;         ///< the whole picture first
-  std::vector<std::size_t> m_variantOfRow; ///< 0: not measured
-  bool m_comparesLight = false;            ///< the second frame is the whole picture, to be compared with
-  std::optional<Image> m_whole;            ///< that
+  Scene m_scene;
+  std::vector<EffectRow> m_rows;
+  std::vector<Variant> m_variants; ///< the picture alone first
+  std::vector<Turn> m_turns;
+  std::optional<Image> m_with; ///< the last picture to be compared with
   glm::ivec2 m_size{0};
   int m_frames = 0;
-  int m_next = 0;
+  std::size_t m_next = 0;
+  bool m_isWaiting = false;
 };
 
 /// Measures the effects of a picture's plan with what draws it.

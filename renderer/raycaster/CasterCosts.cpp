@@ -23,10 +23,12 @@ struct LeftOut {
 
 } // namespace
 
+bool CasterCosts::useLightOf(const Scene& scene) {
+  return m_light.use(scene, [this](const Scene& first) { return m_caster.lightOf(first); });
+}
+
 void CasterCosts::draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) {
-  if (!m_light)
-    m_light = m_caster.lightOf(scene);
-  const LeftOut without(m_caster, leftOut, *m_light);
+  const LeftOut without(m_caster, leftOut, m_light.light());
   for (int y = 0; y < tile.size.y; y += RayCaster::tileSize)
     for (int x = 0; x < tile.size.x; x += RayCaster::tileSize) {
       const glm::ivec2 corner(x, y);

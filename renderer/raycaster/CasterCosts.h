@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/CostLight.h"
 #include "engine/EffectCosts.h"
 #include "gl/GpuTimer.h"
 #include "raycaster/RayCaster.h"
@@ -14,6 +15,7 @@ class CasterCosts : public CostedDrawing {
 public:
   explicit CasterCosts(RayCaster& caster) : m_caster(caster) {}
 
+  bool useLightOf(const Scene& scene) override;
   void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override;
   Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override;
   void calibrate(const Work& work) override;
@@ -22,7 +24,7 @@ public:
 
 private:
   RayCaster& m_caster;
-  std::optional<LightVolumes> m_light; ///< of the first scene
+  CostLight m_light;
   std::optional<GpuTimer> m_timer;
 };
 

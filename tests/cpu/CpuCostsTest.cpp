@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuCosts.h"
+#include "scene/effects/UsualEffects.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/TravellingScenes.h"
@@ -85,6 +86,27 @@ TEST(CpuCosts, lightOnItsWayTellsWhatItBroughtToThePicture) {
   const EffectFigures faint = measured(renderer, scene);
   EXPECT_EQ(broughtText(*costOf("occlusion", rows, faint).brought).english(),
             "changes nothing in this picture that could be seen");
+}
+
+TEST(CpuCosts, whatIsOffIsToldWithWhatItWouldAddAndThePictureStays) {
+  const Scene scene = foggyHead();
+  CpuRenderer renderer(1);
+  const Image before = renderer.render(scene, costSize);
+  const double mb = renderer.memoryMb();
+  const std::vector<EffectRow> rows = effectRows(scene, renderer.plan(scene));
+  const EffectFigures figures = measured(renderer, scene);
+  ASSERT_EQ(figures.wouldCosts.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_FALSE(figures.costs[i] && figures.wouldCosts[i]) << rows[i].name;
+    EXPECT_EQ(figures.wouldCosts[i].has_value(), withUsualEffect(scene, rows[i]).has_value()) << rows[i].name;
+    if (rows[i].name != "shadow" && rows[i].name != "occlusion")
+      continue;
+    ASSERT_TRUE(figures.wouldCosts[i]) << rows[i].name;
+    EXPECT_GE(figures.wouldCosts[i]->brought.value().mostLevels, 5.0) << rows[i].name;
+    EXPECT_GT(figures.wouldCosts[i]->withoutMs, 0.0) << rows[i].name;
+  }
+  EXPECT_EQ(renderer.render(scene, costSize), before);
+  EXPECT_EQ(renderer.memoryMb(), mb) << "nothing of the other scenes stays";
 }
 
 // Counts the whole pictures that are asked for.

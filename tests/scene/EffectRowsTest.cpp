@@ -2,6 +2,7 @@
 #include "scene/effects/EffectRows.h"
 #include "scene/PhantomScene.h"
 #include "scene/ProjectionFacts.h"
+#include "scene/effects/UsualEffects.h"
 #include "support/EffectNames.h"
 
 #include <gtest/gtest.h>
@@ -161,6 +162,36 @@ TEST(EffectCosts, areToldInWords) {
   EXPECT_EQ(costText({2.0, 2.5}).english(), "≈ 0 ms");
   EXPECT_EQ(costText({-39.0, 26.7}).english(), "≈ 0 ms") << "within two spreads chance may be all of it";
   EXPECT_EQ(costText({-0.01, 0.0}).english(), "≈ 0 ms");
+}
+
+TEST(EffectCosts, ofWhatIsOffAreToldAsWhatWouldBe) {
+  EXPECT_EQ(wouldCostText({38.2, 1.0, {}, 50.0}).english(), "would take 38 ms more");
+  EXPECT_EQ(wouldCostText({-210.4, 3.0, {}, 270.0}).english(), "would save 210 of 270 ms");
+  EXPECT_EQ(wouldCostText({2.0, 2.5, {}, 50.0}).english(), "would take hardly any time");
+  EXPECT_EQ(wouldBringText({84.6, 4.23}).english(),
+            "would change this picture by up to 85 of 255 levels, by 4.2 on average");
+  EXPECT_EQ(wouldBringText({0.2, 0.01}).english(), "would change nothing in this picture that could be seen");
+}
+
+TEST(UsualEffects, switchOnWhatIsOffWithTheScenesOwnNumbersOrUsualOnes) {
+  Scene scene = test::roughPhantomScene();
+  scene.shading.shadow = {};
+  scene.shading.occlusion = {0.0, 7.0};
+  const std::optional<Scene> shadowed = withUsualEffect(scene, row(scene, "shadow"));
+  ASSERT_TRUE(shadowed);
+  EXPECT_GT(shadowed->shading.shadow.strength, 0.0);
+  EXPECT_TRUE(shadowed->shading.lightDirection) << "a light from the viewer casts none";
+  EXPECT_TRUE(row(*shadowed, "shadow").isOn);
+  EXPECT_FALSE(withUsualEffect(*shadowed, row(*shadowed, "shadow"))) << "it is on";
+  const std::optional<Scene> hollows = withUsualEffect(scene, row(scene, "occlusion"));
+  ASSERT_TRUE(hollows);
+  EXPECT_EQ(hollows->shading.occlusion.reachMm, 7.0) << "the scene's own";
+  const std::optional<Scene> smooth = withUsualEffect(scene, row(scene, "smooth_normals"));
+  ASSERT_TRUE(smooth);
+  EXPECT_GT(smooth->shading.gradientSmoothing, 0.0);
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "region"))) << "nothing to cut is known";
+  scene.shading.model = ShadingModel::none;
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "shadow"))) << "no light, no shadow";
 }
 
 } // namespace

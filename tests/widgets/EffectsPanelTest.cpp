@@ -87,5 +87,23 @@ TEST_F(EffectsPanelTest, saysWhatLightBroughtToThePicture) {
   EXPECT_FALSE(says(QStringLiteral("it changes"))) << "another scene has another picture";
 }
 
+TEST_F(EffectsPanelTest, saysWhatWouldBeTakenByWhatIsOff) {
+  panel.setRows({{"shadow", "Shadows", false, "the strength of shadows is set to 0", {Effect::shadow}},
+                 {"jitter", "Jitter", false, "it is switched off", {Effect::jitter}}},
+                QStringLiteral("Classic"));
+  panel.setTimes({false,
+                  1.0,
+                  {std::nullopt, std::nullopt},
+                  31.0,
+                  QStringLiteral("a clock"),
+                  {256, 128},
+                  {EffectCost{38.0, 0.5, PictureChange{84.6, 4.23}, 31.0}, EffectCost{2.0, 0.5, {}, 31.0}}});
+  EXPECT_TRUE(says(QStringLiteral("The strength of shadows is set to 0; it would take 38 ms more, and would "
+                                  "change this picture by up to 85 of 255 levels, by 4.2 on average.")));
+  EXPECT_TRUE(says(QStringLiteral("It is switched off; it would take 2.0 ms more.")));
+  panel.setTimes({});
+  EXPECT_FALSE(says(QStringLiteral("would take"))) << "another scene has other costs";
+}
+
 } // namespace
 } // namespace limn

@@ -94,7 +94,8 @@ void EffectRowWidget::setRow(const EffectRow& row) {
   describe();
 }
 
-void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
+void EffectRowWidget::setCost(const std::optional<EffectCost>& cost,
+                              const std::optional<EffectCost>& wouldCost) {
   m_cost->setText(cost ? costWithSpread(*cost) : QString());
   m_cost->setToolTip(
       cost ? tr("The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.")
@@ -105,6 +106,12 @@ void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
   QString reason = sentence(translated(m_row.reason));
   if (cost && cost->brought)
     reason = tr("%1; it %2.").arg(reason, translated(broughtText(*cost->brought)));
+  else if (wouldCost && wouldCost->brought)
+    reason = tr("%1; it %2, and %3.")
+                 .arg(reason, translated(wouldCostText(*wouldCost)),
+                      translated(wouldBringText(*wouldCost->brought)));
+  else if (wouldCost)
+    reason = tr("%1; it %2.").arg(reason, translated(wouldCostText(*wouldCost)));
   m_reason->setText(reason);
   describe();
 }
@@ -161,8 +168,9 @@ EffectsPanel::EffectsPanel(QWidget* parent)
   auto* buttonRow = new QHBoxLayout;
   buttonRow->setContentsMargins(12, 0, 12, 4);
   m_measure->setObjectName(QStringLiteral("measureCost"));
-  m_measure->setToolTip(tr("Draws the picture several times with and without each effect, while nothing else "
-                           "is to be drawn; any change of the scene stops it."));
+  m_measure->setToolTip(
+      tr("Draws the picture several times with and without each effect, also with those that "
+         "are off, while nothing else is to be drawn; any change of the scene stops it."));
   buttonRow->addWidget(m_measure);
   buttonRow->addStretch(1);
   column->addLayout(buttonRow);
@@ -230,8 +238,11 @@ void EffectsPanel::setTimes(const EffectTimes& times) {
 }
 
 void EffectsPanel::showTimes() {
+  const auto ofRow = [](const std::vector<std::optional<EffectCost>>& costs, std::size_t row) {
+    return row < costs.size() ? costs[row] : std::nullopt;
+  };
   for (std::size_t i = 0; i < m_rows.size(); ++i)
-    m_rows[i]->setCost(i < m_times.costs.size() ? m_times.costs[i] : std::nullopt);
+    m_rows[i]->setCost(ofRow(m_times.costs, i), ofRow(m_times.wouldCosts, i));
   m_measure->setText(m_times.isMeasuring ? tr("Measuring… %1 %").arg(qRound(100.0 * m_times.fraction))
                                          : tr("Measure cost"));
   m_measure->setAccessibleName(m_measure->text());

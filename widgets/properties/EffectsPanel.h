@@ -26,7 +26,8 @@ public:
   explicit EffectRowWidget(QWidget* parent = nullptr);
 
   void setRow(const EffectRow& row);
-  void setCost(const std::optional<EffectCost>& cost);
+  /// What it costs, or, while it is off, what it would.
+  void setCost(const std::optional<EffectCost>& cost, const std::optional<EffectCost>& wouldCost = {});
   bool showsCost() const;
   void setSwitchable(bool isSwitchable);
 

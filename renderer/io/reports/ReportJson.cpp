@@ -232,18 +232,27 @@ std::string volumeJson(const VolumeFacts& facts) {
 }
 
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
-                        const std::vector<std::optional<EffectCost>>& costs) {
+                        const std::vector<std::optional<EffectCost>>& costs,
+                        const std::vector<std::optional<EffectCost>>& wouldCosts) {
+  const auto levels = [](const PictureChange& change) {
+    return Json{{"most", change.mostLevels}, {"mean", change.meanLevels}};
+  };
   Json effects = Json::array();
+  Json others = Json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Json& effect = effects.emplace_back(Json{{"name", rows[i].name},
                                              {"on", rows[i].isOn},
                                              {"reason", rows[i].reason.english()},
                                              {"cost_ms", costs[i] ? costs[i]->ms : 0.0}});
     if (costs[i] && costs[i]->brought)
-      effect["brought_levels"] = {{"most", costs[i]->brought->mostLevels},
-                                  {"mean", costs[i]->brought->meanLevels}};
+      effect["brought_levels"] = levels(*costs[i]->brought);
+    if (!wouldCosts[i])
+      continue;
+    Json& other = others.emplace_back(Json{{"name", rows[i].name}, {"cost_ms", wouldCosts[i]->ms}});
+    if (wouldCosts[i]->brought)
+      other["brought_levels"] = levels(*wouldCosts[i]->brought);
   }
-  return textOf({{"renderer", renderer}, {"effects", effects}});
+  return textOf({{"renderer", renderer}, {"effects", effects}, {"if_switched_on", others}});
 }
 
 std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,

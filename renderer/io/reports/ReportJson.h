@@ -59,9 +59,11 @@ std::string pictureJson(const PictureReport& picture);
 /// Nothing of the patient.
 std::string volumeJson(const VolumeFacts& facts);
 
-/// The effects of a scene. `costs` has one entry per row, absent where an effect costs nothing.
+/// The effects of a scene. `costs` has one entry per row, absent where an effect costs nothing; so has
+/// `wouldCosts`, of those that are off, which stand under "if_switched_on".
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
-                        const std::vector<std::optional<EffectCost>>& costs);
+                        const std::vector<std::optional<EffectCost>>& costs,
+                        const std::vector<std::optional<EffectCost>>& wouldCosts);
 
 /// `machine` names processor and renderer. `equalErrors` may be empty.
 std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,

@@ -117,6 +117,11 @@ Message levelsOf(double number) {
   return number < 10.0 ? Message::rounded(number, 2) : Message::fixed(number, 0);
 }
 
+// Of a time in ms.
+Message digitsOf(double ms) {
+  return Message::fixed(ms, ms < 10.0 ? 1 : 0);
+}
+
 } // namespace
 
 std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
@@ -137,12 +142,26 @@ bool isLostInSpread(const EffectCost& cost) {
 Message costText(const EffectCost& cost) {
   if (isLostInSpread(cost))
     return Message::tr("≈ 0 ms");
-  const auto number = [](double ms) { return Message::fixed(ms, ms < 10.0 ? 1 : 0); };
-  const Message size = number(std::abs(cost.ms));
+  const Message size = digitsOf(std::abs(cost.ms));
   if (cost.ms < 0.0 && cost.withoutMs > 0.0)
-    return Message::tr("saves %1 of %2 ms").arg(size, number(cost.withoutMs));
+    return Message::tr("saves %1 of %2 ms").arg(size, digitsOf(cost.withoutMs));
   const Message time = Message::tr("%1 ms").arg(size);
   return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
+}
+
+Message wouldCostText(const EffectCost& cost) {
+  if (isLostInSpread(cost))
+    return Message::tr("would take hardly any time");
+  const Message size = digitsOf(std::abs(cost.ms));
+  return cost.ms < 0.0 ? Message::tr("would save %1 of %2 ms").arg(size, digitsOf(cost.withoutMs))
+                       : Message::tr("would take %1 ms more").arg(size);
+}
+
+Message wouldBringText(const PictureChange& change) {
+  if (change.mostLevels < 0.5)
+    return Message::tr("would change nothing in this picture that could be seen");
+  return Message::tr("would change this picture by up to %1 of 255 levels, by %2 on average")
+      .arg(levelsOf(change.mostLevels), levelsOf(change.meanLevels));
 }
 
 Message broughtText(const PictureChange& change) {

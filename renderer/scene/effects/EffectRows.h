@@ -42,6 +42,13 @@ bool isLostInSpread(const EffectCost& cost);
 /// nobody looks for it in what it takes now), or "≈ 0 ms" where it is lost.
 Message costText(const EffectCost& cost);
 
+/// What an effect that is off would cost, in words: "would take 12 ms more", "would save 210 of 270 ms", or
+/// "would take hardly any time" where it is lost.
+Message wouldCostText(const EffectCost& cost);
+
+/// What an effect that is off would bring to a picture, in words as below.
+Message wouldBringText(const PictureChange& change);
+
 /// What an effect brought to a picture in words: "changes this picture by up to 85 of 255 levels, by 4.2 on
 /// average", or that it changes nothing that could be seen (less than half a level).
 Message broughtText(const PictureChange& change);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -126,6 +127,12 @@ TEST_F(CommandLine, effectsPrintsEveryRowWithItsReasonAndCostAsOneJsonObject) {
     EXPECT_FALSE(effect["reason"].get<std::string>().empty());
     EXPECT_TRUE(effect["on"].get<bool>() || effect["cost_ms"] == 0.0) << "what is off costs nothing";
   }
+  const nlohmann::json& others = json["if_switched_on"];
+  const auto ofShadows =
+      std::ranges::find_if(others, [](const nlohmann::json& other) { return other["name"] == "shadow"; });
+  ASSERT_NE(ofShadows, others.end()) << others;
+  EXPECT_TRUE((*ofShadows)["cost_ms"].is_number());
+  EXPECT_GT((*ofShadows)["brought_levels"]["most"], 0.0);
   EXPECT_EQ(json["effects"][4]["on"], true) << "opacity follows the gradient";
   EXPECT_EQ(json["effects"][7]["on"], false) << "there is no fog";
   EXPECT_NE(outcome.err.find("median"), std::string::npos) << "the method is named: " << outcome.err;

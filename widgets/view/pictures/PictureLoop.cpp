@@ -223,7 +223,9 @@ void PictureLoop::refine() {
 void PictureLoop::measureEffects() {
   if (!m_pictures || m_news.effects.empty())
     return;
+  m_context.makeCurrent(); // what was measured before ends in it
   m_pictures->rest().measureCosts(m_pictures->count() - 1);
+  m_context.doneCurrent();
   tell(m_news.times, m_pictures->rest().times());
   m_restTimer.start(0);
 }

@@ -62,7 +62,9 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
   if (const RestTurn turn = m_refinement.completeLight(*m_engine, sides(), budgetMs);
       turn != RestTurn::nothing)
     return turn;
-  if (m_rest.step(*m_engine) || m_probe.step(*m_engine))
+  if (m_rest.step(*m_engine))
+    return m_rest.isWaiting() ? RestTurn::waiting : RestTurn::worked;
+  if (m_probe.step(*m_engine))
     return RestTurn::worked;
   if (!refines)
     return RestTurn::nothing;

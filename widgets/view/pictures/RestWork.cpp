@@ -92,6 +92,10 @@ glm::ivec2 RestWork::measuredSize() const {
   return smallerSize(m_size, longestMeasured);
 }
 
+bool RestWork::isWaiting() const {
+  return m_costs && m_costs->figures().isWaiting;
+}
+
 EffectTimes RestWork::times() const {
   EffectTimes times;
   if (!m_costs) {
@@ -102,6 +106,7 @@ EffectTimes RestWork::times() const {
   times.isMeasuring = !figures.isComplete;
   times.fraction = figures.fraction;
   times.costs = figures.costs;
+  times.wouldCosts = figures.wouldCosts;
   times.wholeMs = figures.wholeMs;
   times.method = QString::fromStdString(figures.method);
   times.size = {measuredSize().x, measuredSize().y};

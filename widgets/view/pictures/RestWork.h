@@ -24,11 +24,17 @@ public:
   /// where only the size of the picture is another one.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
-  /// Asks for the costs of the effects of the scene of side `side`.
-  void measureCosts(int side) { m_costSide = side; }
+  /// Asks for the costs of the effects of the scene of side `side`, anew where they were measured.
+  void measureCosts(int side) {
+    m_costSide = side;
+    m_costs.reset();
+  }
 
   /// Does one piece. False when there was nothing to do.
   bool step(DrawingEngine& engine);
+
+  /// Whether the last piece did nothing but wait for light that is found beside.
+  bool isWaiting() const;
 
   /// How far the light of a side overflows; absent until measured or where it is unlit.
   const std::optional<Overflow>& overflow(int side) const {

@@ -179,6 +179,10 @@ TEST_F(Loop, measuresOnRequestWhatEffectsCost) {
   loop->measureEffects();
   waitFor([this] { return !news.times.costs.empty(); });
   EXPECT_EQ(news.times.costs.size(), news.effects.size());
+  loop->measureEffects();
+  EXPECT_TRUE(news.times.isMeasuring) << "anew";
+  EXPECT_TRUE(news.times.costs.empty());
+  waitFor([this] { return !news.times.costs.empty(); });
   PictureOrder order = phantomOrder();
   ++order.attempt;
   loop->show(order);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/effects/UsualEffects.h"
+
+#include "scene/light/GradientSmoothing.h"
+#include "scene/light/LightPresets.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace limn {
+namespace {
+
+using SwitchOn = std::function<void(Scene& scene)>;
+
+// A smoothed field takes a float for each voxel: of larger volumes more than a question is worth.
+constexpr std::size_t mostSmoothedVoxels = std::size_t(1) << 27;
+
+double ownOr(double own, double usual) {
+  return own > 0.0 ? own : usual;
+}
+
+void castShadows(Shading& shading) {
+  const Shading studio = withLight(Shading(), LightPreset::studio);
+  if (shading.shadow == Shadow{})
+    shading.shadow = studio.shadow;
+  shading.shadow.strength = ownOr(shading.shadow.strength, studio.shadow.strength);
+  if (shading.lightDirection)
+    return;
+  shading.lightDirection = studio.lightDirection;
+  shading.lightAxes = studio.lightAxes;
+}
+
+void darkenHollows(Shading& shading) {
+  const Shading studio = withLight(Shading(), LightPreset::studio);
+  if (shading.occlusion == Occlusion{})
+    shading.occlusion = studio.occlusion;
+  shading.occlusion.strength = ownOr(shading.occlusion.strength, studio.occlusion.strength);
+}
+
+void smoothNormals(Scene& scene) {
+  if (scene.volume->room() || scene.volume->voxelCount() > mostSmoothedVoxels)
+    return;
+  const Grid& grid = scene.volume->grid();
+  const double ofVoxels = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
+  double& smoothing = scene.shading.gradientSmoothing;
+  smoothing = std::min(ownOr(smoothing, ownOr(smoothingOfSlices(grid), ofVoxels)), mostGradientSmoothing);
+}
+
+const std::map<std::string, SwitchOn>& switches() {
+  static const std::map<std::string, SwitchOn> all{
+      {"specular", [](Scene& scene) { scene.shading.specular = Shading().specular; }},
+      {"knee", [](Scene& scene) { scene.shading.knee = Shading().knee; }},
+      {"two_sided", [](Scene& scene) { scene.shading.twoSided = true; }},
+      {"shadow", [](Scene& scene) { castShadows(scene.shading); }},
+      {"occlusion", [](Scene& scene) { darkenHollows(scene.shading); }},
+      {"smooth_normals", smoothNormals},
+      {"jitter", [](Scene& scene) { scene.quality.jitter = true; }},
+      {"preintegration", [](Scene& scene) { scene.quality.preintegrated = Preintegration::always; }},
+      {"early_termination",
+       [](Scene& scene) { scene.quality.earlyTermination = Quality().earlyTermination; }}};
+  return all;
+}
+
+} // namespace
+
+std::optional<Scene> withUsualEffect(const Scene& scene, const EffectRow& row) {
+  const auto found = switches().find(row.name);
+  if (row.isOn || !scene.volume || found == switches().end())
+    return std::nullopt;
+  Scene with = scene;
+  found->second(with);
+  if (!requiredEffects(with, {}).effects.hasAny(row.effects))
+    return std::nullopt;
+  return with;
+}
+
+} // namespace limn
