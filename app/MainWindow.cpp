@@ -186,16 +186,30 @@ void MainWindow::closeVolume() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!m_asks)
+    return end();
   if (!m_files.mayQuit() || !m_files.safety().mayLeave()) {
     event->ignore();
     return;
   }
+  end();
+  m_files.safety().end();
+  event->accept();
+}
+
+void MainWindow::endUnasked() {
+  const bool isKept = !m_files.safety().keepUnsaved();
+  m_asks = false;
+  close();
+  if (isKept)
+    m_files.safety().end();
+}
+
+void MainWindow::end() {
   m_frame.focusMode().leave();
   m_context.docks.endFolding();
   m_context.settings.setWindow(saveGeometry(), saveState());
   m_files.opening().cancel();
-  m_files.safety().end();
-  event->accept();
 }
 
 // Esc that nothing nearer to the keyboard has a use for.

@@ -37,6 +37,10 @@ public:
   /// From now on the session is autosaved, and what an earlier window left behind is offered.
   void keepSessions() { m_files.safety().begin(); }
 
+  /// Closes where nobody is there to be asked, because the system ends the program. What is unsaved is kept
+  /// as by closing; where it cannot be, the next window is offered what was autosaved.
+  void endUnasked();
+
   /// Offers a tour of the window to who has not seen it.
   void offerTour() { m_frame.tour().offer(); }
 
@@ -57,12 +61,14 @@ private:
   void connectFiles();
   void showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request);
   void closeVolume();
+  void end();
 
   WindowContext m_context;
   PictureArea m_picture;
   Panels m_panels;
   Files m_files;
   Frame m_frame;
+  bool m_asks = true; ///< before it closes
 };
 
 } // namespace limn

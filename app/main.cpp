@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/EndSignals.h"
 #include "app/MainWindow.h"
 #include "app/commands/CommandLine.h"
 #include "app/guide/GuideWindow.h"
@@ -121,6 +122,11 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   QApplication application(argc, argv);
   dress(application, arguments.theme, arguments.language);
   MainWindow window(UserFolders::ofThisUser(), arguments.options.read.memory);
+  const EndSignals endSignals;
+  QObject::connect(&endSignals, &EndSignals::endAsked, &window, [&window] {
+    window.endUnasked();
+    QApplication::exit(0); // also where a dialog is open
+  });
   window.show();
   if (arguments.screenshot.empty()) {
     window.keepSessions();

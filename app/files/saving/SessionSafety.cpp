@@ -87,22 +87,27 @@ std::function<void()> SessionSafety::savingOfNow() {
   return m_keeper ? std::function<void()>(m_keeper->autosave().savingOfNow()) : nullptr;
 }
 
-// Nobody is asked as long as what is left behind can be had back.
-bool SessionSafety::mayLeave() {
+std::optional<QString> SessionSafety::keepUnsaved() {
   const bool keeps = m_keeper || !m_notKept.isEmpty();
   if (!keeps || !m_context.document.scene().volume || !m_context.document.isEdited())
-    return true;
+    return std::nullopt;
   if (!m_keeper)
-    return askBeforeLosing(m_notKept);
+    return m_notKept;
   try {
     const SessionDocument left = *m_context.document.unsaved(m_session());
     m_keeper->keep(left);
     tellUnfinished();
     m_left = left.label;
-    return true;
+    return std::nullopt;
   } catch (const Error& error) {
-    return askBeforeLosing(translated(error.sentence()));
+    return translated(error.sentence());
   }
+}
+
+// Nobody is asked as long as what is left behind can be had back.
+bool SessionSafety::mayLeave() {
+  const std::optional<QString> why = keepUnsaved();
+  return !why || askBeforeLosing(*why);
 }
 
 std::filesystem::path SessionSafety::keptOfEarlier() const {

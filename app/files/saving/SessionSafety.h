@@ -27,6 +27,9 @@ public:
   /// Puts the session of this moment on the disk when it is called, on any thread; empty while none is kept.
   std::function<void()> savingOfNow();
 
+  /// Keeps what is unsaved, to be opened again. Why that failed, a sentence; absent where nothing is lost.
+  std::optional<QString> keepUnsaved();
+
   /// Whether the scene may be left: it is kept, or the user says what becomes of it.
   bool mayLeave();
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/EndSignals.h"
 #include "app/WindowHarness.h"
 #include "support/FileBytes.h"
 #include "widgets/curve/CurvePanel.h"
@@ -12,6 +13,7 @@
 #include <QTabBar>
 #include <QTimer>
 
+#include <csignal>
 #include <fstream>
 
 // The session as a file, and that none is lost, in the window.
@@ -211,6 +213,35 @@ TEST_F(SessionWindow, lookingAtAVolumeLeavesNothingToRestore) {
   window->close();
   EXPECT_TRUE(autosaved().empty());
   EXPECT_FALSE(fs::exists(sessions() / "closed"));
+}
+
+TEST_F(SessionWindow, aSignalToEndKeepsWhatIsUnsavedAsClosingDoes) {
+  const EndSignals signals;
+  QObject::connect(&signals, &EndSignals::endAsked, &signals, [this] { window->endUnasked(); });
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  ASSERT_TRUE(waitForAutosave());
+  std::raise(SIGTERM);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->isVisible(); }));
+  EXPECT_TRUE(autosaved().empty());
+  window = newWindow();
+  window->keepSessions();
+  EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr) << "it did not crash";
+  EXPECT_EQ(UnsavedSessions(sessions()).kept().size(), 1u);
+}
+
+TEST_F(SessionWindow, aSignalToEndLeavesNothingWhereNothingIsUnsaved) {
+  const EndSignals signals;
+  QObject::connect(&signals, &EndSignals::endAsked, &signals, [this] { window->endUnasked(); });
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  std::raise(SIGTERM);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->isVisible(); }));
+  window = newWindow();
+  window->keepSessions();
+  EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr);
+  EXPECT_TRUE(UnsavedSessions(sessions()).kept().empty());
 }
 
 TEST_F(SessionWindow, closingWithUnsavedChangesAsksNothingAndLosesNothing) {
