@@ -216,8 +216,8 @@ TEST_F(SessionWindow, lookingAtAVolumeLeavesNothingToRestore) {
 }
 
 TEST_F(SessionWindow, aSignalToEndKeepsWhatIsUnsavedAsClosingDoes) {
-  const EndSignals signals;
-  QObject::connect(&signals, &EndSignals::endAsked, &signals, [this] { window->endUnasked(); });
+  const EndSignals ends;
+  QObject::connect(&ends, &EndSignals::endAsked, &ends, [this] { window->endUnasked(); });
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   dragAPoint();
@@ -232,8 +232,8 @@ TEST_F(SessionWindow, aSignalToEndKeepsWhatIsUnsavedAsClosingDoes) {
 }
 
 TEST_F(SessionWindow, aSignalToEndLeavesNothingWhereNothingIsUnsaved) {
-  const EndSignals signals;
-  QObject::connect(&signals, &EndSignals::endAsked, &signals, [this] { window->endUnasked(); });
+  const EndSignals ends;
+  QObject::connect(&ends, &EndSignals::endAsked, &ends, [this] { window->endUnasked(); });
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   std::raise(SIGTERM);
