@@ -75,6 +75,8 @@ MeasureController::MeasureController(WindowContext& context)
   m_bar->setDrawing([this] { return m_open.has_value(); });
   m_bar->setLeastHeight(leastHeightForBar);
   connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
+  connect(input, &ViewInput::measureStretched, this, &MeasureController::stretch);
+  context.view.setDrawsMeasureFrom([this](const Ray& ray, int side) { return drawsFrom(ray, side); });
   connect(input, &ViewInput::measureTaken, this, &MeasureController::take);
   connect(input, &ViewInput::measureLed, this, &MeasureController::lead);
   connect(input, &ViewInput::measureLeft, this, [this] {
@@ -189,8 +191,12 @@ void MeasureController::show() {
       seen.push_back({number, one.measurement.kind, one.measurement.placesMm, measureNoteText(one, *m_volume),
                       inHand == number, isLedInSlices(one.measurement),
                       number < m_hidden.size() ? m_hidden[number] : std::array<bool, 2>{}});
-  if (m_open && !m_open->placesMm.empty())
-    seen.push_back({m_measured.size(), m_open->kind, m_open->placesMm, {}, true, true, {}});
+  if (m_open && !m_open->placesMm.empty()) {
+    std::vector<glm::dvec3> places = m_open->placesMm;
+    if (m_stretchedTo)
+      places.push_back(*m_stretchedTo);
+    seen.push_back({m_measured.size(), m_open->kind, places, {}, true, true, {}});
+  }
   m_context.view.setMeasures(seen);
   emit shown(m_measured, m_volume, inHand);
 }
@@ -245,9 +251,11 @@ void MeasureController::showBar() {
   const QString hint = hintFor(*kind, hasSlices());
   if (m_bar->isOut() && m_bar->hint() == hint) // slices are scrolled
     return m_bar->lookAgain();
-  m_bar->showHint(hint,
-                  tr("What was measured is led by its ends and goes with Delete; a drag over the picture "
-                     "rotates it. Esc takes back what is begun, then lays the tool aside."));
+  m_bar->showHint(
+      hint,
+      tr("A drag over tissue measures, too; one beside it rotates the picture, as does any while ends are "
+         "missing. What was measured is led by its ends and goes with Delete. Esc takes back what is begun, "
+         "then lays the tool aside."));
   if (!m_bar->hasRoom())
     say(hint);
 }
@@ -263,7 +271,27 @@ std::optional<glm::dvec3> MeasureController::placeSeen(const Ray& ray, int side)
   return seen.placeMm;
 }
 
+// A drag draws a distance, or an angle's first leg. While one lacks places it turns the picture, because they
+// may lie on its other side, as it does beside the tissue.
+bool MeasureController::drawsFrom(const Ray& ray, int side) const {
+  const std::optional<Measurement::Kind> kind = kindOf(m_context.view.tool());
+  const bool hasLegs = kind == Measurement::Kind::distance || kind == Measurement::Kind::angle;
+  return hasLegs && m_volume && !m_open &&
+         m_context.view.sceneOfSide(side).projection != Projection::average &&
+         turnCentreAlong(m_context.view, ray, side).placeMm;
+}
+
+// Off the tissue it stays where it was.
+void MeasureController::stretch(const Ray& ray, int side) {
+  const TurnCentre seen = turnCentreAlong(m_context.view, ray, side);
+  if (!m_open || !seen.placeMm)
+    return;
+  m_stretchedTo = seen.placeMm;
+  show();
+}
+
 void MeasureController::pick(const Ray& ray, int side) {
+  m_stretchedTo.reset();
   const std::optional<Measurement::Kind> kind = kindOf(m_context.view.tool());
   if (!kind || !m_volume)
     return;
@@ -271,7 +299,7 @@ void MeasureController::pick(const Ray& ray, int side) {
     return say(hintFor(*kind, hasSlices()));
   const std::optional<glm::dvec3> place = placeSeen(ray, side);
   if (!place)
-    return;
+    return show(); // without the place that a drag had reached
   if (!m_open) {
     m_context.planes.setTool(toolOf(*kind)); // takes back what was begun in a slice
     m_open = Measurement{*kind, std::nullopt, {}};

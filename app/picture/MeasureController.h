@@ -53,7 +53,9 @@ private:
   void layAside(); ///< the tools that measure
   void remove();
   bool drop(); ///< what lacks places; false where nothing does
+  bool drawsFrom(const Ray& ray, int side) const;
   void pick(const Ray& ray, int side);
+  void stretch(const Ray& ray, int side);
   void take(const MeasureHandle& handle, std::uint64_t gesture);
   void lead(const Ray& ray, int side);
   std::optional<glm::dvec3> placeSeen(const Ray& ray, int side);
@@ -72,7 +74,8 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< of which they are
   std::vector<Measured> m_measured;
   std::optional<std::size_t> m_inHand;
-  std::optional<Measurement> m_open; ///< that lacks places, which are being picked in the picture
+  std::optional<Measurement> m_open;       ///< that lacks places, which are being picked in the picture
+  std::optional<glm::dvec3> m_stretchedTo; ///< its next place, while a drag draws it
   std::optional<Led> m_led;
   QString m_next;          ///< what was said to do next of what is being drawn
   bool m_isAtRest = false; ///< the picture

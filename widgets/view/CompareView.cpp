@@ -168,6 +168,10 @@ void CompareView::setLinesRemoveInside(bool isInside) {
   push();
 }
 
+void CompareView::setDrawsMeasureFrom(std::function<bool(const Ray& ray, int side)> drawsFrom) {
+  m_input->setDrawsMeasureFrom(std::move(drawsFrom));
+}
+
 void CompareView::setWheelIsForPiece(bool isForPiece) {
   m_input->setWheelIsForPiece(isForPiece);
 }

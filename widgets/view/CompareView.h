@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -120,6 +121,9 @@ public:
   void setLinesRemoveInside(bool isInside);
   /// Whether the wheel changes the range of a piece that was picked; at first it zooms.
   void setWheelIsForPiece(bool isForPiece);
+
+  /// Where drags measure (ViewInput).
+  void setDrawsMeasureFrom(std::function<bool(const Ray& ray, int side)> drawsFrom);
 
   /// What reads pointer and keys, and asks for what is not of the view itself.
   const ViewInput& input() const { return *m_input; }

@@ -44,8 +44,6 @@ DragKind dragOfTool(ViewTool tool) {
   return DragKind::none;
 }
 
-constexpr double clickSlack = 3.0; // a click may tremble by this many logical pixels
-
 ViewClick clickOf(const Press& press, ViewTool tool) {
   if (tool == ViewTool::piece && press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier)
     return ViewClick::pick;
@@ -85,6 +83,11 @@ CropBox croppedTo(const ViewDrag& drag, const Scene& shown, const QPointF& point
 }
 
 } // namespace
+
+bool isClick(const QPointF& from, const QPointF& to) {
+  constexpr double clickSlack = 3.0; // it may tremble by this many logical pixels
+  return std::hypot(to.x() - from.x(), to.y() - from.y()) <= clickSlack;
+}
 
 std::optional<Measurement::Kind> kindOf(ViewTool tool) {
   if (tool < ViewTool::distance)
@@ -228,7 +231,7 @@ ViewEdit editAt(ViewDrag& drag, const Scene& shown, const QPointF& point) {
   if (drag.kind == DragKind::wipe)
     return WipeTo{point.x() / drag.viewWidth};
   const QPointF moved = point - drag.first;
-  if (drag.click != ViewClick::none && std::hypot(moved.x(), moved.y()) <= clickSlack)
+  if (drag.click != ViewClick::none && isClick(drag.first, point))
     return {};
   drag.click = ViewClick::none;
   const TransferFunction& function = drag.before.transferFunction;

@@ -84,6 +84,7 @@ void ViewInput::forget() {
   m_drag.reset();
   m_line.reset();
   m_measure.reset();
+  m_drawn.reset();
   m_read.reset();
 }
 
@@ -98,6 +99,7 @@ void ViewInput::setTool(ViewTool tool) {
     return;
   m_tool = tool;
   m_line.reset();
+  m_drawn.reset();
   if (m_hovered == Hovered{} && !m_drag)
     showCursor(std::nullopt);
   emit toolChanged(tool);
@@ -135,7 +137,7 @@ void ViewInput::askForCrop(const CropBox& crop, const Gesture& gesture) {
 
 void ViewInput::press(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
-  if (!source.comparison.scene.volume || m_drag || m_measure)
+  if (!source.comparison.scene.volume || m_drag || m_measure || m_drawn)
     return;
   const Press press{event.button(), event.modifiers(), event.position()};
   std::optional<CropHandle> handle;
@@ -161,7 +163,7 @@ void ViewInput::press(const QMouseEvent& event) {
     }
     handle = cropHandleAt(source, press.point);
   }
-  if (!handle && (drawLine(source, event) || takeMeasure(source, event)))
+  if (!handle && (drawLine(source, event) || takeMeasure(source, event) || beginMeasure(source, event)))
     return;
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
   if (handle)
@@ -202,6 +204,28 @@ bool ViewInput::takeMeasure(const OverlaySource& source, const QMouseEvent& even
   return m_measure.has_value();
 }
 
+// Whether the left button begins a measurement that a drag ends; a click gives it one place.
+bool ViewInput::beginMeasure(const OverlaySource& source, const QMouseEvent& event) {
+  const QPointF point = event.position();
+  if (!kindOf(m_tool) || event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier ||
+      isOnWipeBorder(source.geometry, point))
+    return false;
+  const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point);
+  if (ray && m_drawsFrom(*ray, sideAt(source, point)))
+    m_drawn = Drawn{point};
+  return m_drawn.has_value();
+}
+
+void ViewInput::stretchMeasure(const QPointF& point) {
+  if (!m_drawn->hasMoved && isClick(m_drawn->from, point))
+    return;
+  if (!std::exchange(m_drawn->hasMoved, true))
+    obeyClick(ViewClick::measure, m_drawn->from);
+  const OverlaySource source = m_facts.shown();
+  if (const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+    emit measureStretched(*ray, sideAt(source, point));
+}
+
 void ViewInput::closeLine() {
   const CutLine line = *std::exchange(m_line, std::nullopt);
   if (isArea(line))
@@ -217,6 +241,8 @@ void ViewInput::move(const QMouseEvent& event) {
       emit measureLed(*ray, sideAt(source, event.position()));
     return;
   }
+  if (m_drawn)
+    return stretchMeasure(event.position());
   if (!m_drag)
     return hover(event);
   const Gesture gesture = m_drag->gesture;
@@ -232,6 +258,10 @@ void ViewInput::release(const QMouseEvent& event) {
   if (m_measure && event.button() == Qt::LeftButton) {
     m_measure.reset();
     return;
+  }
+  if (m_drawn && event.button() == Qt::LeftButton) {
+    m_drawn.reset();
+    return obeyClick(ViewClick::measure, event.position()); // the end of a drag, or a click
   }
   if (!m_drag || event.button() != m_drag->button)
     return;
@@ -425,13 +455,18 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
       m_line.reset();
   } else if ((std::holds_alternative<Cancel>(command) || std::holds_alternative<Remove>(command)) && m_line)
     m_line.reset();
-  else if (std::holds_alternative<ShortenLine>(command))
+  else if (std::holds_alternative<ShortenLine>(command)) {
+    m_drawn.reset();
     emit measureDropped();
-  else if (std::holds_alternative<Remove>(command))
+  } else if (std::holds_alternative<Remove>(command)) {
+    m_drawn.reset();
     emit measureRemoved();
-  else if (std::holds_alternative<Cancel>(command) && m_measure) {
+  } else if (std::holds_alternative<Cancel>(command) && m_measure) {
     m_measure.reset();
     emit measureLeft();
+  } else if (std::holds_alternative<Cancel>(command) && m_drawn) {
+    m_drawn.reset();
+    emit measureDropped();
   } else if (std::holds_alternative<Cancel>(command) && m_drag)
     cancelDrag(shown);
   else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)
