@@ -160,9 +160,10 @@ void PictureArea::addTools() {
   add(ViewTool::scissors, "scissors", tr("Scissors"), tr("X"), tr("draw around what shall be cut away"));
   add(ViewTool::piece, "piece", tr("Piece"), tr("K"),
       tr("a click picks what hangs together, a drag rotates"));
-  add(ViewTool::distance, "distance", tr("Distance"), tr("D"), tr("clicks set both ends, a drag rotates"));
+  add(ViewTool::distance, "distance", tr("Distance"), tr("D"),
+      tr("clicks set both ends, or a drag over tissue does; beside it a drag rotates"));
   add(ViewTool::angle, "angle", tr("Angle"), tr("G"),
-      tr("clicks set an end, the corner and the other end, a drag rotates"));
+      tr("clicks set an end, the corner and the other end; a drag over tissue draws the first leg"));
   add(ViewTool::ellipse, "ellipse", tr("Ellipse"), tr("E"), tr("drawn in a slice; a drag rotates"));
   add(ViewTool::mark, "mark", tr("Mark"), tr("N"), tr("a click marks a place, a drag rotates"));
   m_context.actions.addToolMenu(measuring.front(), measuring);

@@ -2,6 +2,7 @@
 #include "cpu/LightFinder.h"
 #include "gl/PictureTarget.h"
 #include "raycaster/CasterCosts.h"
+#include "scene/effects/UsualEffects.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
@@ -127,6 +128,30 @@ TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
     if (isLight) {
       std::cout << rows[i].name << " " << broughtText(*brought).english() << "\n";
       EXPECT_GE(brought->mostLevels, 5.0) << rows[i].name;
+    }
+  }
+  EXPECT_EQ(caster.render(scene, size), before);
+}
+
+// In a light of its own, found on a thread, which the picture itself is then drawn without.
+TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
+  const Scene scene = croppedScene();
+  RayCaster caster;
+  const Image before = caster.render(scene, size);
+  const FloatTarget target(size);
+  const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
+  CasterCosts drawing(caster);
+  EffectCosts costs(scene, size, rows, 5);
+  costs.addWhatIsOff();
+  while (costs.step(drawing)) {
+  }
+  EXPECT_EQ(costs.fraction(), 1.0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(costs.costs()[i].has_value(), rows[i].isOn) << rows[i].name;
+    const std::optional<EffectCost> wouldCost = costs.wouldCosts()[i];
+    EXPECT_EQ(wouldCost.has_value(), withUsualEffect(scene, rows[i]).has_value()) << rows[i].name;
+    if (wouldCost && rows[i].effects.hasAny(travellingLight)) {
+      EXPECT_GT(wouldCost->brought.value().mostLevels, 0.5) << rows[i].name;
     }
   }
   EXPECT_EQ(caster.render(scene, size), before);
