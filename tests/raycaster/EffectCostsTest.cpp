@@ -135,7 +135,9 @@ TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
 
 // In a light of its own, found on a thread, which the picture itself is then drawn without.
 TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
-  const Scene scene = croppedScene();
+  Scene scene = test::shadowedHead(6.0, ShadingModel::enhanced);
+  scene.shading.shadow.strength = 0.0;
+  scene.shading.occlusion.strength = 0.0;
   RayCaster caster;
   const Image before = caster.render(scene, size);
   const FloatTarget target(size);
