@@ -44,7 +44,7 @@ Report measuredReport(Renderer& renderer, CostedDrawing& drawing, const std::str
   const glm::ivec2 size(scene.image.width, scene.image.height);
   Report report{name, effectRows(scene, renderer.plan(scene)), {}, {}, 0.0, {}, {}};
   EffectCosts costs(scene, size, report.rows, frames);
-  costs.addWhatIsOff();
+  costs.addWhatIsOff(drawing);
   while (costs.step(drawing)) {
     if (costs.isWaiting())
       std::this_thread::sleep_for(std::chrono::milliseconds(5));

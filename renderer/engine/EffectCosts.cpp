@@ -14,7 +14,7 @@ public:
   Measurement(std::unique_ptr<CostedDrawing> drawing, const Scene& scene, const glm::ivec2& size,
               const EffectPlan& plan)
       : m_drawing(std::move(drawing)), m_costs(scene, size, effectRows(scene, plan)) {
-    m_costs.addWhatIsOff();
+    m_costs.addWhatIsOff(*m_drawing);
   }
 
   void step() override { m_costs.step(*m_drawing); }
@@ -91,10 +91,11 @@ void EffectCosts::planPicture() {
     m_turns.push_back({Purpose::measure, 0, true});
 }
 
-void EffectCosts::addWhatIsOff() {
+void EffectCosts::addWhatIsOff(const CostedDrawing& drawing) {
   assert(m_next == 0);
   for (std::size_t row = 0; row < m_rows.size(); ++row)
-    if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row])) {
+    if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row]);
+        with && drawing.canDraw(*with)) {
       m_variants.push_back({row, *with, *with, m_rows[row].effects, true, {}, {}});
       const std::size_t last = m_variants.size() - 1;
       m_turns.push_back({Purpose::compare, last, true});

@@ -24,6 +24,9 @@ public:
   /// known.
   virtual bool useLightOf(const Scene& scene) = 0;
 
+  /// Whether it draws such a scene at all.
+  virtual bool canDraw(const Scene&) const { return true; }
+
   /// Draws a tile of a picture of `size` pixels without some effects, and what cannot be had without them.
   virtual void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) = 0;
 
@@ -53,7 +56,7 @@ public:
   EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows, int frames = 7);
 
   /// Has what is off measured, too, where it can be switched on alone (withUsualEffect). Before all steps.
-  void addWhatIsOff();
+  void addWhatIsOff(const CostedDrawing& drawing);
 
   /// Draws the next frame, one whole picture, with the same drawing each time. False when none is left. Where
   /// `isWaiting` afterwards it drew none, because light is still being found.

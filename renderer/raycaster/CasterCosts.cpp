@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/CasterCosts.h"
 
+#include "engine/VolumeTooLarge.h"
 #include "gl/PictureTarget.h"
 
 namespace limn {
@@ -25,6 +26,15 @@ struct LeftOut {
 
 bool CasterCosts::useLightOf(const Scene& scene) {
   return m_light.use(scene, [this](const Scene& first) { return m_caster.lightOf(first); });
+}
+
+bool CasterCosts::canDraw(const Scene& scene) const {
+  try {
+    requireLightOfShaders(scene);
+    return true;
+  } catch (const BeyondDriver&) {
+    return false;
+  }
 }
 
 void CasterCosts::draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) {

@@ -144,7 +144,7 @@ TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
   CasterCosts drawing(caster);
   EffectCosts costs(scene, size, rows, 5);
-  costs.addWhatIsOff();
+  costs.addWhatIsOff(drawing);
   while (costs.step(drawing)) {
   }
   EXPECT_EQ(costs.fraction(), 1.0);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects/UsualEffects.h"
 
-#include "scene/light/GradientSmoothing.h"
 #include "scene/light/LightPresets.h"
 
-#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -12,9 +10,6 @@ namespace limn {
 namespace {
 
 using SwitchOn = std::function<void(Scene& scene)>;
-
-// A smoothed field takes a float for each voxel: of larger volumes more than a question is worth.
-constexpr std::size_t mostSmoothedVoxels = std::size_t(1) << 27;
 
 double ownOr(double own, double usual) {
   return own > 0.0 ? own : usual;
@@ -38,15 +33,6 @@ void darkenHollows(Shading& shading) {
   shading.occlusion.strength = ownOr(shading.occlusion.strength, studio.occlusion.strength);
 }
 
-void smoothNormals(Scene& scene) {
-  if (scene.volume->room() || scene.volume->voxelCount() > mostSmoothedVoxels)
-    return;
-  const Grid& grid = scene.volume->grid();
-  const double ofVoxels = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
-  double& smoothing = scene.shading.gradientSmoothing;
-  smoothing = std::min(ownOr(smoothing, ownOr(smoothingOfSlices(grid), ofVoxels)), mostGradientSmoothing);
-}
-
 const std::map<std::string, SwitchOn>& switches() {
   static const std::map<std::string, SwitchOn> all{
       {"specular", [](Scene& scene) { scene.shading.specular = Shading().specular; }},
@@ -54,7 +40,6 @@ const std::map<std::string, SwitchOn>& switches() {
       {"two_sided", [](Scene& scene) { scene.shading.twoSided = true; }},
       {"shadow", [](Scene& scene) { castShadows(scene.shading); }},
       {"occlusion", [](Scene& scene) { darkenHollows(scene.shading); }},
-      {"smooth_normals", smoothNormals},
       {"jitter", [](Scene& scene) { scene.quality.jitter = true; }},
       {"preintegration", [](Scene& scene) { scene.quality.preintegrated = Preintegration::always; }},
       {"early_termination",

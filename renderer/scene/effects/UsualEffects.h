@@ -9,7 +9,8 @@ namespace limn {
 
 /// The scene with an effect that its picture does without: with the scene's own numbers, and where they ask
 /// for none with usual ones (those of the studio light for shadows and hollows). Absent where the row is on,
-/// where switching it on alone means nothing, or where the picture would not show it all the same.
+/// where switching it on alone means nothing or takes a copy of the volume (smooth normals), or where the
+/// picture would not show it all the same.
 std::optional<Scene> withUsualEffect(const Scene& scene, const EffectRow& row);
 
 } // namespace limn
