@@ -8,10 +8,13 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
+#include <vector>
 
 namespace limn::test {
 namespace {
@@ -38,6 +41,13 @@ protected:
     EXPECT_TRUE(
         test::waitUntil([&] { return isWholePicture(folder.path() / name) && !stopButton().isVisible(); }));
     return QImage(pathTo(name));
+  }
+
+  static void dismiss(const MessageBar& bar) {
+    for (QToolButton* button : bar.findChildren<QToolButton*>())
+      if (button->text() == QStringLiteral("Dismiss"))
+        return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << "no button to dismiss it";
   }
 
   QToolButton& stopButton() { return *window->findChild<QToolButton*>(QStringLiteral("stopWaiting")); }
@@ -186,6 +196,69 @@ TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
   EXPECT_EQ(written("there.png").size(), size);
   EXPECT_FALSE(offer.isWanted());
   EXPECT_FALSE(readImageDescription(folder.path() / "there.png").empty()) << "it carries its scene";
+}
+
+TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOrDismissed) {
+  PictureOptions options;
+  options.marks = noMarks;
+  options.size = PictureOptions::Size::twice;
+  for (const char* name : {"gone/first.png", "gone/second.png", "gone/third.png"}) {
+    saving().writePicture(pathTo(name), options);
+    ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
+  }
+  const auto& offer = *window->findChild<MessageBar*>(QStringLiteral("unwrittenBar"));
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("third.png"))) << offer.sentence().toStdString();
+  const QStringList all{QStringLiteral("third.png"), QStringLiteral("second.png"),
+                        QStringLiteral("first.png")};
+  EXPECT_EQ(saving().unwritten(), all);
+  dismiss(offer);
+  ASSERT_TRUE(offer.isVisible());
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("second.png"))) << "the one before comes back";
+  typeName(pathTo("there.png"));
+  QTest::mouseClick(offer.findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_FALSE(written("there.png").isNull());
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("first.png")));
+  int asked = 0;
+  const auto answer = [&](QMessageBox::ButtonRole role) {
+    onceAsked<QMessageBox>([&asked, role](QMessageBox& box) {
+      ++asked;
+      EXPECT_EQ(box.informativeText(), QStringLiteral("first.png"));
+      for (QAbstractButton* button : box.buttons())
+        if (box.buttonRole(button) == role)
+          return QTest::mouseClick(button, Qt::LeftButton);
+    });
+  };
+  answer(QMessageBox::RejectRole);
+  EXPECT_FALSE(window->close());
+  EXPECT_TRUE(offer.isVisible()) << "it is still there to be saved";
+  answer(QMessageBox::DestructiveRole);
+  EXPECT_TRUE(window->close());
+  EXPECT_EQ(asked, 2);
+  window->show();
+  dismiss(offer);
+  EXPECT_FALSE(offer.isWanted());
+  EXPECT_TRUE(window->close()) << "there is nothing to lose any more";
+}
+
+// Of two sides each has its half of the way: what is told rises once, and through the middle.
+TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  std::vector<int> percents;
+  QObject::connect(&saving(), &SavingController::drawing, window.get(), [&](const QString& sentence) {
+    const QRegularExpressionMatch match =
+        QRegularExpression(QStringLiteral(": (\\d+) %")).match(sentence);
+    if (match.hasMatch())
+      percents.push_back(match.captured(1).toInt());
+  });
+  PictureOptions options;
+  options.marks = noMarks;
+  options.size = PictureOptions::Size::print;
+  options.printCm = 40.0; // 4,724 pixels
+  ASSERT_FALSE(saved("two.png", options).isNull());
+  EXPECT_TRUE(std::ranges::is_sorted(percents));
+  EXPECT_TRUE(std::ranges::any_of(percents, [](int percent) { return percent > 30 && percent < 70; }))
+      << "between the end of the first and the start of the second";
 }
 
 TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
