@@ -148,6 +148,22 @@ TEST_F(SavedPicture, isOpenedAgainAsOneOrTwoAsItWasSaved) {
   EXPECT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::robust);
 }
 
+TEST_F(SavedPicture, bringsALayoutThatGoesWithIt) {
+  setLayout(CompareLayout::wipe);
+  ASSERT_TRUE(rest());
+  ASSERT_FALSE(saved("two.png", {.marks = noMarks}).isNull());
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(open(pathTo("two.png")));
+  ASSERT_TRUE(open(pathTo("two.png")));
+  ASSERT_EQ(view().compareLayout(), CompareLayout::wipe);
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide) << "as it was before";
+  ASSERT_TRUE(open(pathTo("two.png")));
+  setLayout(CompareLayout::difference);
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::difference) << "chosen meanwhile";
+}
+
 // What is cancelled leaves no file, and nothing that stands in the way of the next one.
 TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   PictureOptions options;
