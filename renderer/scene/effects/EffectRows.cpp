@@ -112,6 +112,20 @@ void letOthersSpeak(EffectRow& row, const EffectPlan& plan) {
       row.reason = reason.reason;
 }
 
+Message timeNumber(double ms) {
+  return Message::fixed(ms, ms < 10.0 ? 1 : 0);
+}
+
+// `size` is how large it is, with or without its spread.
+Message costOfSize(const EffectCost& cost, const Message& size) {
+  if (isLostInSpread(cost))
+    return Message::tr("≈ 0 ms");
+  if (cost.ms < 0.0 && cost.withoutMs > 0.0)
+    return Message::tr("saves %1 of %2 ms").arg(size, timeNumber(cost.withoutMs));
+  const Message time = Message::tr("%1 ms").arg(size);
+  return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
+}
+
 // Two digits, or all before the point.
 Message levelsOf(double number) {
   return number < 10.0 ? Message::rounded(number, 2) : Message::fixed(number, 0);
@@ -135,14 +149,12 @@ bool isLostInSpread(const EffectCost& cost) {
 }
 
 Message costText(const EffectCost& cost) {
-  if (isLostInSpread(cost))
-    return Message::tr("≈ 0 ms");
-  const auto number = [](double ms) { return Message::fixed(ms, ms < 10.0 ? 1 : 0); };
-  const Message size = number(std::abs(cost.ms));
-  if (cost.ms < 0.0 && cost.withoutMs > 0.0)
-    return Message::tr("saves %1 of %2 ms").arg(size, number(cost.withoutMs));
-  const Message time = Message::tr("%1 ms").arg(size);
-  return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
+  return costOfSize(cost, timeNumber(std::abs(cost.ms)));
+}
+
+Message costWithSpreadText(const EffectCost& cost) {
+  return costOfSize(cost, Message::tr("%1 ± %2")
+                              .arg(timeNumber(std::abs(cost.ms)), timeNumber(cost.spreadMs)));
 }
 
 Message broughtText(const PictureChange& change) {

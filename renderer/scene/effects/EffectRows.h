@@ -42,6 +42,9 @@ bool isLostInSpread(const EffectCost& cost);
 /// nobody looks for it in what it takes now), or "≈ 0 ms" where it is lost.
 Message costText(const EffectCost& cost);
 
+/// The same with its spread: "12 ± 1.0 ms", "saves 210 ± 3.0 of 270 ms", "≈ 0 ms".
+Message costWithSpreadText(const EffectCost& cost);
+
 /// What an effect brought to a picture in words: "changes this picture by up to 85 of 255 levels, by 4.2 on
 /// average", or that it changes nothing that could be seen (less than half a level).
 Message broughtText(const PictureChange& change);
