@@ -243,6 +243,23 @@ TEST_F(LabelledScene, aSegmentThatItsFileDescribesKeepsItsNameAmongMasks) {
   EXPECT_EQ(again.labels->labels(), joined.labels->labels());
 }
 
+// What a file calls its segment may be what another file is called.
+TEST_F(LabelledScene, noTwoMasksHaveOneName) {
+  std::filesystem::create_directories(folder.path() / "x");
+  std::ofstream(folder.path() / "a.seg.nrrd")
+      << "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n"
+         "Segment0_ID:=Segment_1\nSegment0_Name:=kidney\nSegment0_LabelValue:=4\n\n0 4 4 0 0 0 0 0\n";
+  write("x/kidney.nrrd", "0 0 0 0 0 0 1 1");
+  LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.seg.nrrd"})"), {}, {});
+  const Region joined = opened(loaded.scene.keep, {"x/kidney.nrrd"}, *loaded.scene.volume).region;
+  EXPECT_EQ(namesIn(joined), (std::vector<std::string>{"Background", "kidney", "kidney (x)"}));
+  EXPECT_EQ(namesIn(opened({}, {"a.seg.nrrd", "x/kidney.nrrd"}, *loaded.scene.volume).region),
+            namesIn(joined));
+  EXPECT_EQ(namesIn(opened(joined, {"a.seg.nrrd"}, *loaded.scene.volume).region),
+            (std::vector<std::string>{"Background", "kidney", "a"}))
+      << "opened once more it comes last";
+}
+
 TEST_F(LabelledScene, masksOfOneFileNameAreToldApartByTheirFolders) {
   write("left/mask.nrrd", "0 7 7 0 0 0 0 0");
   write("right/mask.nrrd", "0 0 0 0 0 0 1 1");
