@@ -255,6 +255,19 @@ std::vector<OpenMask> masksIn(const Region& region, const PatientLabel& patient)
   return masks;
 }
 
+// How many voxels of a label are the background of another map.
+std::size_t voxelsLost(const LabelMap& before, std::size_t place, const LabelMap& after) {
+  const VoxelBox& box = before.boxAround(place);
+  std::size_t lost = 0;
+  for (int z = box.lower.z; z < box.upper.z; ++z)
+    for (int y = box.lower.y; y < box.upper.y; ++y)
+      for (int x = box.lower.x; x < box.upper.x; ++x) {
+        const std::size_t voxel = voxelOffset(before.dims(), x, y, z);
+        lost += before.placeAt(voxel) == place && after.placeAt(voxel) == 0;
+      }
+  return lost;
+}
+
 // Masks of two regions on their way to become one.
 class MaskJoin {
 public:
@@ -281,7 +294,8 @@ public:
     for (std::size_t n = 1; n < m_files.size(); ++n)
       region.moreSources.push_back(m_files[n].string());
     region.isOfFile = m_files.size() == 1;
-    return {withLooks(region, m_looks), overlapIn(*m_masks, Order::asChosen)};
+    const Message overlap = overlapIn(*m_masks, Order::asChosen);
+    return {withLooks(region, m_looks), overlap.followedBy(" ", leftToNobody(*region.labels))};
   }
 
 private:
@@ -313,6 +327,23 @@ private:
     if (!mask.isDescribed || isNamed(m_taken, label.name))
       label.name = maskName(mask.source, m_number, m_files, m_taken, m_patient);
     return label;
+  }
+
+  // A mask that is opened once more may be smaller now. Whether others have what it had before is known to
+  // their files alone.
+  Message leftToNobody(const LabelMap& joined) const {
+    Message left;
+    for (const OpenMask& mask : m_had) {
+      const bool isOpenedAgain = std::ranges::find(m_come, mask.source, &OpenMask::source) != m_come.end();
+      if (!isOpenedAgain || m_stay.empty() || mask.place == 0)
+        continue;
+      const std::size_t voxels = voxelsLost(*m_open.labels, mask.place, joined);
+      if (voxels > 0)
+        left = left.followedBy(" ", Message::tr("%1 voxels that %2 had before belong to no mask now; open a "
+                                                "mask that has them, too, once more.")
+                                        .arg(voxels, m_open.labels->labels()[mask.place].name));
+    }
+    return left;
   }
 
   void takeLook(std::size_t from, std::size_t to) {

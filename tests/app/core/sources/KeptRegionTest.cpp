@@ -225,6 +225,22 @@ TEST_F(LabelledScene, aMaskThatIsOpenedOnceMoreBecomesTheLast) {
     EXPECT_EQ(read.labels->placeAt(voxel), places[voxel]) << voxel;
 }
 
+// The others are not read again, so that what it took from them does not come back by itself.
+TEST_F(LabelledScene, aMaskThatIsSmallerThanBeforeTellsWhatItLeavesToNobody) {
+  write("a.nrrd", "0 7 7 0 0 0 0 0");
+  write("b.nrrd", "0 0 1 0 0 0 1 1");
+  const LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.nrrd"})"), {}, {});
+  const Volume& volume = *loaded.scene.volume;
+  const Region both = opened(loaded.scene.keep, {"b.nrrd"}, volume).region;
+  EXPECT_EQ(opened(both, {"b.nrrd"}, volume).remark.english(), "") << "as it was";
+  write("b.nrrd", "0 0 0 0 0 0 1 1");
+  const FoundRegion smaller = opened(both, {"b.nrrd"}, volume);
+  EXPECT_EQ(smaller.region.labels->placeAt(2), 0u);
+  EXPECT_EQ(smaller.remark.english(), "1 voxels that b had before belong to no mask now; open a mask that has "
+                                      "them, too, once more.");
+  EXPECT_EQ(opened(smaller.region, {"a.nrrd"}, volume).region.labels->placeAt(2), 2u) << "which helps";
+}
+
 // A segment of 3D Slicer keeps its name and colour among others, and when a scene reads it again.
 TEST_F(LabelledScene, aSegmentThatItsFileDescribesKeepsItsNameAmongMasks) {
   std::ofstream(folder.path() / "a.seg.nrrd")
