@@ -132,14 +132,14 @@ void WindowContext::keepClear(HintBar& bar) const {
   });
   const std::array<MessageBar*, 7> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten};
   bar.setCoveredBelow([&seen = view, bars] {
-    int covered = 0;
+    std::vector<QRect> covered;
     for (const MessageBar* message : bars)
       if (message->isVisible())
-        covered = std::max(covered, seen.height() - seen.mapFromGlobal(message->mapToGlobal(QPoint())).y());
+        covered.emplace_back(seen.mapFromGlobal(message->mapToGlobal(QPoint())), message->size());
     return covered;
   });
-  for (const MessageBar* message : bars)
-    QObject::connect(message, &MessageBar::wanted, &bar, &HintBar::lookAgain, Qt::QueuedConnection);
+  for (MessageBar* message : bars)
+    bar.followCover(*message);
 }
 
 void WindowContext::showError(const QString& sentence) const {
