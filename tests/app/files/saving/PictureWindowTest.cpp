@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/DialogKeys.h"
 #include "app/WindowHarness.h"
-#include "app/files/exports/ExportDialog.h"
 #include "io/ImageFile.h"
 #include "widgets/controls/NumberField.h"
 
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <vector>
 
 namespace limn::test {
@@ -371,36 +370,14 @@ TEST_F(SavedPicture, saysWhereItsSlicesAreNotInTheFile) {
 
 // Alt and a letter does one thing in each dialog.
 TEST_F(SavedPicture, noTwoThingsOfADialogHaveOneKey) {
-  const auto expectOneEach = [](const QDialog& dialog) {
-    QStringList texts;
-    for (const auto* button : dialog.findChildren<QAbstractButton*>())
-      if (!button->isHidden())
-        texts << button->text();
-    for (const auto* label : dialog.findChildren<QLabel*>())
-      if (label->buddy() && !label->buddy()->isHidden())
-        texts << label->text();
-    std::set<QKeySequence> keys;
-    for (const QString& text : texts) {
-      const QKeySequence key = QKeySequence::mnemonic(text);
-      EXPECT_TRUE(key.isEmpty() || keys.insert(key).second)
-          << dialog.windowTitle().toStdString() << ": " << text.toStdString();
-    }
-    EXPECT_TRUE(keys.contains(QKeySequence(Qt::ALT | Qt::Key_S))) << "one saves";
-  };
   onceAsked<PictureDialog>([&](PictureDialog& dialog) {
     const auto* save = dialog.findChild<QPushButton*>(QStringLiteral("pictureSave"));
     EXPECT_EQ(QKeySequence::mnemonic(save->text()), QKeySequence(Qt::ALT | Qt::Key_S));
-    for (const PictureOptions::Size size : {PictureOptions::Size::print, PictureOptions::Size::pixels}) {
-      dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(static_cast<int>(size));
-      expectOneEach(dialog);
-    }
+    expectOneKeyEachOfSizes(dialog);
     dialog.reject();
   });
   action(QStringLiteral("Save &picture…"))->trigger();
-  for (const char* name : {"saveFigure", "saveTurntable"})
-    window->findChild<QAction*>(QLatin1String(name))->trigger();
-  for (ExportDialog* dialog : window->findChildren<ExportDialog*>())
-    expectOneEach(*dialog);
+  expectOneKeyEachOfExports(*window);
 }
 
 TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {
