@@ -265,21 +265,33 @@ Files::Files(WindowContext& context, FileSources sources)
   });
 }
 
-bool Files::mayQuit() {
+QStringList Files::underWay() const {
   QStringList underWay;
   if (const QString picture = m_pictures.underWay(); !picture.isEmpty())
     underWay << picture;
   for (const ExportDialog* dialog : m_context.window.findChildren<ExportDialog*>())
     if (dialog->isWorking())
       underWay << dialog->windowTitle() + QStringLiteral(": ") + dialog->said();
-  if (underWay.isEmpty())
+  return underWay;
+}
+
+// Asked once, whatever would be lost.
+bool Files::mayQuit() {
+  const QStringList drawn = underWay();
+  const QStringList unwritten = m_saving.unwritten();
+  if (drawn.isEmpty() && unwritten.isEmpty())
     return true;
-  QMessageBox box(QMessageBox::Warning, tr("Still drawing"),
-                  tr("A file is not finished yet. If Limn ends now, it will not be."), QMessageBox::NoButton,
-                  &m_context.window);
+  QStringList lost;
+  if (!drawn.isEmpty())
+    lost << tr("A file is not finished yet. If Limn ends now, it will not be.");
+  if (!unwritten.isEmpty())
+    lost << tr("A drawn picture could not be written to its file. If Limn ends now, it is lost.");
+  QMessageBox box(QMessageBox::Warning, drawn.isEmpty() ? tr("Not saved yet") : tr("Still drawing"),
+                  lost.join(QLatin1Char(' ')), QMessageBox::NoButton, &m_context.window);
   box.setObjectName(QStringLiteral("stillDrawing"));
-  box.setInformativeText(underWay.join(QLatin1Char('\n')));
-  QPushButton* stay = box.addButton(tr("Let it finish"), QMessageBox::RejectRole);
+  box.setInformativeText((drawn + unwritten).join(QLatin1Char('\n')));
+  QPushButton* stay =
+      box.addButton(drawn.isEmpty() ? tr("Keep it") : tr("Let it finish"), QMessageBox::RejectRole);
   const QPushButton* quit = box.addButton(tr("End all the same"), QMessageBox::DestructiveRole);
   box.setDefaultButton(stay);
   box.exec();

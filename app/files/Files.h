@@ -111,8 +111,8 @@ public:
   SliceSaving& slices() { return m_slices; }
   SessionSafety& safety() { return m_safety; }
 
-  /// Whether the program may end: nothing is being drawn into a file, or somebody says to end it all the
-  /// same.
+  /// Whether the program may end: nothing is being drawn into a file or waits to be saved elsewhere, or
+  /// somebody says to end it all the same.
   bool mayQuit();
 
   /// Says what there is to say of what was opened, keeps it from being lost, and remembers where it lies.
@@ -124,6 +124,8 @@ signals:
   void savedPathsWanted();
 
 private:
+  QStringList underWay() const; ///< what is being drawn into files, in words
+
   WindowContext& m_context;
   FileSources m_sources;
   PictureSaving m_pictures;

@@ -57,7 +57,7 @@ void CropBoxController::begin(bool isShown) {
     m_begun = Begun{scene.volume, around, nextGestureId()};
     m_context.view.setCropHidesNothing(true); // of the body alone; what lies beside it is hidden already
     m_context.session.setCrop(around, {m_begun->gesture, tr("crop box around the body")});
-    m_begun->step = m_context.session.undoStack().index();
+    m_begun->step.emplace(m_context.session.undoStack());
   } else if (!isShown && isBegun(scene)) {
     // The same gesture: undo sees that nothing is left of it.
     m_context.session.setCrop({}, {m_begun->gesture, tr("crop box around the body")});
@@ -71,8 +71,11 @@ bool CropBoxController::isBegun(const Scene& scene) const {
 }
 
 // What was done instead of redoing it leaves the box away.
-void CropBoxController::followUndo(int steps) {
-  if (!m_begun || (steps < m_begun->step) == m_begun->isUndone)
+void CropBoxController::followUndo() {
+  if (!m_begun || !m_begun->step)
+    return;
+  m_begun->step->follow();
+  if (m_begun->step->isDone() != m_begun->isUndone)
     return;
   const bool comesBack = m_begun->isUndone;
   const Scene& scene = m_context.session.scene();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/UndoStep.h"
 #include "app/panels/UnseenCrop.h"
 #include "scene/Scene.h"
 
@@ -37,14 +38,14 @@ private:
     std::shared_ptr<const Volume> volume;
     CropBox crop;
     std::uint64_t gesture = 0;
-    int step = 0; ///< how many steps are done with that one; fewer once the oldest were forgotten
+    std::optional<UndoStep> step{}; ///< once it is done
     bool isUndone = false;
   };
 
   void show();
   void begin(bool isShown);
   bool isBegun(const Scene& scene) const; ///< it shows that box
-  void followUndo(int steps);             ///< that are done
+  void followUndo();
   void followFocus(const QWidget* now);
 
   WindowContext& m_context;

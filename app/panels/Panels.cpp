@@ -202,10 +202,11 @@ void EarlierLook::use() {
   const bool haveOneScale = m_earlier->isHounsfield && looksLikeHounsfield(*volume);
   if (haveOneScale)
     look.landmarks.reset();
+  const Scene before = m_context.session.scene();
   m_context.session.usePreset(fittedTo(look, m_context.document.histogram(), volume->grid()),
                               {nextGestureId(), tr("use the look of the volume before")});
-  if (haveOneScale)
-    return;
+  if (haveOneScale || m_context.session.scene() == before)
+    return; // the volume had that look: there is no step of which anything could be said
   m_context.messages.show(
       MessageBar::Kind::note,
       tr("The look of the volume before was fitted to the values of this one: not both are in "

@@ -133,7 +133,7 @@ void ComparisonController::begin() {
 }
 
 void ComparisonController::setLayout(CompareLayout layout) {
-  m_beforeImage.reset();
+  m_beforeOpened.reset();
   m_wanted = layout;
   m_isAsked = true;
   fitLayout();
@@ -374,23 +374,24 @@ void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
   const Scene& scene = m_context.session.scene();
   const bool isImage =
       scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
+  const bool bringsLayout = sides || isImage;
+  if (bringsLayout && !m_beforeOpened)
+    m_beforeOpened = {m_wanted, m_isAsked};
   if (sides && !isImage) {
     m_look.reset();
     m_lookFrom.reset();
     m_ownModel.reset();
-    m_beforeImage.reset();
     m_wanted = sides->layout;
     if (pictureCount(sides->layout) == 2) { // a single one leaves the models of two
       m_left = sides->left;
       m_right = {.shown = sides->right};
       m_context.view.setWipePosition(sides->wipe);
     }
-  } else if (isImage && !m_beforeImage) {
-    m_beforeImage = {m_wanted, m_isAsked};
+  } else if (isImage) {
     m_wanted = CompareLayout::single;
-  } else if (!isImage && m_beforeImage) {
-    std::tie(m_wanted, m_isAsked) = *m_beforeImage;
-    m_beforeImage.reset();
+  } else if (m_beforeOpened) {
+    std::tie(m_wanted, m_isAsked) = *m_beforeOpened;
+    m_beforeOpened.reset();
   }
   fitLayout();
 }
@@ -441,7 +442,7 @@ void ComparisonController::restore(const SessionDocument& session) {
   if (m_look && !m_look->shading)
     m_look->shading = m_context.session.scene().shading;
   m_context.view.setWipePosition(session.wipe);
-  m_beforeImage.reset();
+  m_beforeOpened.reset();
   m_wanted = session.layout;
   m_isAsked = session.layoutIsAsked;
   fitLayout();

@@ -61,7 +61,7 @@ public:
   const std::optional<Preset>& remembered() const { return m_snapshot; }
 
   /// A scene has been opened. A picture that tells its sides is shown with those. An unlit image (imageLook)
-  /// is shown alone: no model of light tells it from another. What is opened after it has the layout from
+  /// is shown alone: no model of light tells it from another. What is opened after either has the layout from
   /// before, unless someone chose one meanwhile.
   void showOpened(const std::optional<ShownSides>& sides);
 
@@ -142,8 +142,8 @@ private:
   std::optional<RightModel> m_ownModel;   ///< of the right then, where it is not the scene's
   bool m_hasPhysical = false;             ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
-  /// What was wanted, and whether somebody asked for it, while an image is shown alone.
-  std::optional<std::pair<CompareLayout, bool>> m_beforeImage;
+  /// What was wanted, and whether somebody asked for it, while what was opened brings a layout of its own.
+  std::optional<std::pair<CompareLayout, bool>> m_beforeOpened;
 };
 
 } // namespace limn

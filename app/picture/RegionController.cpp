@@ -443,17 +443,21 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
 void RegionController::say(const QString& sentence, const QStringList& details,
                            const MessageBar::Action& action) {
   m_said = sentence;
-  m_saidOf = sourcesOf(m_context.session.scene().keep);
+  const Scene& scene = m_context.session.scene();
+  m_saidOf = {scene.volume, scene.keep.kind, sourcesOf(scene.keep)};
   m_context.messages.show(MessageBar::Kind::warning, sentence, details, action);
 }
 
-// Where those labels have gone otherwise than by undo, nothing that was said of them holds.
+// Where those labels or the body have gone otherwise than by undo, nothing that was said of them holds.
 void RegionController::leaveWhatWasSaid(const Scene& scene) {
-  if (m_said.isEmpty() || (scene.volume && sourcesOf(scene.keep) == m_saidOf))
+  const bool isSame = scene.volume && haveSameVoxels(scene.volume, m_saidOf.volume) &&
+                      scene.keep.kind == m_saidOf.kind && sourcesOf(scene.keep) == m_saidOf.sources;
+  if (m_said.isEmpty() || isSame)
     return;
   if (m_context.messages.sentence() == m_said)
     m_context.messages.hide();
   m_said.clear();
+  m_saidOf = {};
 }
 
 void RegionController::cancel() {

@@ -100,7 +100,13 @@ private:
   Region m_body;                          ///< of it, where it is known
   QString m_opening;                 ///< labels or a folder of masks that are being read; empty: none are
   QString m_said;                    ///< the sentence about what was kept last, where it may still be said
-  std::vector<std::string> m_saidOf; ///< the files of its labels
+  /// What that is about.
+  struct KeptThen {
+    std::shared_ptr<const Volume> volume;
+    Region::Kind kind = Region::Kind::all;
+    std::vector<std::string> sources; ///< of labels
+  };
+  KeptThen m_saidOf;
   QString m_doing;                   ///< what is worked at, in words
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made

@@ -11884,7 +11884,7 @@
     </message>
     <message>
         <source>&amp;Begins at</source>
-        <translation>&amp;Beginnt bei</translation>
+        <translation>Be&amp;ginnt bei</translation>
     </message>
     <message>
         <source>What the picture shows</source>

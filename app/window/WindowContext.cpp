@@ -79,7 +79,7 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
   QObject::connect(&session.undoStack(), &QUndoStack::indexChanged, &window,
-                   [this](int steps) { leaveUndone(steps); });
+                   [this] { leaveUndone(); });
 }
 
 MessageBar& WindowContext::addBar(const char* name) {
@@ -132,14 +132,14 @@ void WindowContext::keepClear(HintBar& bar) const {
   });
   const std::array<MessageBar*, 7> bars{&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten};
   bar.setCoveredBelow([&seen = view, bars] {
-    int covered = 0;
+    std::vector<QRect> covered;
     for (const MessageBar* message : bars)
       if (message->isVisible())
-        covered = std::max(covered, seen.height() - seen.mapFromGlobal(message->mapToGlobal(QPoint())).y());
+        covered.emplace_back(seen.mapFromGlobal(message->mapToGlobal(QPoint())), message->size());
     return covered;
   });
-  for (const MessageBar* message : bars)
-    QObject::connect(message, &MessageBar::wanted, &bar, &HintBar::lookAgain, Qt::QueuedConnection);
+  for (MessageBar* message : bars)
+    bar.followCover(*message);
 }
 
 void WindowContext::showError(const QString& sentence) const {
@@ -148,16 +148,18 @@ void WindowContext::showError(const QString& sentence) const {
 
 void WindowContext::messageGoesWithLastStep() {
   m_saidOfStep = messages.sentence();
-  m_stepSaid = session.undoStack().index();
+  m_stepSaid.emplace(session.undoStack());
 }
 
 // With another volume all steps go.
-void WindowContext::leaveUndone(int steps) {
-  if (m_saidOfStep.isEmpty() || steps >= m_stepSaid)
+void WindowContext::leaveUndone() {
+  if (m_stepSaid)
+    m_stepSaid->follow();
+  if (!m_stepSaid || m_stepSaid->isDone())
     return;
   if (messages.sentence() == m_saidOfStep)
     messages.hide();
-  m_saidOfStep.clear();
+  m_stepSaid.reset();
 }
 
 } // namespace limn

@@ -6,6 +6,7 @@
 #include "app/core/naming/UserFolders.h"
 #include "app/document/OpenDocument.h"
 #include "app/document/Settings.h"
+#include "app/document/UndoStep.h"
 #include "app/window/ActionList.h"
 #include "app/window/Docks.h"
 #include "scene/basics/MemoryBudget.h"
@@ -89,13 +90,13 @@ struct WindowContext {
   /// Says what went wrong in the bar above the picture.
   void showError(const QString& sentence) const;
 
-  /// What the bar of messages says now is about the last undo step, and goes where that is undone.
+  /// What the bar of messages says now is about the last undo step, and goes where that is undone or gone.
   void messageGoesWithLastStep();
 
 private:
   // Before the session, whose undo stack tells of its end.
-  QString m_saidOfStep; ///< the sentence about an undo step; empty: none is said
-  int m_stepSaid = 0;   ///< how many steps there were with that one
+  QString m_saidOfStep;               ///< the sentence about an undo step
+  std::optional<UndoStep> m_stepSaid; ///< that step; absent: of none anything is said
 
 public:
   QMainWindow& window;
@@ -112,7 +113,7 @@ private:
   QVBoxLayout& m_column; ///< of the middle
   MessageBar& addBar(const char* name);
   void placeBars();
-  void leaveUndone(int steps);
+  void leaveUndone();
 
 public:
   MessageBar& recovery; ///< offers what an earlier window left behind

@@ -3,6 +3,7 @@
 
 #include "scene/basics/Descriptor.h"
 #include "scene/basics/Error.h"
+#include "scene/basics/SystemReason.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -13,7 +14,6 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <random>
 #include <string>
 #include <system_error>
@@ -45,7 +45,7 @@ struct Target {
   throw Error(Error::Kind::other,
               (isThere ? Message::tr("Cannot write %1: %2; %3, the old file is untouched.")
                        : Message::tr("Cannot write %1: %2; %3."))
-                  .arg(target.path.string(), std::strerror(error), advice));
+                  .arg(target.path.string(), systemReason(error), advice));
 }
 
 const std::string prefix = ".limn-";
@@ -197,7 +197,7 @@ ScratchFolder::ScratchFolder(const std::filesystem::path& parent) {
   const std::filesystem::path system = given && *given ? given : "/tmp";
   std::string pattern = (parent.empty() ? system / "limn-XXXXXX" : parent / ".limn-XXXXXX").string();
   if (!mkdtemp(pattern.data()))
-    throw Error(Error::Kind::other, std::generic_category().message(errno));
+    throw Error(Error::Kind::other, systemReason(errno));
   m_path = pattern;
 }
 

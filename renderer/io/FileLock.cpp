@@ -2,12 +2,12 @@
 #include "io/FileLock.h"
 
 #include "scene/basics/Error.h"
+#include "scene/basics/SystemReason.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
 
 #include <cerrno>
-#include <cstring>
 
 namespace limn {
 namespace {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void failLocking(const fs::path& file, int error) {
   throw Error(Error::Kind::other,
               Message::tr("Cannot write %1: %2; check that the folder exists, may be written and has room.")
-                  .arg(file.string(), std::strerror(error)));
+                  .arg(file.string(), systemReason(error)));
 }
 
 Descriptor opened(const fs::path& file) {

@@ -14,6 +14,7 @@
 #include "io/reading/HeaderText.h"
 #include "io/reading/PartOfVolume.h"
 #include "io/reading/ReadError.h"
+#include "scene/basics/SystemReason.h"
 #include "scene/volume/Orientation.h"
 
 #include <cmath>
@@ -199,7 +200,8 @@ auto reported(const fs::path& path, Step&& step) {
   } catch (const std::length_error&) {
     failReading(path, Message::tr("its header asks for more voxels than memory can hold"), copyAgain);
   } catch (const fs::filesystem_error& error) {
-    failReading(path, error.code().message(), Message::tr("check the name and the right to read it"));
+    failReading(path, systemReason(error.code().value()),
+                Message::tr("check the name and the right to read it"));
   }
 }
 

@@ -159,6 +159,10 @@ TEST(EffectCosts, areToldInWords) {
   EXPECT_EQ(costText({-303.0, 3.0, {}, 363.2}).english(), "saves 303 of 363 ms")
       << "beside a picture of 60 ms";
   EXPECT_EQ(costText({12.3, 1.0, {}, 48.0}).english(), "12 ms");
+  EXPECT_EQ(costWithSpreadText({12.3, 1.0}).english(), "12 ± 1.0 ms");
+  EXPECT_EQ(costWithSpreadText({-210.4, 3.0}).english(), "saves 210 ± 3.0 ms");
+  EXPECT_EQ(costWithSpreadText({-303.0, 12.0, {}, 363.2}).english(), "saves 303 ± 12 of 363 ms");
+  EXPECT_EQ(costWithSpreadText({2.0, 2.5}).english(), "≈ 0 ms");
   EXPECT_EQ(costText({2.0, 2.5}).english(), "≈ 0 ms");
   EXPECT_EQ(costText({-39.0, 26.7}).english(), "≈ 0 ms") << "within two spreads chance may be all of it";
   EXPECT_EQ(costText({-0.01, 0.0}).english(), "≈ 0 ms");

@@ -27,18 +27,22 @@ std::string measurementRefusal(const std::string& measurements) {
   return "accepted";
 }
 
+std::string sceneTextWith(const std::vector<Measurement>& measurements) {
+  SceneDocument document = documentOf({}, "a.nii");
+  document.measurements = measurements;
+  return sceneToJson(document);
+}
+
 TEST(MeasurementFile, sceneFilesKeepThemToTheBit) {
-  const Scene scene;
-  const std::string text = sceneToJson(scene, "a.nii", {}, everyKind());
-  EXPECT_EQ(parseScene(text, "test.json").measurements, everyKind());
-  EXPECT_EQ(sceneToJson(scene, "a.nii").find("measurements"), std::string::npos) << "without any no key";
+  EXPECT_EQ(parseScene(sceneTextWith(everyKind()), "test.json").measurements, everyKind());
+  EXPECT_EQ(sceneTextWith({}).find("measurements"), std::string::npos) << "without any no key";
 }
 
 TEST(MeasurementFile, hundredsOfThemComeBack) {
   std::vector<Measurement> many;
   for (int n = 0; n < 500; ++n)
     many.push_back({Kind::mark, std::nullopt, {glm::dvec3(n, -n, n / 7.0)}, std::to_string(n)});
-  EXPECT_EQ(parseScene(sceneToJson({}, "a", {}, many), "test.json").measurements, many);
+  EXPECT_EQ(parseScene(sceneTextWith(many), "test.json").measurements, many);
 }
 
 TEST(MeasurementFile, sessionsAndFiguresKeepThem) {

@@ -60,12 +60,12 @@ TEST_F(EffectsPanelTest, asksForCostsAndShowsThemWithTheirMethodAndPictureSize) 
                   31.0,
                   QStringLiteral("a clock"),
                   {256, 128}});
-  EXPECT_TRUE(says(QStringLiteral("saves 12 of 43 ms")));
+  EXPECT_TRUE(says(QStringLiteral("saves 12 ± 0.5 of 43 ms")));
   EXPECT_TRUE(says(QStringLiteral("31 ms at 256 × 128 pixels")));
   EXPECT_TRUE(says(QStringLiteral("a clock")));
   EXPECT_TRUE(button()->isEnabled());
   panel.setTimes({});
-  EXPECT_FALSE(says(QStringLiteral("saves 12 of 43 ms"))) << "a changed scene has other costs";
+  EXPECT_FALSE(says(QStringLiteral("saves 12 ± 0.5 of 43 ms"))) << "a changed scene has other costs";
 }
 
 TEST_F(EffectsPanelTest, saysWhatLightBroughtToThePicture) {

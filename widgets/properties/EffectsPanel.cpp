@@ -28,14 +28,6 @@ QString sentence(QString phrase) {
   return phrase;
 }
 
-// "12 ms ± 3"; a cost that is lost in its spread is about none.
-QString costWithSpread(const EffectCost& cost) {
-  const QString text = translated(costText(cost));
-  return isLostInSpread(cost) ? text
-                              : EffectsPanel::tr("%1 ± %2").arg(
-                                    text, fixedNumber(cost.spreadMs, cost.spreadMs < 10.0 ? 1 : 0));
-}
-
 void setTextColor(QLabel& label, const QColor& color) {
   QPalette palette = label.palette();
   palette.setColor(QPalette::WindowText, color);
@@ -96,7 +88,7 @@ void EffectRowWidget::setRow(const EffectRow& row) {
 
 void EffectRowWidget::setCost(const std::optional<EffectCost>& cost,
                               const std::optional<EffectCost>& wouldCost) {
-  m_cost->setText(cost ? costWithSpread(*cost) : QString());
+  m_cost->setText(cost ? translated(costWithSpreadText(*cost)) : QString());
   m_cost->setToolTip(
       cost ? tr("The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.")
                  .arg(fixedNumber(std::abs(cost->ms), 1))

@@ -3,6 +3,7 @@
 
 #include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
+#include "scene/basics/SystemReason.h"
 
 namespace limn {
 
@@ -24,7 +25,7 @@ SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const Di
 }
 
 // The folder that was meant is named, whichever above it takes none.
-[[noreturn]] static void failMaking(const std::filesystem::path& folder, const std::string& why) {
+[[noreturn]] static void failMaking(const std::filesystem::path& folder, const Message& why) {
   throw Error(
       Error::Kind::other,
       Message::tr("The folder %1 cannot be made (%2); choose another one.").arg(folder.string()).arg(why));
@@ -40,7 +41,7 @@ void requireDicomFolder(const std::filesystem::path& folder) {
   try {
     const ScratchFolder removedAtOnce(there);
   } catch (const Error& error) {
-    failMaking(folder, error.what());
+    failMaking(folder, error.sentence());
   }
 }
 
@@ -53,7 +54,7 @@ std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scen
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure)
-    failMaking(folder, failure.message());
+    failMaking(folder, systemReason(failure.value()));
   writeDicomObjects(folder, objects);
   return objects.losses;
 }

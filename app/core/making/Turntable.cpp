@@ -6,6 +6,7 @@
 #include "io/ImageFile.h"
 #include "io/reading/HeaderText.h"
 #include "scene/basics/Error.h"
+#include "scene/basics/SystemReason.h"
 
 #include <algorithm>
 #include <array>
@@ -116,7 +117,7 @@ void makeFolderFor(const fs::path& folder) {
   if (failed)
     throw Error(Error::Kind::other, Message::tr("The folder %1 cannot be made (%2); choose another one.")
                                         .arg(folder.string())
-                                        .arg(failed.message()));
+                                        .arg(systemReason(failed.value())));
 }
 
 } // namespace

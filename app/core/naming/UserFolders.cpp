@@ -2,6 +2,7 @@
 #include "app/core/naming/UserFolders.h"
 
 #include "scene/basics/Error.h"
+#include "scene/basics/SystemReason.h"
 
 #include <cstdlib>
 
@@ -42,7 +43,7 @@ void makeFolder(const fs::path& folder) {
     throw Error(Error::Kind::other,
                 Message::tr("Cannot make the folder %1: %2; make room there or allow Limn to write there.")
                     .arg(folder.string())
-                    .arg(failed.message()));
+                    .arg(systemReason(failed.value())));
 }
 
 void makePrivateFolder(const fs::path& folder) {

@@ -7,6 +7,7 @@
 #include "app/document/DocumentText.h"
 #include "app/document/PrivateNames.h"
 #include "app/files/saving/ComparedPicture.h"
+#include "app/files/saving/DrawingTime.h"
 #include "app/files/saving/PictureSaving.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
@@ -231,43 +232,47 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
   m_drawing.start([this, file, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
     MakingOptions told = order;
-    std::size_t done = 0;
-    told.effort = effort;
-    told.effort.report = [&](double fraction) {
-      effort.report((static_cast<double>(done) + fraction) / static_cast<double>(scenes.size()));
-    };
+    told.effort = effort; // each of two sides has its half of it
     std::vector<Image> sides(scenes.size());
     PictureFile drawn = file;
     makeEach(scenes, size, told, [&](std::size_t index, MadePicture picture) {
       drawn.exactness +=
           picture.paths ? QLatin1Char(' ') + translated(sentenceOf(*picture.paths)) : QString();
       sides[index] = std::move(picture.image);
-      ++done;
     });
-    return written(drawn, std::make_shared<const std::vector<Image>>(std::move(sides)), false);
+    return written(drawn, std::make_shared<const std::vector<Image>>(std::move(sides)), nullptr);
   });
 }
+
+/// A drawn picture that could not be written, and why.
+struct SavingController::Unwritten {
+  PictureFile file;
+  std::shared_ptr<const std::vector<Image>> sides;
+  QString sentence;
+};
 
 // Seconds of a large one.
 BackgroundWork::Deliver SavingController::written(const PictureFile& file,
                                                   const std::shared_ptr<const std::vector<Image>>& sides,
-                                                  bool isOffered) {
+                                                  const std::shared_ptr<const Unwritten>& offered) {
   try {
     m_isWriting = true;
     file.write(*sides);
     m_isWriting = false;
   } catch (const Error& error) {
     m_isWriting = false;
-    return [this, file, sides, failure = error.sentence()] {
+    return [this, file, sides, offered, failure = error.sentence()] {
       emit drawing({});
-      offerElsewhere(file, sides, translated(failure));
+      std::erase(m_unwritten, offered);
+      m_unwritten.push_back(std::make_shared<const Unwritten>(file, sides, translated(failure)));
+      offerElsewhere();
     };
   }
-  return [this, isOffered, exactness = file.exactness.trimmed(), path = QString::fromStdString(file.path),
+  return [this, offered, exactness = file.exactness.trimmed(), path = QString::fromStdString(file.path),
           options = file.options] {
     emit drawing({});
-    if (isOffered)
-      m_context.unwritten.hide();
+    if (std::erase(m_unwritten, offered) > 0)
+      offerElsewhere();
     m_context.notes.attempt([] {}, path); // it is there
     if (!exactness.isEmpty())
       m_context.messages.show(MessageBar::Kind::note, exactness);
@@ -275,24 +280,44 @@ BackgroundWork::Deliver SavingController::written(const PictureFile& file,
   };
 }
 
-// What took long to draw is kept until it is written or the offer is dismissed, whatever else is said.
-void SavingController::offerElsewhere(const PictureFile& file,
-                                      const std::shared_ptr<const std::vector<Image>>& sides,
-                                      const QString& sentence) {
-  const auto saveElsewhere = [this, file, sides] {
-    if (m_drawing.isRunning())
-      return m_context.notes.sayFailure(anotherIsDrawn());
-    const QString path = askForPicturePlace(m_context);
-    if (path.isEmpty())
-      return;
-    if (m_drawing.isRunning()) // it began while the place was looked for
-      return m_context.notes.sayFailure(anotherIsDrawn());
-    PictureFile other = file;
-    other.path = path.toStdString();
-    emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
-    m_drawing.start([this, other, sides](const Effort&) { return written(other, sides, true); });
-  };
-  m_context.unwritten.show(MessageBar::Kind::error, sentence, {}, {tr("Save elsewhere…"), saveElsewhere});
+// What took long to draw is kept until it is written or its offer is dismissed, whatever else is said. The
+// others are offered once the one that failed last is gone.
+void SavingController::offerElsewhere() {
+  if (m_unwritten.empty())
+    return m_context.unwritten.hide();
+  QStringList others;
+  for (std::size_t n = m_unwritten.size() - 1; n-- > 0;)
+    others << m_unwritten[n]->sentence;
+  const std::shared_ptr<const Unwritten>& offered = m_unwritten.back();
+  m_context.unwritten.show(
+      MessageBar::Kind::error, offered->sentence, others,
+      {tr("Save elsewhere…"), [this, offered] { saveElsewhere(offered); }},
+      {{}, [this, dismissed = std::weak_ptr(offered)] {
+         std::erase(m_unwritten, dismissed.lock());
+         offerElsewhere();
+       }});
+}
+
+void SavingController::saveElsewhere(const std::shared_ptr<const Unwritten>& offered) {
+  if (m_drawing.isRunning())
+    return m_context.notes.sayFailure(anotherIsDrawn());
+  const QString path = askForPicturePlace(m_context);
+  if (path.isEmpty())
+    return;
+  if (m_drawing.isRunning()) // it began while the place was looked for
+    return m_context.notes.sayFailure(anotherIsDrawn());
+  PictureFile other = offered->file;
+  other.path = path.toStdString();
+  emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
+  m_drawing.start(
+      [this, other, offered](const Effort&) { return written(other, offered->sides, offered); });
+}
+
+QStringList SavingController::unwritten() const {
+  QStringList names;
+  for (auto one = m_unwritten.rbegin(); one != m_unwritten.rend(); ++one)
+    names << QFileInfo(QString::fromStdString((*one)->file.path)).fileName();
+  return names;
 }
 
 void SavingController::sayGround(const QString& path, const PictureOptions& options) {

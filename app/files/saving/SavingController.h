@@ -9,6 +9,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <atomic>
 #include <functional>
@@ -40,6 +41,9 @@ public:
                                              .ground = PictureOptions::Ground::shown, .marks = noMarks});
   void cancelPicture();
 
+  /// The names of pictures that were drawn and are in no file yet, the one that failed last first.
+  QStringList unwritten() const;
+
   /// How a picture that may travel calls the volume and a file of labels: without folders.
   std::string volumeInPicture() const;
   std::string labelsInPicture(const std::string& labels) const;
@@ -51,14 +55,16 @@ signals:
 
 private:
   struct PictureFile;
+  struct Unwritten;
   void drawPicture(const PictureFile& file, const std::vector<Scene>& scenes, const glm::ivec2& size);
-  /// Writes a drawn picture, on the thread of work, and returns how that is told. One that `isOffered` could
+  /// Writes a drawn picture, on the thread of work, and returns how that is told. One that is `offered` could
   /// not be written before.
   BackgroundWork::Deliver written(const PictureFile& file,
-                                  const std::shared_ptr<const std::vector<Image>>& sides, bool isOffered);
-  /// Says that a drawn picture could not be written, and saves it elsewhere where that is wanted.
-  void offerElsewhere(const PictureFile& file, const std::shared_ptr<const std::vector<Image>>& sides,
-                      const QString& sentence);
+                                  const std::shared_ptr<const std::vector<Image>>& sides,
+                                  const std::shared_ptr<const Unwritten>& offered);
+  /// Says of the picture that failed last that it could not be written, and offers to save it elsewhere.
+  void offerElsewhere();
+  void saveElsewhere(const std::shared_ptr<const Unwritten>& offered);
   void sayGround(const QString& path, const PictureOptions& options);
   std::string seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
                        const std::string& kind) const;
@@ -71,6 +77,7 @@ private:
   BackgroundWork m_drawing;             ///< of a picture that is larger than the one on screen
   QString m_drawn;                      ///< what is said of it
   TimeLeft m_left;                      ///< of it
+  std::vector<std::shared_ptr<const Unwritten>> m_unwritten; ///< until saved or dismissed, the latest last
 };
 
 } // namespace limn

@@ -63,6 +63,10 @@ namespace fs = std::filesystem;
 
 } // namespace
 
+bool mayBeMask(const fs::path& file) {
+  return !volumeStem(file).empty() || isDicomSegmentation(file);
+}
+
 LabelVolume readLabelVolume(const fs::path& path, const Progress& progress, const PatientLabel& patient) {
   if (isDicomSegmentation(path)) {
     DicomSegments segments = readDicomSegmentation(path, progress);
@@ -121,8 +125,9 @@ Segmentation readSegmentation(const fs::path& path, const Grid& grid, const Prog
     const auto map =
         labelsOnGrid(*labels.volume, labels.described, grid,
                      effortOf(part(progress, 0.6, 1.0), Message::tr("Placing labels")), labels.structure);
-    return Segmentation{
-        {Region::Kind::labels, sourceOf(path), map, std::vector<double>(map->labels().size(), 1.0)}, {}};
+    Region region{Region::Kind::labels, sourceOf(path), map, std::vector<double>(map->labels().size(), 1.0)};
+    region.isOfFile = mayBeMask(path);
+    return Segmentation{region, {}};
   });
 }
 

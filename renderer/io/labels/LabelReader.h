@@ -23,6 +23,9 @@ struct LabelVolume {
   std::string structure{};      ///< where the file itself names none
 };
 
+/// Whether a file may hold one of several masks: a volume by its ending, or a DICOM segmentation.
+bool mayBeMask(const std::filesystem::path& file);
+
 /// Reads the file of a label map, no folder of masks. Throws as readLabels does.
 LabelVolume readLabelVolume(const std::filesystem::path& path, const Progress& progress = {},
                             const PatientLabel& patient = {});

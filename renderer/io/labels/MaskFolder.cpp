@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/labels/MaskFolder.h"
 
-#include "io/dicom/DicomSegmentation.h"
 #include "io/labels/LabelNames.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
@@ -35,22 +34,26 @@ std::string nameWithFolder(const fs::path& file, const PatientLabel& patient) {
   return name.empty() || folder.empty() ? std::string() : name + " (" + folder + ")";
 }
 
+bool isNamed(const std::vector<Label>& labels, const std::string& name) {
+  return std::ranges::find(labels, name, &Label::name) != labels.end();
+}
+
 // What a mask is called among others: the first that is its alone of its structure, its whole name, and
-// either with the folder that it lies in.
+// either with the folder that it lies in, unless a label before it has that name from its file.
 std::string maskName(const fs::path& file, int value, const std::vector<fs::path>& files,
-                     const PatientLabel& patient) {
+                     const std::vector<Label>& before, const PatientLabel& patient) {
   using Naming = std::string (*)(const fs::path&, const PatientLabel&);
   for (const Naming naming : {Naming(structureName), Naming(stemName), Naming(nameWithFolder)}) {
     const auto nameOf = [&](const fs::path& one) { return naming(one, patient); };
     const std::string name = nameOf(file);
-    if (!name.empty() && std::ranges::count(files, name, nameOf) == 1)
+    if (!name.empty() && std::ranges::count(files, name, nameOf) == 1 && !isNamed(before, name))
       return name;
   }
-  return "Label " + std::to_string(value);
-}
-
-bool isNamed(const std::vector<Label>& labels, const std::string& name) {
-  return std::ranges::find(labels, name, &Label::name) != labels.end();
+  const std::string numbered = "Label " + std::to_string(value);
+  std::string name = numbered;
+  for (int n = 2; isNamed(before, name); ++n)
+    name = numbered + " (" + std::to_string(n) + ")";
+  return name;
 }
 
 // The files of a folder by name; hidden ones are none of the user's.
@@ -114,11 +117,6 @@ bool isMaskFolder(const fs::path& path) {
 
 namespace {
 
-// Of what may be one of several masks by its name, or, chosen by itself, by what it holds.
-bool mayBeMask(const fs::path& file, Order order) {
-  return !volumeStem(file).empty() || (order == Order::asChosen && isDicomSegmentation(file));
-}
-
 // What a mask becomes among others: as its file describes it, by a name that is still free, or called `name`.
 Label labelOf(const LabelVolume& mask, int value, const std::string& name, const std::vector<Label>& taken) {
   const double own = mask.volume->range().highest;
@@ -144,7 +142,8 @@ ReadMasks readInOrder(const std::vector<fs::path>& files, Order order, const Gri
   ReadMasks read;
   int value = 0;
   for (std::size_t n = 0; n < files.size(); ++n) {
-    const bool isVolume = mayBeMask(files[n], order);
+    // A folder may hold whatever else; what is chosen is meant.
+    const bool isVolume = order == Order::byName ? !volumeStem(files[n]).empty() : mayBeMask(files[n]);
     const auto share = [&](double done) {
       return (static_cast<double>(n) + done) / static_cast<double>(files.size());
     };
@@ -162,8 +161,8 @@ ReadMasks readInOrder(const std::vector<fs::path>& files, Order order, const Gri
     if (!read.masks)
       read.masks.emplace(grid, files.size(), mask.volume->room());
     read.files.push_back(files[n]);
-    const std::string name = maskName(files[n], value, files, patient);
     const std::vector<Label>& taken = read.masks->labels();
+    const std::string name = maskName(files[n], value, files, taken, patient);
     const Label label = order == Order::asChosen ? labelOf(mask, value, name, taken)
                                                  : Label{value, name, labelColor(taken.size())};
     read.masks->add(*mask.volume, label,
@@ -217,8 +216,7 @@ bool isOfMasks(const Region& region) {
   if (region.kind != Region::Kind::labels || !region.moreSources.empty())
     return region.kind == Region::Kind::labels;
   const std::vector<Label>& labels = region.labels->labels();
-  return listedLabels(region) == 2 && labels[0].value == 0 && labels[1].value > 0 &&
-         mayBeMask(region.source, Order::asChosen) && !isMaskFolder(region.source);
+  return region.isOfFile && listedLabels(region) == 2 && labels[0].value == 0 && labels[1].value > 0;
 }
 
 namespace {
@@ -247,7 +245,7 @@ std::vector<OpenMask> masksIn(const Region& region, const PatientLabel& patient)
     if (label != labels.end() && (!isAlone || box.lower != box.upper)) {
       mask.place = static_cast<std::size_t>(label - labels.begin());
       const std::string structure = isAlone ? structureName(files[n], patient) : std::string();
-      const std::string given = !isAlone            ? maskName(files[n], number, files, patient)
+      const std::string given = !isAlone ? maskName(files[n], number, files, {labels.begin(), label}, patient)
                                 : structure.empty() ? "Label " + std::to_string(label->value)
                                                     : structure;
       mask.isDescribed = label->name != given;
@@ -255,6 +253,19 @@ std::vector<OpenMask> masksIn(const Region& region, const PatientLabel& patient)
     masks.push_back(mask);
   }
   return masks;
+}
+
+// How many voxels of a label are the background of another map.
+std::size_t voxelsLost(const LabelMap& before, std::size_t place, const LabelMap& after) {
+  const VoxelBox& box = before.boxAround(place);
+  std::size_t lost = 0;
+  for (int z = box.lower.z; z < box.upper.z; ++z)
+    for (int y = box.lower.y; y < box.upper.y; ++y)
+      for (int x = box.lower.x; x < box.upper.x; ++x) {
+        const std::size_t voxel = voxelOffset(before.dims(), x, y, z);
+        lost += before.placeAt(voxel) == place && after.placeAt(voxel) == 0;
+      }
+  return lost;
 }
 
 // Masks of two regions on their way to become one.
@@ -282,7 +293,9 @@ public:
     region.weights = m_weights;
     for (std::size_t n = 1; n < m_files.size(); ++n)
       region.moreSources.push_back(m_files[n].string());
-    return {withLooks(region, m_looks), overlapIn(*m_masks, Order::asChosen)};
+    region.isOfFile = m_files.size() == 1;
+    const Message overlap = overlapIn(*m_masks, Order::asChosen);
+    return {withLooks(region, m_looks), overlap.followedBy(" ", leftToNobody(*region.labels))};
   }
 
 private:
@@ -312,8 +325,25 @@ private:
       return label;
     label.value = m_number;
     if (!mask.isDescribed || isNamed(m_taken, label.name))
-      label.name = maskName(mask.source, m_number, m_files, m_patient);
+      label.name = maskName(mask.source, m_number, m_files, m_taken, m_patient);
     return label;
+  }
+
+  // A mask that is opened once more may be smaller now. Whether others have what it had before is known to
+  // their files alone.
+  Message leftToNobody(const LabelMap& joined) const {
+    Message left;
+    for (const OpenMask& mask : m_had) {
+      const bool isOpenedAgain = std::ranges::find(m_come, mask.source, &OpenMask::source) != m_come.end();
+      if (!isOpenedAgain || m_stay.empty() || mask.place == 0)
+        continue;
+      const std::size_t voxels = voxelsLost(*m_open.labels, mask.place, joined);
+      if (voxels > 0)
+        left = left.followedBy(" ", Message::tr("%1 voxels that %2 had before belong to no mask now; open a "
+                                                "mask that has them, too, once more.")
+                                        .arg(voxels, m_open.labels->labels()[mask.place].name));
+    }
+    return left;
   }
 
   void takeLook(std::size_t from, std::size_t to) {

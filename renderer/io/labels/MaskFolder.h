@@ -31,7 +31,9 @@ bool isOfMasks(const Region& region);
 
 /// Masks that are open and masks that come to them, both isOfMasks on `grid`, as the region that readMasks
 /// makes of their files, without reading any. What was open is shown as it was, also where it was opened once
-/// more, by which it becomes the last; the rest weighs 1. The remark is on voxels that the later take.
+/// more, by which it becomes the last; the rest weighs 1. But voxels that one took from others when it came
+/// first do not come back to those where its file has them no more. The remark is on voxels that the later
+/// take, and on those that are nobody's for that.
 /// Throws Cancelled.
 Segmentation joinedMasks(const Region& open, const Region& opened, const Grid& grid,
                          const Progress& progress = {}, const PatientLabel& patient = {},

@@ -61,10 +61,9 @@ struct PictureAccuracy {
 
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
 std::string sceneToJson(const Scene& scene, const std::string& volume,
-                        const std::optional<PictureAccuracy>& accuracy = {},
-                        const std::vector<Measurement>& measurements = {});
+                        const std::optional<PictureAccuracy>& accuracy = {});
 
-/// The same of a document, with its named views and sides.
+/// The same of a document, with its measurements, named views and sides.
 std::string sceneToJson(const SceneDocument& document, const std::optional<PictureAccuracy>& accuracy = {});
 
 /// Reads the text of a preset file. Throws Error (input).

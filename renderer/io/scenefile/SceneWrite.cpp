@@ -199,11 +199,8 @@ SceneDocument documentOf(const Scene& scene, const std::string& volume) {
 }
 
 std::string sceneToJson(const Scene& scene, const std::string& volume,
-                        const std::optional<PictureAccuracy>& accuracy,
-                        const std::vector<Measurement>& measurements) {
-  SceneDocument document = documentOf(scene, volume);
-  document.measurements = measurements;
-  return sceneToJson(document, accuracy);
+                        const std::optional<PictureAccuracy>& accuracy) {
+  return sceneToJson(documentOf(scene, volume), accuracy);
 }
 
 std::string sceneToJson(const SceneDocument& document, const std::optional<PictureAccuracy>& accuracy) {

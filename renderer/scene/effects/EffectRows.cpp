@@ -112,14 +112,23 @@ void letOthersSpeak(EffectRow& row, const EffectPlan& plan) {
       row.reason = reason.reason;
 }
 
+Message timeNumber(double ms) {
+  return Message::fixed(ms, ms < 10.0 ? 1 : 0);
+}
+
+// `size` is how large it is, with or without its spread.
+Message costOfSize(const EffectCost& cost, const Message& size) {
+  if (isLostInSpread(cost))
+    return Message::tr("≈ 0 ms");
+  if (cost.ms < 0.0 && cost.withoutMs > 0.0)
+    return Message::tr("saves %1 of %2 ms").arg(size, timeNumber(cost.withoutMs));
+  const Message time = Message::tr("%1 ms").arg(size);
+  return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
+}
+
 // Two digits, or all before the point.
 Message levelsOf(double number) {
   return number < 10.0 ? Message::rounded(number, 2) : Message::fixed(number, 0);
-}
-
-// Of a time in ms.
-Message digitsOf(double ms) {
-  return Message::fixed(ms, ms < 10.0 ? 1 : 0);
 }
 
 } // namespace
@@ -140,20 +149,19 @@ bool isLostInSpread(const EffectCost& cost) {
 }
 
 Message costText(const EffectCost& cost) {
-  if (isLostInSpread(cost))
-    return Message::tr("≈ 0 ms");
-  const Message size = digitsOf(std::abs(cost.ms));
-  if (cost.ms < 0.0 && cost.withoutMs > 0.0)
-    return Message::tr("saves %1 of %2 ms").arg(size, digitsOf(cost.withoutMs));
-  const Message time = Message::tr("%1 ms").arg(size);
-  return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
+  return costOfSize(cost, timeNumber(std::abs(cost.ms)));
+}
+
+Message costWithSpreadText(const EffectCost& cost) {
+  return costOfSize(cost, Message::tr("%1 ± %2")
+                              .arg(timeNumber(std::abs(cost.ms)), timeNumber(cost.spreadMs)));
 }
 
 Message wouldCostText(const EffectCost& cost) {
   if (isLostInSpread(cost))
     return Message::tr("would take hardly any time");
-  const Message size = digitsOf(std::abs(cost.ms));
-  return cost.ms < 0.0 ? Message::tr("would save %1 of %2 ms").arg(size, digitsOf(cost.withoutMs))
+  const Message size = timeNumber(std::abs(cost.ms));
+  return cost.ms < 0.0 ? Message::tr("would save %1 of %2 ms").arg(size, timeNumber(cost.withoutMs))
                        : Message::tr("would take %1 ms more").arg(size);
 }
 

@@ -42,6 +42,9 @@ bool isLostInSpread(const EffectCost& cost);
 /// nobody looks for it in what it takes now), or "≈ 0 ms" where it is lost.
 Message costText(const EffectCost& cost);
 
+/// The same with its spread: "12 ± 1.0 ms", "saves 210 ± 3.0 of 270 ms", "≈ 0 ms".
+Message costWithSpreadText(const EffectCost& cost);
+
 /// What an effect that is off would cost, in words: "would take 12 ms more", "would save 210 of 270 ms", or
 /// "would take hardly any time" where it is lost.
 Message wouldCostText(const EffectCost& cost);

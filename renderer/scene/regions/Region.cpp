@@ -139,6 +139,7 @@ std::optional<std::size_t> labelOfCut(const Region& region, std::size_t n) {
 Region withoutCuts(const Region& region) {
   Region whole{region.kind, region.source, region.isCut ? region.uncut : region.labels, region.weights};
   whole.moreSources = region.moreSources;
+  whole.isOfFile = region.isOfFile;
   if (region.isCut)
     whole.weights.resize(whole.labels ? ownLabels(region) : 0);
   if (!region.isCut) {

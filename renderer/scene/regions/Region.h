@@ -78,6 +78,7 @@ struct Region {
   std::vector<std::uint8_t> lookOf{}; ///< of each label: 0 the scene's, n `looks[n - 1]`; behind its end: 0
 
   std::vector<std::string> moreSources{}; ///< of masks in several files: the others, in order
+  bool isOfFile = false; ///< of labels: whether `source` was no folder and may hold a mask, as it was read
 
   bool operator==(const Region&) const = default;
 };

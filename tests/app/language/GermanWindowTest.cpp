@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/DialogKeys.h"
 #include "app/WindowHarness.h"
 #include "app/language/InGerman.h"
 #include "translations/Words.h"
@@ -66,6 +67,20 @@ TEST_F(GermanWindow, hasGermanMenus) {
 
 TEST_F(GermanWindow, givesEachEntryOfAMenuALetterOfItsOwn) {
   expectOwnMnemonics(QStringLiteral("menu bar"), window->menuBar()->actions());
+}
+
+TEST_F(GermanWindow, noTwoThingsOfADialogHaveOneKey) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  int asked = 0;
+  onceAsked<PictureDialog>([&](PictureDialog& dialog) {
+    ++asked;
+    expectOneKeyEachOfSizes(dialog);
+    dialog.reject();
+  });
+  window->findChild<QAction*>(QStringLiteral("savePicture"))->trigger();
+  EXPECT_EQ(asked, 1);
+  expectOneKeyEachOfExports(*window);
 }
 
 TEST_F(GermanWindow, saysNothingInEnglishOfWhichTheGermanIsKnown) {

@@ -167,5 +167,25 @@ TEST_F(LabelFilesWindow, whatIsSaidOfMasksThatOverlapGoesWhereTheyAreUndone) {
   EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
 }
 
+// Neither of the two has a file by which it could be told.
+TEST_F(LabelFilesWindow, whatIsSaidOfTheBodyGoesOnceEverythingIsShown) {
+  test::writeShorts(folder.path() / "doubtful.nrrd", 40, [](const glm::ivec3& v) {
+    const double radius = glm::length(glm::dvec3(v) - glm::dvec3(18.0, 15.0, 18.0));
+    return radius < 6.0 ? 1200 : radius < 13.0 ? 40 : v.y >= 33 && v.y < 38 ? 200 : -1000;
+  });
+  ASSERT_TRUE(open(pathTo("doubtful.nrrd")));
+  ASSERT_TRUE(test::waitUntil([this] { return messages().isAsking(); }));
+  messages().hide();
+  QAction& bodyOnly = *window->findChild<QAction*>(QStringLiteral("bodyOnly"));
+  bodyOnly.trigger();
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(scene().keep.kind, Region::Kind::body);
+  ASSERT_TRUE(messages().sentence().startsWith(QStringLiteral("Body only may be wrong here")))
+      << messages().sentence().toStdString();
+  bodyOnly.trigger();
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+}
+
 } // namespace
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomSegmentation.h"
 #include "io/labels/LabelReader.h"
+#include "io/labels/MaskFolder.h"
 #include "scene/basics/Error.h"
 #include "support/DicomBuilder.h"
 #include "support/TemporaryFolder.h"
@@ -160,6 +161,9 @@ TEST_F(DicomSegmentation, ofOneSegmentEachAreMasksAmongOthers) {
   EXPECT_EQ(map.labels()[2].name, "Rib");
   EXPECT_EQ(valueAt(map, {0, 0, 0}), 1);
   EXPECT_EQ(valueAt(map, {0, 0, 2}), 2);
+  const Region alone = readSegmentation(files[0], gridOfVolume()).region;
+  std::filesystem::remove(files[0]);
+  EXPECT_TRUE(isOfMasks(alone)) << "another comes to it also once its file has gone";
 }
 
 TEST_F(DicomSegmentation, coloursAreThoseOfTheStandard) {

@@ -112,7 +112,7 @@ QString cutText(const Region& region) {
   if (hidden > 0)
     parts << (hidden == 1 ? QObject::tr("1 piece hidden") : QObject::tr("%1 pieces hidden").arg(hidden));
   if (alone > 0)
-    parts << QObject::tr("a piece alone");
+    parts << QObject::tr("only one piece");
   return parts.join(QStringLiteral(", "));
 }
 
@@ -250,7 +250,7 @@ QString regionText(const Region& region) {
     return {};
   const QString cut = cutText(region);
   if (!cut.isEmpty() && region.kind == Region::Kind::body)
-    return QObject::tr("Body only, %1", "what was cut").arg(cut);
+    return QObject::tr("Only the body, %1", "what was cut").arg(cut);
   QStringList notes;
   const auto own = region.weights.begin() + static_cast<std::ptrdiff_t>(listedLabels(region));
   const auto weighed =

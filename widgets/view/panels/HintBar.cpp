@@ -72,9 +72,19 @@ void HintBar::follow() {
   setVisible(m_hasRoom);
 }
 
+void HintBar::followCover(QWidget& cover) {
+  cover.installEventFilter(this);
+}
+
 bool HintBar::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != parent())
+  if (watched != parent()) {
+    const QEvent::Type type = event->type();
+    const bool isElsewhere = type == QEvent::Move || type == QEvent::Resize || type == QEvent::Show ||
+                             type == QEvent::Hide;
+    if (isElsewhere && m_isOut && !m_soon.isActive())
+      m_soon.start(0);
     return PicturePanel::eventFilter(watched, event);
+  }
   if (event->type() == QEvent::Resize && m_isOut)
     place();
   // While something is drawn the picture is seen whole; the view has to know first what an event is to it.
@@ -126,6 +136,15 @@ bool HintBar::placeBeside() {
   return place.has_value();
 }
 
+// How much of the lower edge is covered where it is to stand.
+int HintBar::coveredBelow(int left, int width) const {
+  int covered = 0;
+  for (const QRect& cover : m_placedOver)
+    if (cover.left() < left + width && left <= cover.right())
+      covered = std::max(covered, parentWidget()->height() - cover.top());
+  return covered;
+}
+
 // In a narrow view words that the tool's tip says, too, give way; the others take a row first. Beside slices
 // the view may have no room for all buttons either: then they stand in three rows.
 void HintBar::place() {
@@ -152,10 +171,11 @@ void HintBar::place() {
   if (!fitsInOne && !(m_stays ? fitsInRows() : fitsWithoutText()) &&
       !(m_stays ? fitsWithoutText() : fitsInRows()))
     fits(false, inRows, inRows);
-  const int below = m_placedOver > 0 ? std::max(aboveEdge, m_placedOver + gapAbove) : aboveEdge;
   const QSize size = sizeHint().boundedTo(view->size());
-  const QPoint corner =
-      m_movedTo.value_or(QPoint((view->width() - size.width()) / 2, view->height() - below - size.height()));
+  const int left = (view->width() - size.width()) / 2;
+  const int covered = coveredBelow(left, size.width());
+  const int below = covered > 0 ? std::max(aboveEdge, covered + gapAbove) : aboveEdge;
+  const QPoint corner = m_movedTo.value_or(QPoint(left, view->height() - below - size.height()));
   setGeometry(std::clamp(corner.x(), 0, view->width() - size.width()),
               std::clamp(corner.y(), 0, view->height() - size.height()), size.width(), size.height());
 }

@@ -3,6 +3,7 @@
 
 #include "widgets/view/panels/ViewPanels.h"
 
+#include <QRect>
 #include <QRectF>
 #include <QTimer>
 
@@ -54,8 +55,11 @@ public:
   /// Whether it has room.
   bool hasRoom() const { return m_hasRoom; }
 
-  /// How much else covers of the view's lower edge, logical pixels: it stands above that. Nothing at first.
-  void setCoveredBelow(std::function<int()> coveredBelow) { m_coveredBelow = std::move(coveredBelow); }
+  /// Where else the view's lower edge is covered, in the view's pixels: it stands above what lies below it.
+  /// Nowhere at first.
+  void setCoveredBelow(std::function<std::vector<QRect>()> covered) { m_coveredBelow = std::move(covered); }
+  /// Follows a widget that may cover the edge: where that moves, comes or goes it looks again.
+  void followCover(QWidget& cover);
   /// What covers it may be another now.
   void lookAgain() { follow(); }
 
@@ -79,6 +83,7 @@ protected:
 private:
   void place();
   bool placeBeside();
+  int coveredBelow(int left, int width) const;
   void follow();
 
   QBoxLayout* m_rows; ///< of the words with the first group, and of the others
@@ -87,12 +92,12 @@ private:
   QLabel* m_text;
   QTimer m_soon; ///< once the view has taken the events that wait
   std::function<bool()> m_isDrawing = [] { return false; };
-  std::function<int()> m_coveredBelow = [] { return 0; };
+  std::function<std::vector<QRect>()> m_coveredBelow = [] { return std::vector<QRect>(); };
   std::function<std::vector<QRectF>()> m_written = [] { return std::vector<QRectF>(); };
   Clear m_clear = [](const QRectF& wished, const QRectF&, const std::vector<QRectF>&) { return wished; };
   std::optional<QPoint> m_grip;       ///< while it is dragged, in the bar
   std::optional<QPoint> m_movedTo;    ///< by hand, its corner in the view
-  int m_placedOver = 0;               ///< what covered the lower edge then
+  std::vector<QRect> m_placedOver;    ///< what covered the lower edge then
   std::vector<QRectF> m_placedBeside; ///< what was written then
   int m_leastHeight = 0;
   bool m_hasRoom = true;

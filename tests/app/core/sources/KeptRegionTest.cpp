@@ -225,6 +225,22 @@ TEST_F(LabelledScene, aMaskThatIsOpenedOnceMoreBecomesTheLast) {
     EXPECT_EQ(read.labels->placeAt(voxel), places[voxel]) << voxel;
 }
 
+// The others are not read again, so that what it took from them does not come back by itself.
+TEST_F(LabelledScene, aMaskThatIsSmallerThanBeforeTellsWhatItLeavesToNobody) {
+  write("a.nrrd", "0 7 7 0 0 0 0 0");
+  write("b.nrrd", "0 0 1 0 0 0 1 1");
+  const LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.nrrd"})"), {}, {});
+  const Volume& volume = *loaded.scene.volume;
+  const Region both = opened(loaded.scene.keep, {"b.nrrd"}, volume).region;
+  EXPECT_EQ(opened(both, {"b.nrrd"}, volume).remark.english(), "") << "as it was";
+  write("b.nrrd", "0 0 0 0 0 0 1 1");
+  const FoundRegion smaller = opened(both, {"b.nrrd"}, volume);
+  EXPECT_EQ(smaller.region.labels->placeAt(2), 0u);
+  EXPECT_EQ(smaller.remark.english(), "1 voxels that b had before belong to no mask now; open a mask that has "
+                                      "them, too, once more.");
+  EXPECT_EQ(opened(smaller.region, {"a.nrrd"}, volume).region.labels->placeAt(2), 2u) << "which helps";
+}
+
 // A segment of 3D Slicer keeps its name and colour among others, and when a scene reads it again.
 TEST_F(LabelledScene, aSegmentThatItsFileDescribesKeepsItsNameAmongMasks) {
   std::ofstream(folder.path() / "a.seg.nrrd")
@@ -241,6 +257,23 @@ TEST_F(LabelledScene, aSegmentThatItsFileDescribesKeepsItsNameAmongMasks) {
   std::ofstream(folder.path() / "again.json") << sceneToJson(loaded.scene, "v.nrrd");
   const Region again = loadScene((folder.path() / "again.json").string(), {}, {}).scene.keep;
   EXPECT_EQ(again.labels->labels(), joined.labels->labels());
+}
+
+// What a file calls its segment may be what another file is called.
+TEST_F(LabelledScene, noTwoMasksHaveOneName) {
+  std::filesystem::create_directories(folder.path() / "x");
+  std::ofstream(folder.path() / "a.seg.nrrd")
+      << "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n"
+         "Segment0_ID:=Segment_1\nSegment0_Name:=kidney\nSegment0_LabelValue:=4\n\n0 4 4 0 0 0 0 0\n";
+  write("x/kidney.nrrd", "0 0 0 0 0 0 1 1");
+  LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.seg.nrrd"})"), {}, {});
+  const Region joined = opened(loaded.scene.keep, {"x/kidney.nrrd"}, *loaded.scene.volume).region;
+  EXPECT_EQ(namesIn(joined), (std::vector<std::string>{"Background", "kidney", "kidney (x)"}));
+  EXPECT_EQ(namesIn(opened({}, {"a.seg.nrrd", "x/kidney.nrrd"}, *loaded.scene.volume).region),
+            namesIn(joined));
+  EXPECT_EQ(namesIn(opened(joined, {"a.seg.nrrd"}, *loaded.scene.volume).region),
+            (std::vector<std::string>{"Background", "kidney", "a"}))
+      << "opened once more it comes last";
 }
 
 TEST_F(LabelledScene, masksOfOneFileNameAreToldApartByTheirFolders) {

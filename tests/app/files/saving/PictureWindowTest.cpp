@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/DialogKeys.h"
 #include "app/WindowHarness.h"
-#include "app/files/exports/ExportDialog.h"
 #include "io/ImageFile.h"
 #include "widgets/controls/NumberField.h"
 
@@ -8,10 +8,12 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 
+#include <algorithm>
 #include <filesystem>
-#include <set>
+#include <vector>
 
 namespace limn::test {
 namespace {
@@ -38,6 +40,13 @@ protected:
     EXPECT_TRUE(
         test::waitUntil([&] { return isWholePicture(folder.path() / name) && !stopButton().isVisible(); }));
     return QImage(pathTo(name));
+  }
+
+  static void dismiss(const MessageBar& bar) {
+    for (QToolButton* button : bar.findChildren<QToolButton*>())
+      if (button->text() == QStringLiteral("Dismiss"))
+        return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << "no button to dismiss it";
   }
 
   QToolButton& stopButton() { return *window->findChild<QToolButton*>(QStringLiteral("stopWaiting")); }
@@ -138,6 +147,22 @@ TEST_F(SavedPicture, isOpenedAgainAsOneOrTwoAsItWasSaved) {
   EXPECT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::robust);
 }
 
+TEST_F(SavedPicture, bringsALayoutThatGoesWithIt) {
+  setLayout(CompareLayout::wipe);
+  ASSERT_TRUE(rest());
+  ASSERT_FALSE(saved("two.png", {.marks = noMarks}).isNull());
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(open(pathTo("two.png")));
+  ASSERT_TRUE(open(pathTo("two.png")));
+  ASSERT_EQ(view().compareLayout(), CompareLayout::wipe);
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide) << "as it was before";
+  ASSERT_TRUE(open(pathTo("two.png")));
+  setLayout(CompareLayout::difference);
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::difference) << "chosen meanwhile";
+}
+
 // What is cancelled leaves no file, and nothing that stands in the way of the next one.
 TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   PictureOptions options;
@@ -186,6 +211,69 @@ TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
   EXPECT_EQ(written("there.png").size(), size);
   EXPECT_FALSE(offer.isWanted());
   EXPECT_FALSE(readImageDescription(folder.path() / "there.png").empty()) << "it carries its scene";
+}
+
+TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOrDismissed) {
+  PictureOptions options;
+  options.marks = noMarks;
+  options.size = PictureOptions::Size::twice;
+  for (const char* name : {"gone/first.png", "gone/second.png", "gone/third.png"}) {
+    saving().writePicture(pathTo(name), options);
+    ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
+  }
+  const auto& offer = *window->findChild<MessageBar*>(QStringLiteral("unwrittenBar"));
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("third.png"))) << offer.sentence().toStdString();
+  const QStringList all{QStringLiteral("third.png"), QStringLiteral("second.png"),
+                        QStringLiteral("first.png")};
+  EXPECT_EQ(saving().unwritten(), all);
+  dismiss(offer);
+  ASSERT_TRUE(offer.isVisible());
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("second.png"))) << "the one before comes back";
+  typeName(pathTo("there.png"));
+  QTest::mouseClick(offer.findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_FALSE(written("there.png").isNull());
+  EXPECT_TRUE(offer.sentence().contains(QStringLiteral("first.png")));
+  int asked = 0;
+  const auto answer = [&](QMessageBox::ButtonRole role) {
+    onceAsked<QMessageBox>([&asked, role](QMessageBox& box) {
+      ++asked;
+      EXPECT_EQ(box.informativeText(), QStringLiteral("first.png"));
+      for (QAbstractButton* button : box.buttons())
+        if (box.buttonRole(button) == role)
+          return QTest::mouseClick(button, Qt::LeftButton);
+    });
+  };
+  answer(QMessageBox::RejectRole);
+  EXPECT_FALSE(window->close());
+  EXPECT_TRUE(offer.isVisible()) << "it is still there to be saved";
+  answer(QMessageBox::DestructiveRole);
+  EXPECT_TRUE(window->close());
+  EXPECT_EQ(asked, 2);
+  window->show();
+  dismiss(offer);
+  EXPECT_FALSE(offer.isWanted());
+  EXPECT_TRUE(window->close()) << "there is nothing to lose any more";
+}
+
+// Of two sides each has its half of the way: what is told rises once, and through the middle.
+TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  std::vector<int> percents;
+  QObject::connect(&saving(), &SavingController::drawing, window.get(), [&](const QString& sentence) {
+    const QRegularExpressionMatch match =
+        QRegularExpression(QStringLiteral(": (\\d+) %")).match(sentence);
+    if (match.hasMatch())
+      percents.push_back(match.captured(1).toInt());
+  });
+  PictureOptions options;
+  options.marks = noMarks;
+  options.size = PictureOptions::Size::print;
+  options.printCm = 40.0; // 4,724 pixels
+  ASSERT_FALSE(saved("two.png", options).isNull());
+  EXPECT_TRUE(std::ranges::is_sorted(percents));
+  EXPECT_TRUE(std::ranges::any_of(percents, [](int percent) { return percent > 30 && percent < 70; }))
+      << "between the end of the first and the start of the second";
 }
 
 TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
@@ -282,36 +370,14 @@ TEST_F(SavedPicture, saysWhereItsSlicesAreNotInTheFile) {
 
 // Alt and a letter does one thing in each dialog.
 TEST_F(SavedPicture, noTwoThingsOfADialogHaveOneKey) {
-  const auto expectOneEach = [](const QDialog& dialog) {
-    QStringList texts;
-    for (const auto* button : dialog.findChildren<QAbstractButton*>())
-      if (!button->isHidden())
-        texts << button->text();
-    for (const auto* label : dialog.findChildren<QLabel*>())
-      if (label->buddy() && !label->buddy()->isHidden())
-        texts << label->text();
-    std::set<QKeySequence> keys;
-    for (const QString& text : texts) {
-      const QKeySequence key = QKeySequence::mnemonic(text);
-      EXPECT_TRUE(key.isEmpty() || keys.insert(key).second)
-          << dialog.windowTitle().toStdString() << ": " << text.toStdString();
-    }
-    EXPECT_TRUE(keys.contains(QKeySequence(Qt::ALT | Qt::Key_S))) << "one saves";
-  };
   onceAsked<PictureDialog>([&](PictureDialog& dialog) {
     const auto* save = dialog.findChild<QPushButton*>(QStringLiteral("pictureSave"));
     EXPECT_EQ(QKeySequence::mnemonic(save->text()), QKeySequence(Qt::ALT | Qt::Key_S));
-    for (const PictureOptions::Size size : {PictureOptions::Size::print, PictureOptions::Size::pixels}) {
-      dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(static_cast<int>(size));
-      expectOneEach(dialog);
-    }
+    expectOneKeyEachOfSizes(dialog);
     dialog.reject();
   });
   action(QStringLiteral("Save &picture…"))->trigger();
-  for (const char* name : {"saveFigure", "saveTurntable"})
-    window->findChild<QAction*>(QLatin1String(name))->trigger();
-  for (ExportDialog* dialog : window->findChildren<ExportDialog*>())
-    expectOneEach(*dialog);
+  expectOneKeyEachOfExports(*window);
 }
 
 TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {

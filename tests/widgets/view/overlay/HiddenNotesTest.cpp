@@ -75,13 +75,13 @@ TEST_F(HiddenNotes, tellHiddenPiecesBesideWhatWasCut) {
     region.cuts = cuts;
     return regionText(region);
   };
-  EXPECT_EQ(textOf({Cut{Scissors{}}}), QStringLiteral("Body only, cut by hand"));
-  EXPECT_EQ(textOf({hidden}), QStringLiteral("Body only, 1 piece hidden"));
+  EXPECT_EQ(textOf({Cut{Scissors{}}}), QStringLiteral("Only the body, cut by hand"));
+  EXPECT_EQ(textOf({hidden}), QStringLiteral("Only the body, 1 piece hidden"));
   EXPECT_EQ(textOf({Cut{Scissors{}}, hidden, hidden}),
-            QStringLiteral("Body only, cut by hand, 2 pieces hidden"));
-  EXPECT_EQ(textOf({Cut{Scissors{}}, Cut{hidden.how, false}}), QStringLiteral("Body only, cut by hand"))
+            QStringLiteral("Only the body, cut by hand, 2 pieces hidden"));
+  EXPECT_EQ(textOf({Cut{Scissors{}}, Cut{hidden.how, false}}), QStringLiteral("Only the body, cut by hand"))
       << "one that is off hides nothing";
-  EXPECT_EQ(textOf({piece(ConnectedPiece::Fate::alone)}), QStringLiteral("Body only, a piece alone"));
+  EXPECT_EQ(textOf({piece(ConnectedPiece::Fate::alone)}), QStringLiteral("Only the body, only one piece"));
   region.kind = Region::Kind::all;
   EXPECT_EQ(textOf({Cut{Scissors{}}, hidden}), QStringLiteral("Cut by hand, 1 piece hidden"));
 }
