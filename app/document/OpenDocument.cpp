@@ -2,6 +2,8 @@
 #include "app/document/OpenDocument.h"
 
 #include "app/document/DocumentText.h"
+#include "io/scenefile/SessionFile.h"
+#include "scene/basics/Error.h"
 
 #include <QFileInfo>
 
@@ -25,6 +27,9 @@ void OpenDocument::open(const LoadedScene& loaded, const Request& request, const
   if (loaded.session)
     m_sessionFile =
         request.isUnsavedSession ? QString::fromStdString(loaded.session->savedAs) : request.source;
+  m_sessionDigest = loaded.sessionDigest;
+  if (request.isUnsavedSession && loaded.session)
+    m_sessionDigest = loaded.session->savedDigest;
   if (request.isUnsavedSession)
     m_request.source = QString::fromStdString(loaded.volumePath); // its own file goes
   m_histogram = histogram;
@@ -36,6 +41,7 @@ void OpenDocument::open(const LoadedScene& loaded, const Request& request, const
 
 void OpenDocument::close() {
   m_sessionFile.clear();
+  m_sessionDigest.clear();
   m_request.options.dicom.reset();
   m_session.open({});
 }
@@ -76,8 +82,19 @@ SessionDocument OpenDocument::described() const {
   return session;
 }
 
-void OpenDocument::settleIn(const QString& file, const SessionDocument& now) {
+bool OpenDocument::sessionFileWasChanged() const {
+  if (m_sessionDigest.empty() || !QFileInfo::exists(m_sessionFile))
+    return false;
+  try {
+    return digestOf(readTextFile(m_sessionFile.toStdString())) != m_sessionDigest;
+  } catch (const Error&) {
+    return true; // it could be read before
+  }
+}
+
+void OpenDocument::settleIn(const QString& file, const SessionDocument& now, const std::string& digest) {
   m_sessionFile = QFileInfo(file).absoluteFilePath();
+  m_sessionDigest = digest;
   m_session.undoStack().setClean();
   m_settled = now;
 }
@@ -92,6 +109,7 @@ std::optional<SessionDocument> OpenDocument::unsaved(SessionDocument now) const 
     return std::nullopt;
   now.isUnsaved = m_session.isEdited();
   now.savedAs = m_sessionFile.toStdString();
+  now.savedDigest = m_sessionDigest;
   now.label = labelOf(*this, m_sessionFile.isEmpty() ? m_request.source : m_sessionFile).toStdString();
   return now;
 }

@@ -33,6 +33,10 @@ public:
   /// The session file that it was read from or saved to; empty where there is none.
   const QString& sessionFile() const { return m_sessionFile; }
 
+  /// Whether somebody else has changed that file since it was read or written here. One that has gone has
+  /// nothing to lose.
+  bool sessionFileWasChanged() const;
+
   /// Of the volume's values.
   const Histogram& histogram() const { return m_histogram; }
 
@@ -57,8 +61,8 @@ public:
 
   /// The session `now` counts as saved; it does not after an unsaved one was opened.
   void settle(const SessionDocument& now) { m_settled = now; }
-  /// It was saved to a file as `now`.
-  void settleIn(const QString& file, const SessionDocument& now);
+  /// It was saved to a file as `now`, whose text has this digest (digestOf).
+  void settleIn(const QString& file, const SessionDocument& now, const std::string& digest = {});
 
   /// What has to be kept of the session `now` so that nothing is lost, called by the file that saving would
   /// write to where there is one; absent as long as all is as it was when it counted as saved.
@@ -68,6 +72,7 @@ private:
   Session& m_session;
   Request m_request;
   QString m_sessionFile;
+  std::string m_sessionDigest; ///< of that file as it was read or written last; empty: not known
   Histogram m_histogram;
   SessionDocument m_settled;
 };

@@ -61,6 +61,7 @@ SessionDocument unusual() {
   session.labelInHand = 2;
   session.label = "CT 3×2×4";
   session.savedAs = "/somewhere/else.json";
+  session.savedDigest = digestOf("its text");
   session.isUnsaved = true;
   return session;
 }

@@ -300,7 +300,8 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
 }
 
 LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progress& progress) {
-  const SessionDocument session = readSessionFile(path);
+  const std::string text = readTextFile(path);
+  const SessionDocument session = sessionIn(text, path);
   const bool isOtherSeries = options.read.series && session.series && options.read.series != session.series;
   if (!options.read.series)
     options.read.series = session.series;
@@ -312,6 +313,7 @@ LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progr
     loaded.notes.push_back(Message::tr("The measurements were left out: they are of another series."));
   }
   loaded.session = session;
+  loaded.sessionDigest = digestOf(text);
   return loaded;
 }
 

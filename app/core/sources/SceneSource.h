@@ -83,6 +83,7 @@ struct LoadedScene {
   /// Where the volume is of DICOM and was read for this scene.
   std::shared_ptr<const DicomFolder> dicom;
   std::optional<SessionDocument> session; ///< where the source is one
+  std::string sessionDigest{};            ///< then of the file as it was read (digestOf)
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
   std::optional<ShownSides> sides; ///< where it is a picture that tells them

@@ -18,6 +18,8 @@
 
 #include <QFileInfo>
 #include <QImage>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
 
 namespace limn {
@@ -56,6 +58,26 @@ std::optional<ShownSides> sidesOf(const Comparison& shown) {
   if (shown.look)
     return std::nullopt;
   return ShownSides{shown.layout, shown.models[0], shown.models[1], shown.wipe};
+}
+
+// What becomes of a session file that somebody else has changed.
+enum class ChangedFile { kept, replaced, savedElsewhere };
+
+ChangedFile askAboutChanged(QWidget& parent, const QString& file) {
+  QMessageBox box(QMessageBox::Warning, SavingController::tr("Replace the changed session?"),
+                  SavingController::tr("%1 was changed by another window since it was opened or saved here.")
+                      .arg(QFileInfo(file).fileName()),
+                  QMessageBox::Cancel, &parent);
+  box.setObjectName(QStringLiteral("changedSession"));
+  box.setInformativeText(
+      SavingController::tr("Replacing it loses what was saved there; another name keeps both."));
+  const QPushButton* replace = box.addButton(SavingController::tr("Replace"), QMessageBox::DestructiveRole);
+  QPushButton* elsewhere = box.addButton(SavingController::tr("Save as…"), QMessageBox::AcceptRole);
+  box.setDefaultButton(elsewhere);
+  box.exec();
+  return box.clickedButton() == replace     ? ChangedFile::replaced
+         : box.clickedButton() == elsewhere ? ChangedFile::savedElsewhere
+                                            : ChangedFile::kept;
 }
 
 } // namespace
@@ -97,8 +119,16 @@ SavingController::SavingController(WindowContext& context, std::function<Session
 }
 
 void SavingController::saveSession() {
-  m_context.document.sessionFile().isEmpty() ? saveSessionAs()
-                                             : writeSession(m_context.document.sessionFile());
+  const QString file = m_context.document.sessionFile();
+  if (file.isEmpty())
+    return saveSessionAs();
+  if (!m_context.document.sessionFileWasChanged())
+    return writeSession(file);
+  const ChangedFile answer = askAboutChanged(m_context.window, file);
+  if (answer == ChangedFile::replaced)
+    writeSession(file);
+  else if (answer == ChangedFile::savedElsewhere)
+    saveSessionAs();
 }
 
 void SavingController::saveSessionAs() {
@@ -131,8 +161,9 @@ void SavingController::writeSession(const QString& path) {
   for (std::string& mask : session.scene.keep.moreLabels)
     mask = labelsSeenFrom(target, mask);
   const auto write = [&] {
-    writeFileAtomically(target, sessionToJson(session));
-    m_context.document.settleIn(path, m_session());
+    const std::string text = sessionToJson(session);
+    writeFileAtomically(target, text);
+    m_context.document.settleIn(path, m_session(), digestOf(text));
     emit sessionSaved();
   };
   m_context.notes.attempt(write, path);

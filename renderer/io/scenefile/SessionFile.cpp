@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cinttypes>
+#include <cstdio>
+
 namespace limn {
 namespace {
 
@@ -122,15 +125,30 @@ SessionDocument parseSession(std::string_view text, const std::string& name) {
     session.opening = readOpening(fields.object("cut_open"));
   fields.text("label", session.label);
   fields.text("saved_as", session.savedAs);
+  fields.text("saved_digest", session.savedDigest);
   fields.boolean("unsaved", session.isUnsaved);
   fields.finish();
   return session;
 }
 
-SessionDocument readSessionFile(const std::filesystem::path& path) {
-  SessionDocument session = parseSession(readTextFile(path), path.filename().string());
+SessionDocument sessionIn(std::string_view text, const std::filesystem::path& path) {
+  SessionDocument session = parseSession(text, path.filename().string());
   session.scene = located(std::move(session.scene), path);
   return session;
+}
+
+SessionDocument readSessionFile(const std::filesystem::path& path) {
+  return sessionIn(readTextFile(path), path);
+}
+
+// FNV-1a over the bytes: nobody makes files that are meant to deceive it.
+std::string digestOf(std::string_view text) {
+  std::uint64_t digest = 0xcbf29ce484222325u;
+  for (const char byte : text)
+    digest = (digest ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  char hex[17];
+  std::snprintf(hex, sizeof hex, "%016" PRIx64, digest);
+  return hex;
 }
 
 std::string sessionToJson(const SessionDocument& session) {
@@ -168,6 +186,8 @@ std::string sessionToJson(const SessionDocument& session) {
     json["label"] = session.label;
   if (!session.savedAs.empty())
     json["saved_as"] = session.savedAs;
+  if (!session.savedDigest.empty())
+    json["saved_digest"] = session.savedDigest;
   if (session.isUnsaved)
     json["unsaved"] = true;
   return textOf(json);

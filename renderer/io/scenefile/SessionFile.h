@@ -52,6 +52,8 @@ struct SessionDocument {
 
   std::string label;      ///< what it shows, for a list of sessions that nobody saved; names nobody
   std::string savedAs;    ///< absolute path of the file it was saved to, empty where there is none
+  /// Of that file as it was read or written last (digestOf); empty where that is not known.
+  std::string savedDigest{};
   bool isUnsaved = false; ///< the scene was edited since it was opened or saved
 
   bool operator==(const SessionDocument&) const = default;
@@ -64,8 +66,14 @@ bool looksLikeSession(std::string_view text);
 /// (input).
 SessionDocument parseSession(std::string_view text, const std::string& name);
 
+/// The same of the text of the file at `path`; the volume's path becomes absolute.
+SessionDocument sessionIn(std::string_view text, const std::filesystem::path& path);
+
 /// Reads a session file from disk; the volume's path becomes absolute. Throws Error (input).
 SessionDocument readSessionFile(const std::filesystem::path& path);
+
+/// Tells texts of session files apart: two that differ have two digests, but for one case in 2⁶⁴.
+std::string digestOf(std::string_view text);
 
 /// A session as JSON: the scene under the scene file's own keys, the rest beside it; paths are stored as
 /// given.

@@ -69,6 +69,20 @@ protected:
     return test::waitUntil([&] { return !in.loader().isLoading(); });
   }
 
+  void save() { action(QStringLiteral("&Save session"))->trigger(); }
+
+  // Answers, once it is asked, what becomes of a session file that another window has changed.
+  void answerChanged(QMessageBox::ButtonRole role) {
+    onceAsked<QMessageBox>([role](QMessageBox& box) {
+      EXPECT_EQ(box.objectName(), QStringLiteral("changedSession"));
+      EXPECT_TRUE(box.text().contains(QStringLiteral("mine.json"))) << box.text().toStdString();
+      for (QAbstractButton* button : box.buttons())
+        if (box.buttonRole(button) == role)
+          return QTest::mouseClick(button, Qt::LeftButton);
+      ADD_FAILURE() << "no such button";
+    });
+  }
+
   // Edits by mouse, and leaves the window in an unusual arrangement.
   void workALittle() {
     dragAPoint();
@@ -156,6 +170,67 @@ TEST_F(SessionWindow, savingAgainAsksForNoName) {
   action(QStringLiteral("&Save session"))->trigger();
   EXPECT_NE(test::bytesOfFile(folder.path() / "mine.json"), first);
   EXPECT_FALSE(window->isWindowModified());
+}
+
+// Of two windows with one session the second to save would take away what the first one saved.
+TEST_F(SessionWindow, aSessionThatAnotherWindowSavedMeanwhileIsReplacedOnlyWhereTheUserSaysSo) {
+  const fs::path file = folder.path() / "mine.json";
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  saving().writeSession(pathTo("mine.json"));
+  std::unique_ptr<MainWindow> other = newWindow();
+  std::swap(window, other);
+  ASSERT_TRUE(open(pathTo("mine.json")));
+  std::swap(window, other);
+  dragAPoint();
+  save(); // asks nothing: nobody has changed it
+  const std::string ofTheFirst = test::bytesOfFile(file);
+
+  std::swap(window, other);
+  action(QStringLiteral("&Crop box"))->trigger();
+  answerChanged(QMessageBox::RejectRole);
+  save();
+  EXPECT_EQ(test::bytesOfFile(file), ofTheFirst) << "cancelled";
+  answerChanged(QMessageBox::AcceptRole);
+  typeName(pathTo("another.json"));
+  save();
+  EXPECT_EQ(test::bytesOfFile(file), ofTheFirst) << "saved under another name";
+  EXPECT_TRUE(fs::exists(folder.path() / "another.json"));
+  EXPECT_TRUE(window->windowTitle().startsWith(QStringLiteral("another.json")));
+
+  ASSERT_TRUE(open(pathTo("mine.json")));
+  std::swap(window, other);
+  action(QStringLiteral("&Crop box"))->trigger();
+  save();
+  const std::string again = test::bytesOfFile(file);
+  std::swap(window, other);
+  answerChanged(QMessageBox::DestructiveRole);
+  save();
+  EXPECT_NE(test::bytesOfFile(file), again) << "replaced";
+  const std::string replaced = test::bytesOfFile(file);
+  save(); // what this window wrote is no change of another
+  EXPECT_EQ(test::bytesOfFile(file), replaced);
+  fs::remove(file);
+  save(); // nothing there is lost
+  EXPECT_TRUE(fs::exists(file));
+}
+
+// What a crash left knows which state of its file it came from.
+TEST_F(SessionWindow, whatIsRestoredAsksBeforeItReplacesAFileThatWasSavedMeanwhile) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  saving().writeSession(pathTo("mine.json"));
+  workALittle();
+  ASSERT_TRUE(waitForAutosave());
+  die();
+  const fs::path file = folder.path() / "mine.json";
+  const std::string meanwhile = test::bytesOfFile(file) + "\n";
+  test::writeBytes(file, meanwhile);
+  window = newWindow();
+  window->keepSessions();
+  ASSERT_TRUE(restore(*window));
+  answerChanged(QMessageBox::RejectRole);
+  save();
+  EXPECT_EQ(test::bytesOfFile(file), meanwhile);
 }
 
 TEST_F(SessionWindow, whatADeadWindowLeftIsOfferedOnceAndComesBackAsItWas) {
