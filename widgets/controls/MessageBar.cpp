@@ -248,7 +248,8 @@ MessageOrder::MessageOrder(const std::vector<MessageBar*>& bars, QObject* parent
 void MessageOrder::arrange() {
   const auto wanted = std::ranges::find_if(m_bars, &MessageBar::isWanted);
   const auto error = std::ranges::find_if(m_bars, &MessageBar::isError);
-  const auto first = error != m_bars.end() && (*wanted)->isNote() ? error : wanted;
+  const bool letsErrorsPass = wanted != m_bars.end() && ((*wanted)->isNote() || (*wanted)->isAsking());
+  const auto first = error != m_bars.end() && letsErrorsPass ? error : wanted;
   // First what goes, so that no two are seen.
   for (auto bar = m_bars.begin(); bar != m_bars.end(); ++bar)
     if (first != m_bars.end() && bar != first)

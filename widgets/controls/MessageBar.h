@@ -106,8 +106,8 @@ private:
   bool m_isBriefWhenLate = false;
 };
 
-/// Shows one message at a time: of those that want to be seen the first, but no note before an error. The
-/// others follow once it is gone.
+/// Shows one message at a time: of those that want to be seen the first, but no note and no question
+/// before an error, which answers what was just done. The others follow once it is gone.
 class MessageOrder : public QObject {
   Q_OBJECT
 

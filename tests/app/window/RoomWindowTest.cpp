@@ -224,6 +224,10 @@ TEST_F(Room, messagesThatHadToWaitAreBriefAndErrorsGoFirst) {
   bar("unsafeBar").hide();
   ASSERT_TRUE(bar("recoveryBar").isVisible());
   EXPECT_FALSE(goes(bar("recoveryBar"))) << "work is at stake";
+  messages().show(MessageBar::Kind::error, QStringLiteral("This went wrong."));
+  EXPECT_TRUE(messages().isVisible() && !bar("recoveryBar").isVisible()) << "errors wait for no question";
+  messages().hide();
+  EXPECT_TRUE(bar("recoveryBar").isVisible()) << "not lost";
   bar("recoveryBar").hide();
 }
 

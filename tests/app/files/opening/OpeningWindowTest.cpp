@@ -245,6 +245,25 @@ TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {
   EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
 }
 
+// An offer to restore what a crash left waits until that is read.
+TEST_F(OpeningWindow, whatIsNoLongerThereIsSaidThoughARestoreIsOffered) {
+  const QString file = smallVolume("a");
+  ASSERT_TRUE(open(file));
+  QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
+  std::filesystem::remove(file.toStdString());
+  auto& offer = *window->findChild<MessageBar*>(QStringLiteral("recoveryBar"));
+  offer.show(MessageBar::Kind::question, QStringLiteral("Restore the last session?"));
+  auto* recent = window->findChild<QPushButton*>(QStringLiteral("recent"));
+  ASSERT_TRUE(recent && recent->isVisible());
+  QTest::mouseClick(recent, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
+  EXPECT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("small.nrrd")))
+      << messages().sentence().toStdString();
+  messages().hide();
+  EXPECT_TRUE(offer.isVisible()) << "the offer stands";
+}
+
 TEST_F(OpeningWindow, aForeignFileIsRefusedAndTheSentenceGoesWithTheNextStep) {
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   test::writeBytes(
