@@ -181,6 +181,7 @@ void OwnPresetController::rename(const QString& name) {
         m_context.session.adoptPreset(inUse);
       }
       read();
+      emit kept(entered); // a search for the former name would hide it
     });
   };
   ask(tr("Rename preset"), tr("New name:"), name, give);

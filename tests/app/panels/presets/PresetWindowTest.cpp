@@ -321,6 +321,29 @@ TEST_F(PresetWindow, favouritesNotesAndFoldersAreThereInTheNextWindow) {
   EXPECT_EQ(mine().folder, "Temporal");
 }
 
+TEST_F(PresetWindow, aRenamedPresetIsSeenThoughASearchForItsFormerNameWouldHideIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const auto answer = [this](const QString& name) {
+    onceAsked<QInputDialog>([name](QInputDialog& dialog) {
+      dialog.setTextValue(name);
+      dialog.accept();
+    });
+  };
+  answer(QStringLiteral("Petrous"));
+  window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return rowOf(browser(), QStringLiteral("Petrous")).isValid(); }));
+  auto& search = *browser().findChild<QLineEdit*>();
+  search.setFocus();
+  QTest::keyClicks(&search, QStringLiteral("petrous"));
+  QTest::keyClick(&search, Qt::Key_Down);
+  answer(QStringLiteral("Temporal"));
+  QTest::keyClick(&list(), Qt::Key_F2);
+  ASSERT_TRUE(test::waitUntil([this] { return rowOf(browser(), QStringLiteral("Temporal")).isValid(); }));
+  EXPECT_TRUE(search.text().isEmpty()) << "it hid what was renamed";
+  EXPECT_TRUE(list().viewport()->rect().contains(rowOf(browser(), QStringLiteral("Temporal")).center()));
+  EXPECT_FALSE(rowOf(browser(), QStringLiteral("Petrous")).isValid());
+}
+
 TEST_F(PresetWindow, whatFitsTheVolumeBestStandsFirst) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   EXPECT_EQ(browser().presets().front().toStdString(), session().preset().name);
