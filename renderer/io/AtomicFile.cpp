@@ -28,10 +28,22 @@ struct Target {
   FilePlace place = FilePlace::chosen;
 };
 
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+// Of a file that cannot be made in a folder that is there, as in /proc, the system says that there is none.
+Message reasonAgainst(const Target& target, int error) {
+  std::error_code unknown;
+  const fs::path folder = folderOf(target.path);
+  return error == ENOENT && fs::is_directory(folder, unknown)
+             ? Message::tr("the folder %1 takes no files").arg(folder.string())
+             : systemReason(error);
+}
+
 [[noreturn]] void failWriting(const Target& target, int error) {
   std::error_code unknown;
-  if (error == ENOENT && target.place == FilePlace::chosen && target.path.has_parent_path() &&
-      !fs::exists(target.path.parent_path(), unknown))
+  if (error == ENOENT && target.place == FilePlace::chosen && !fs::exists(folderOf(target.path), unknown))
     throw Error(Error::Kind::other,
                 Message::tr("Cannot write %1: there is no folder %2; make it, or choose another folder.")
                     .arg(target.path.string(), target.path.parent_path().string()));
@@ -45,7 +57,7 @@ struct Target {
   throw Error(Error::Kind::other,
               (isThere ? Message::tr("Cannot write %1: %2; %3, the old file is untouched.")
                        : Message::tr("Cannot write %1: %2; %3."))
-                  .arg(target.path.string(), systemReason(error), advice));
+                  .arg(target.path.string(), reasonAgainst(target, error), advice));
 }
 
 const std::string prefix = ".limn-";
@@ -149,10 +161,6 @@ void writeAll(const fs::path& path, const Target& target, std::string_view bytes
       failWriting(target, errno);
     bytes.remove_prefix(static_cast<std::size_t>(done));
   }
-}
-
-fs::path folderOf(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
 // The file that is replaced: a link stays, what it points to is not.

@@ -117,6 +117,7 @@ TEST(AtomicFile, adviceIsSuchThatItCanBeTaken) {
   const std::string kernels = writeRefusal("/proc/a.json", FilePlace::chosen); // is there, and takes no file
   EXPECT_NE(kernels.find("choose another folder."), std::string::npos) << kernels;
   EXPECT_EQ(kernels.find("there is no folder"), std::string::npos) << kernels;
+  EXPECT_EQ(kernels, "Cannot write /proc/a.json: the folder /proc takes no files; choose another folder.");
 }
 
 TEST(AtomicFile, aLinkStaysALink) {
