@@ -10545,7 +10545,7 @@
     </message>
     <message>
         <source>MR PD head</source>
-        <translation>MR PD Kopf</translation>
+        <translation>MR PD-Kopf</translation>
     </message>
     <message>
         <source>The head in proton density; with its skin, fitted to each series</source>
@@ -10553,7 +10553,7 @@
     </message>
     <message>
         <source>MR T2 head</source>
-        <translation>MR T2 Kopf</translation>
+        <translation>MR T2-Kopf</translation>
     </message>
     <message>
         <source>The head in T2, fluid brightest; with its skin, fitted to each series</source>
