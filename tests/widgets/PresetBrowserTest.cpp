@@ -390,6 +390,19 @@ TEST_F(PresetBrowserTest, aNoteTakesMoreLinesWhereTheListIsHigh) {
   EXPECT_EQ(heightOf(300), low);
 }
 
+// What a narrow list cuts, the tool tip has whole.
+TEST_F(PresetBrowserTest, theToolTipHasTheWholeNameAndNote) {
+  std::vector<Preset> presets = samplePresets();
+  presets[0].note = "Everything brighter than the background as one closed surface; fitted to each series";
+  m_browser.setPresets({presets[0]}, {});
+  m_browser.resize(200, 300);
+  const QAbstractItemModel& shown = *list()->model();
+  const QModelIndex row = shown.index(0, 0, shown.index(0, 0));
+  const QString tip = row.data(Qt::ToolTipRole).toString();
+  EXPECT_TRUE(tip.contains(QString::fromStdString(presets[0].name))) << tip.toStdString();
+  EXPECT_TRUE(tip.contains(QString::fromStdString(presets[0].note))) << tip.toStdString();
+}
+
 // Its note has several lines: a name need not be cut after one.
 TEST_F(PresetBrowserTest, aLongNameTakesASecondLine) {
   std::vector<Preset> presets = samplePresets();

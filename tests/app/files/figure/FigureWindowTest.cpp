@@ -447,6 +447,20 @@ TEST_F(FigureWindow, cancellingLeavesNoFileAndTheDialogOpen) {
   EXPECT_FALSE(fs::exists(folder.path() / "figure.png"));
 }
 
+// The key goes to whatever has the keyboard once what began the work cannot be used any more.
+TEST_F(FigureWindow, escapeCancelsFromWhereTheKeyboardIs) {
+  ASSERT_TRUE(ask());
+  part<QPushButton>("figureSave").setFocus();
+  typeName(pathTo("figure.png"));
+  QTest::keyClick(dialog().windowHandle(), Qt::Key_Space);
+  ASSERT_TRUE(dialog().isWorking());
+  QTest::keyClick(dialog().windowHandle(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog().isWorking());
+  EXPECT_TRUE(dialog().isVisible());
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Cancelled"))) << said().toStdString();
+  EXPECT_FALSE(fs::exists(folder.path() / "figure.png"));
+}
+
 TEST_F(FigureWindow, aPanelThatShowsNothingIsSaidInThePreview) {
   setLayout(CompareLayout::single);
   ASSERT_TRUE(ask());
