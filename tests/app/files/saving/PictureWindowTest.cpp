@@ -303,6 +303,19 @@ TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
   EXPECT_TRUE(window->close()) << "there is nothing to lose any more";
 }
 
+TEST_F(SavedPicture, theTimeToDrawIsToldAsSoonAsItIsKnown) {
+  std::optional<double> known;
+  DrawingTold told;
+  told.seconds = [&known](double) { return known; };
+  PictureDialog dialog({}, {640, 480}, window.get(), PictureKind::view, told);
+  const auto& pixels = *dialog.findChild<QLabel*>(QStringLiteral("picturePixels"));
+  EXPECT_EQ(pixels.text(), QStringLiteral("640 × 480 pixels, the time to draw is being estimated"));
+  known = 180.0;
+  EXPECT_TRUE(test::waitUntil(
+      [&] { return pixels.text() == QStringLiteral("640 × 480 pixels, about 3 min to draw"); }))
+      << pixels.text().toStdString();
+}
+
 // Two pictures touch in the file: the line between them on screen is in no promise.
 TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
   setLayout(CompareLayout::sideBySide);
