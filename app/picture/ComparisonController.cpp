@@ -166,7 +166,8 @@ void ComparisonController::showOneOfBoth(ShadingModel model) {
   const auto nothing = [] {};
   QUndoStack& steps = m_context.session.undoStack();
   steps.beginMacro(text);
-  steps.push(new ComparisonEdit(text, [this, before, after] { showCompared(before, after); }, nothing));
+  steps.push(new ComparisonEdit(
+      text, [this, before, after] { showCompared(before, after); }, nothing));
   m_context.session.setShading(shading, {nextGestureId(), text});
   showCompared(after, before);
   steps.push(new ComparisonEdit(text, nothing, [this, before, after] { showCompared(after, before); }));
@@ -202,8 +203,8 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
   const ViewOrder& order = m_context.view.order();
   if (watched == &m_context.view && event->type() == QEvent::MouseButtonPress &&
       order.comparison.layout != CompareLayout::single)
-    m_workedIn = sideShownAt(
-        order.comparison, positionAt(order.geometry, static_cast<QMouseEvent*>(event)->position()));
+    m_workedIn = sideShownAt(order.comparison,
+                             positionAt(order.geometry, static_cast<QMouseEvent*>(event)->position()));
   if (watched == &m_context.view && event->type() == QEvent::Resize && !m_isAsked &&
       layoutWithRoom() != m_context.view.compareLayout())
     QMetaObject::invokeMethod(this, &ComparisonController::fitLayout,

@@ -219,8 +219,9 @@ LookController::LookController(WindowContext& context, PresetController& presets
       QStringLiteral("exportLook"),
       {.text = tr("&Export…"),
        .place = {Menu::preset, 2, 2},
-       .toolTip = tr("Writes the curve and the light that are shown, of two pictures the right one's, as a file "
-                     "of Limn or another program."),
+       .toolTip =
+           tr("Writes the curve and the light that are shown, of two pictures the right one's, as a file "
+              "of Limn or another program."),
        .needsVolume = true});
   connect(import, &QAction::triggered, this, &LookController::askForLooks);
   connect(write, &QAction::triggered, this, &LookController::exportShown);
