@@ -9,6 +9,7 @@
 
 #include <QEvent>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QStatusBar>
 #include <QUndoCommand>
 
@@ -78,7 +79,7 @@ void ComparisonController::addLayouts() {
   add(CompareLayout::difference, tr("Di&fference"), "difference",
       tr("Where the two models differ, amplified."));
   connect(m_layouts, &QActionGroup::triggered, this, [this](QAction* chosen) {
-    setLayout(static_cast<CompareLayout>(chosen->data().toInt()));
+    chooseLayout(static_cast<CompareLayout>(chosen->data().toInt()));
     emit layoutChosen();
   });
   m_swap = m_context.actions.add(
@@ -139,6 +140,40 @@ void ComparisonController::setLayout(CompareLayout layout) {
   fitLayout();
 }
 
+void ComparisonController::chooseLayout(CompareLayout layout) {
+  const bool wereTwo = m_context.view.compareLayout() != CompareLayout::single;
+  const int side = m_look ? m_context.view.ownSide() : m_workedIn;
+  const ShadingModel model = m_context.view.sceneOfSide(side).shading.model;
+  const Scene& scene = m_context.session.scene();
+  const bool isOther = scene.volume && model != scene.shading.model;
+  if (layout == CompareLayout::single && wereTwo && isOther)
+    showOneOfBoth(model);
+  else
+    setLayout(layout);
+}
+
+// The scene's physical light takes the right of the pair along (followModel). What was compared is therefore
+// shown last: by a step that undo comes to last, and by one that redo comes to last.
+void ComparisonController::showOneOfBoth(ShadingModel model) {
+  m_beforeOpened.reset();
+  const Compared before = compared();
+  Compared after = before;
+  after.wanted = CompareLayout::single;
+  after.isAsked = true;
+  Shading shading = m_context.session.scene().shading;
+  shading.model = model;
+  const QString text = tr("one picture: %1", "a model").arg(modelName(model));
+  const auto nothing = [] {};
+  QUndoStack& steps = m_context.session.undoStack();
+  steps.beginMacro(text);
+  steps.push(new ComparisonEdit(
+      text, [this, before, after] { showCompared(before, after); }, nothing));
+  m_context.session.setShading(shading, {nextGestureId(), text});
+  showCompared(after, before);
+  steps.push(new ComparisonEdit(text, nothing, [this, before, after] { showCompared(after, before); }));
+  steps.endMacro();
+}
+
 // Two looks are compared because somebody asked for that.
 CompareLayout ComparisonController::layoutWithRoom() const {
   const bool isTight = m_hasSlices || m_context.view.width() < 2 * leastOfTwo;
@@ -165,6 +200,11 @@ void ComparisonController::noteSlices() {
 }
 
 bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
+  const ViewOrder& order = m_context.view.order();
+  if (watched == &m_context.view && event->type() == QEvent::MouseButtonPress &&
+      order.comparison.layout != CompareLayout::single)
+    m_workedIn = sideShownAt(order.comparison,
+                             positionAt(order.geometry, static_cast<QMouseEvent*>(event)->position()));
   if (watched == &m_context.view && event->type() == QEvent::Resize && !m_isAsked &&
       layoutWithRoom() != m_context.view.compareLayout())
     QMetaObject::invokeMethod(this, &ComparisonController::fitLayout,
@@ -192,6 +232,7 @@ void ComparisonController::setSideModel(int side, ShadingModel model) {
     m_left = model;
   else
     m_right.choose(model);
+  m_workedIn = side;
   show();
   note(before, (side == 0 ? tr("Left: %1") : tr("Right: %1")).arg(modelName(model)));
 }
@@ -300,6 +341,7 @@ void ComparisonController::swapSides() {
   if (!m_look) {
     const ShadingModel left = std::exchange(m_left, m_right.shown);
     m_right.choose(left);
+    m_workedIn = 1 - m_workedIn;
     show();
     return note(before, text);
   }
@@ -403,6 +445,7 @@ void ComparisonController::show() {
     m_look.reset();
     m_lookFrom.reset();
     m_ownModel.reset();
+    m_workedIn = 0;
   }
   m_volume = scene.volume;
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;

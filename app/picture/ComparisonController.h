@@ -34,6 +34,11 @@ public:
   /// A layout that somebody asks for; it holds however little room there is.
   void setLayout(CompareLayout layout);
 
+  /// The same, chosen by the user. One picture that takes the place of two shows the model of that side in
+  /// which the user worked last, at first the left; of two looks, as the right one shows it. One undo step
+  /// with the layout where that is another model than the scene's. The pair stays for the way back.
+  void chooseLayout(CompareLayout layout);
+
   /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look
   /// where no other shows it, the scene's. An undo step in any case.
   void setSideModel(int side, ShadingModel model);
@@ -117,6 +122,7 @@ private:
   void setRightPhysical(bool is);
   std::optional<ShadingModel> ownModel() const;
   QString ownName() const; ///< of the preset in use; empty where there is none
+  void showOneOfBoth(ShadingModel model);
   CompareLayout layoutWithRoom() const;
   void fitLayout();
   void noteSlices();
@@ -140,6 +146,7 @@ private:
   std::optional<Preset> m_look;           ///< at the left
   std::optional<Preset> m_lookFrom;       ///< the preset that it was made from, where it was changed since
   std::optional<RightModel> m_ownModel;   ///< of the right then, where it is not the scene's
+  int m_workedIn = 0;                     ///< the side of two models: 0 left, 1 right
   bool m_hasPhysical = false;             ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
   /// What was wanted, and whether somebody asked for it, while what was opened brings a layout of its own.

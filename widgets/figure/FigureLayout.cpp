@@ -74,7 +74,8 @@ bool shareCurve(const Figure& figure, const std::vector<std::size_t>& panels) {
     const Scene& scene = figure.panels[panel].scene;
     return scene.transferFunction == first.transferFunction &&
            scene.volume->info().unit == first.volume->info().unit && scene.projection == first.projection &&
-           scene.isovalue == first.isovalue;
+           scene.isovalue == first.isovalue &&
+           drawnLabelCurves(figure, panel) == drawnLabelCurves(figure, panels.front());
   });
 }
 

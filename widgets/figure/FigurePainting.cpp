@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -114,16 +115,28 @@ struct LegendParts {
   double text = 10; ///< the height of the font
 };
 
-// The values over which a scene's curve is shown: those between its outermost points with some room beside
-// them, or the volume's where there are none.
-ValueRange ownRange(const Scene& scene) {
-  const auto& points = scene.transferFunction.points;
+// The values over which a curve is shown: those between its outermost points with some room beside them, or
+// the volume's where there are none.
+ValueRange rangeOf(const TransferFunction& function, const Volume& volume) {
+  const auto& points = function.points;
   if (points.empty() || !(points.back().value > points.front().value))
-    return scene.volume->range().lowest < scene.volume->range().highest
-               ? scene.volume->range()
-               : ValueRange{scene.volume->range().lowest - 0.5, scene.volume->range().lowest + 0.5};
+    return volume.range().lowest < volume.range().highest
+               ? volume.range()
+               : ValueRange{volume.range().lowest - 0.5, volume.range().lowest + 0.5};
   const double room = 0.06 * (points.back().value - points.front().value);
   return {points.front().value - room, points.back().value + room};
+}
+
+// That of a panel's curves together. Of a label's curve that is one value for all there is nothing to see.
+ValueRange ownRange(const Figure& figure, std::size_t panel) {
+  const Scene& scene = figure.panels[panel].scene;
+  ValueRange range = rangeOf(scene.transferFunction, *scene.volume);
+  for (const LabelCurve& curve : drawnLabelCurves(figure, panel))
+    if (curve.function.points.size() > 1) {
+      const ValueRange its = rangeOf(curve.function, *scene.volume);
+      range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
+    }
+  return range;
 }
 
 LegendParts partsOf(const QRectF& place, const ValueRange& range, const QFont& font) {
@@ -219,6 +232,17 @@ void paintOpacityCurve(QPainter& painter, const LegendParts& parts, const Transf
   painter.drawPolyline(line);
 }
 
+// In its colour, with an edge that stands out from the page.
+void paintLabelCurve(QPainter& painter, const LegendParts& parts, const LabelCurve& curve,
+                     const FigureColors& colors) {
+  const QPolygonF line = curvePolygon(parts.transform, curve.function);
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [color, width] : {std::pair(colors.line, 3.6), std::pair(curve.color, 2.0)}) {
+    painter.setPen(QPen(color, width * parts.line, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+  }
+}
+
 // A picture of a surface hangs on one value.
 void paintIsovalue(QPainter& painter, const LegendParts& parts, const Scene& scene,
                    const FigureColors& colors) {
@@ -269,9 +293,11 @@ void paintNotes(QPainter& painter, const Figure& figure, const FigureLayout& lay
   painter.drawText(layout.notes, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, notesOf(figure));
 }
 
-// Paints opacity over value, the colours below it, and an axis in the volume's unit.
-void paintLegend(QPainter& painter, const QRectF& place, const Scene& scene, const ValueRange& range,
-                 const QFont& font, const FigureColors& colors) {
+// Paints opacity over value, the colours below it, and an axis in the volume's unit; over the scene's curve
+// those of labels.
+void paintLegend(QPainter& painter, const QRectF& place, const Scene& scene,
+                 const std::vector<LabelCurve>& ofLabels, const ValueRange& range, const QFont& font,
+                 const FigureColors& colors) {
   const LegendParts parts = partsOf(place, range, font);
   if (parts.bar.width() < 4.0 * parts.text)
     return;
@@ -281,6 +307,8 @@ void paintLegend(QPainter& painter, const QRectF& place, const Scene& scene, con
   paintOpacities(painter, parts, colors);
   const QImage row = colorsOver(parts, scene.transferFunction);
   paintOpacityCurve(painter, parts, scene.transferFunction, colors, row);
+  for (const LabelCurve& curve : ofLabels)
+    paintLabelCurve(painter, parts, curve, colors);
   painter.drawImage(parts.bar, row);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(colors.line, parts.line));
@@ -313,10 +341,10 @@ void paintPictureMarks(QPainter& painter, const PictureMarks& marks, const Figur
 
 ValueRange legendRange(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
   const std::string& unit = figure.panels[panel].scene.volume->info().unit;
-  ValueRange range = ownRange(figure.panels[panel].scene);
+  ValueRange range = ownRange(figure, panel);
   for (const LegendPlace& legend : layout.legends)
-    if (const Scene& other = figure.panels[legend.panel].scene; other.volume->info().unit == unit) {
-      const ValueRange its = ownRange(other);
+    if (figure.panels[legend.panel].scene.volume->info().unit == unit) {
+      const ValueRange its = ownRange(figure, legend.panel);
       range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
     }
   return range;
@@ -368,8 +396,8 @@ void paintMarks(QPainter& painter, const Figure& figure, const FigureLayout& lay
   }
   for (const LegendPlace& legend : layout.legends)
     paintLegend(painter, legend.place, figure.panels[legend.panel].scene,
-                legendRange(figure, layout, legend.panel), figureFont(layout, noteScale),
-                colorsOn(figure.settings.page));
+                drawnLabelCurves(figure, legend.panel), legendRange(figure, layout, legend.panel),
+                figureFont(layout, noteScale), colorsOn(figure.settings.page));
   for (const LegendPlace& labels : layout.labelLegends) {
     const FigureColors colors = colorsOn(figure.settings.page);
     paintLabelRows(painter, labels.place, labelRows(figure.panels[labels.panel]), layout, colors.text,

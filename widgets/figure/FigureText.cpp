@@ -3,6 +3,7 @@
 
 #include "scene/effects/EffectPlan.h"
 #include "widgets/ValueText.h"
+#include "widgets/figure/LabelLegend.h"
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/overlay/Titles.h"
@@ -55,7 +56,7 @@ QStringList remarksOn(const FigurePanel& panel) {
     return panel.planes.outlinesRegion && isRestricting(panel.scene.keep)
                ? QStringList{QObject::tr("The line is around what is kept")}
                : QStringList();
-  QStringList texts{regionText(panel.scene.keep)};
+  QStringList texts{regionText(panel.scene.keep, true)};
   if (panel.scene.crop != CropBox() && !panel.cropHidesNothing.value_or(false))
     texts << QObject::tr("Cropped");
   if (smoothsNormals(panel.scene))
@@ -63,6 +64,19 @@ QStringList remarksOn(const FigurePanel& panel) {
                  .arg(digitsNumber(panel.scene.shading.gradientSmoothing, 3));
   texts.removeAll(QString());
   return texts;
+}
+
+// Whose the curves are where labels have some of their own.
+QStringList curvesOn(const FigurePanel& panel) {
+  if (labelCurves(panel).empty())
+    return {};
+  return {QObject::tr(
+      "Labels in colour have curves of their own, in these colours; the other curve is of the rest")};
+}
+
+QStringList curvesNotDrawnOn(const FigurePanel& panel) {
+  return labelCurves(panel).empty() ? QStringList()
+                                    : QStringList{QObject::tr("Labels have curves of their own")};
 }
 
 // Of physical light its paths and what they differ by.
@@ -157,6 +171,8 @@ QString notesOf(const Figure& figure) {
   QStringList notes;
   if (settings.shows(FigureMark::accuracy))
     notes << accuracyNote(figure) << notesOn(figure, pathsOn);
+  if (settings.shows(FigureMark::curve))
+    notes << notesOn(figure, settings.shows(FigureMark::labels) ? curvesOn : curvesNotDrawnOn);
   if (settings.shows(FigureMark::region))
     notes << notesOn(figure, remarksOn);
   if (settings.shows(FigureMark::scaleBar) && std::ranges::any_of(figure.panels, isInPerspective)) {

@@ -36,8 +36,8 @@ std::optional<OrientationLetters> lettersOfPanel(const FigurePanel& panel);
 /// Whether a curve explains the colours of a panel: not those of a slice in plain grey.
 bool hasCurve(const FigurePanel& panel);
 
-/// What is said below the pictures, as the figure's marks ask: accuracy, hidden parts, at which depth scale
-/// bars hold, and that it is not for diagnosis. Empty where nothing is.
+/// What is said below the pictures, as the figure's marks ask: accuracy, whose curves are drawn, hidden
+/// parts, at which depth scale bars hold, and that it is not for diagnosis. Empty where nothing is.
 QString notesOf(const Figure& figure);
 
 } // namespace limn

@@ -86,6 +86,24 @@ std::vector<LabelRow> labelRows(const FigurePanel& panel) {
   return rows;
 }
 
+std::vector<LabelCurve> labelCurves(const FigurePanel& panel) {
+  const Region& keep = panel.scene.keep;
+  std::vector<LabelCurve> curves;
+  if (panel.plane && !panel.planes.isTinted)
+    return curves;
+  std::vector<std::size_t> places = labelsShown(panel);
+  places.resize(std::min(places.size(), mostLabelRows));
+  for (const std::size_t place : places)
+    if (const std::size_t look = lookOfLabel(keep, place); look > 0)
+      curves.push_back({toQColor(shownColor(*panel.scene.volume, keep, place)), keep.looks[look - 1]});
+  return curves;
+}
+
+std::vector<LabelCurve> drawnLabelCurves(const Figure& figure, std::size_t panel) {
+  return figure.settings.shows(FigureMark::labels) ? labelCurves(figure.panels[panel])
+                                                   : std::vector<LabelCurve>();
+}
+
 LabelColumns labelColumns(const std::vector<LabelRow>& rows, double width, double textPixels) {
   LabelColumns result;
   if (rows.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/function/TransferFunction.h"
 #include "widgets/figure/FigureLayout.h"
 
 #include <QColor>
@@ -27,6 +28,19 @@ inline constexpr std::size_t mostLabelRows = 12;
 /// their list; behind `mostLabelRows`
 /// one row says how many more there are. None where its picture classifies by one curve alone.
 std::vector<LabelRow> labelRows(const FigurePanel& panel);
+
+/// The curve of a label in a legend.
+struct LabelCurve {
+  QColor color; ///< of its row
+  TransferFunction function;
+  bool operator==(const LabelCurve&) const = default;
+};
+
+/// The curves of their own by which a panel shows labels, of those that have a row, in the same order.
+std::vector<LabelCurve> labelCurves(const FigurePanel& panel);
+
+/// Those that are drawn beside the curve of the panel's scene: where the figure names the labels.
+std::vector<LabelCurve> drawnLabelCurves(const Figure& figure, std::size_t panel);
 
 /// How rows stand beside and below each other in a width, pixels of a figure.
 struct LabelColumns {

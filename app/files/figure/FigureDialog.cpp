@@ -117,6 +117,16 @@ void FigureDialog::connectParts() {
           [this](const FigureSettings& settings) { m_context.settings.setFigure(settings); });
   connect(&m_soon, &QTimer::timeout, this, &FigureDialog::refreshSources);
   connect(&m_reading, &BackgroundWork::failed, this, &FigureDialog::say);
+  connect(&m_work, &BackgroundWork::progressed, this, [this](double fraction) {
+    if (!isWorking() && !m_preview->awaiting().isEmpty())
+      sayPreview(fraction);
+  });
+  connect(&m_work, &BackgroundWork::failed, m_preview, [this] { m_preview->setAwaiting({}); });
+  connect(this, &ExportDialog::workingChanged, this, [this](bool isWorking) {
+    m_preview->setAwaiting({});
+    if (!isWorking && m_preview->pictures().empty()) // the work took the place of the preview's
+      m_soon.start();
+  });
   connect(&m_context.session, &Session::planesChanged, this, [this] { m_soon.start(); });
   connect(&m_context.session, &Session::viewsChanged, this, [this] { m_soon.start(); });
 }
@@ -289,6 +299,7 @@ void FigureDialog::drawPreview(double share) {
   if (!shown)
     return;
   const QSize size = (figureLayout(*shown).pictureSize() * share).expandedTo({8, 8});
+  sayPreview(0.0);
   m_work.start([this, figure = *shown, share, size,
                 order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
     const MadeFigure made = drawPanels(figure, size, withEffort(order, effort));
@@ -298,6 +309,7 @@ void FigureDialog::drawPreview(double share) {
       m_notes = made.notes;
       m_preview->setFigure(withWhatIsKnown(askedFigure()));
       m_preview->setPictures(made.pictures);
+      m_preview->setAwaiting({});
       sayWhatItIs();
       share < 1.0 ? drawPreview(1.0) : estimatePreview(figure);
     };
@@ -432,8 +444,14 @@ void FigureDialog::sayOutcome(const QString& sentence) {
     m_soon.start();
 }
 
-QString FigureDialog::doing(double) const {
-  return tr("Drawing the figure…");
+QString FigureDialog::doing(double fraction) const {
+  return tr("Drawing the figure: %1 %").arg(qRound(100.0 * fraction));
+}
+
+// On a slow machine the first picture takes long.
+void FigureDialog::sayPreview(double fraction) {
+  m_preview->setAwaiting(fraction > 0.0 ? tr("Drawing the preview: %1 %").arg(qRound(100.0 * fraction))
+                                        : tr("Drawing the preview…"));
 }
 
 } // namespace limn

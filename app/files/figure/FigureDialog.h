@@ -59,6 +59,7 @@ private:
   void refreshSources();
   void refreshPreview();
   void drawPreview(double share);
+  void sayPreview(double fraction);
   void estimatePreview(const Figure& figure);
   void describe(const QString& text, bool canBeMade);
   void sayWhatItIs();

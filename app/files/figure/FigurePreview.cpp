@@ -5,6 +5,7 @@
 #include "widgets/figure/FigureLayout.h"
 #include "widgets/figure/FigurePainting.h"
 
+#include <QFontInfo>
 #include <QPainter>
 
 #include <algorithm>
@@ -43,6 +44,14 @@ void FigurePreview::setPictures(const std::vector<QImage>& pictures) {
   update();
 }
 
+void FigurePreview::setAwaiting(const QString& text) {
+  if (text == m_awaiting)
+    return;
+  m_awaiting = text;
+  setAccessibleDescription(text);
+  update();
+}
+
 std::optional<Figure> FigurePreview::asShown() const {
   if (m_figure.panels.empty())
     return std::nullopt;
@@ -76,6 +85,25 @@ void FigurePreview::paintEvent(QPaintEvent*) {
   if (shown->settings.page == FigureSettings::Page::transparent)
     painter.fillRect(QRect(QPoint(0, 0), layout.size), checkers());
   paintFigure(painter, *shown, layout, m_pictures);
+  paintAwaiting(painter, layout);
+}
+
+// On a plate of its own, which any page leaves readable.
+void FigurePreview::paintAwaiting(QPainter& painter, const FigureLayout& layout) const {
+  if (m_awaiting.isEmpty())
+    return;
+  QFont font = this->font();
+  font.setPixelSize(qRound(QFontInfo(font).pixelSize() * devicePixelRatioF()));
+  painter.setFont(font);
+  for (std::size_t i = 0; i < layout.pictures.size(); ++i) {
+    if (i < m_pictures.size() && !m_pictures[i].isNull())
+      continue;
+    const QRectF picture(layout.pictures[i]);
+    const QRectF words = painter.boundingRect(picture, Qt::AlignCenter | Qt::TextWordWrap, m_awaiting);
+    painter.fillRect(words.adjusted(-6.0, -3.0, 6.0, 3.0), palette().window());
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(picture, Qt::AlignCenter | Qt::TextWordWrap, m_awaiting);
+  }
 }
 
 void FigurePreview::resizeEvent(QResizeEvent* event) {

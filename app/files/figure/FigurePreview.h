@@ -26,6 +26,10 @@ public:
   void setPictures(const std::vector<QImage>& pictures);
   const std::vector<QImage>& pictures() const { return m_pictures; }
 
+  /// What is said in the place of pictures that are still to come; empty: nothing.
+  void setAwaiting(const QString& text);
+  const QString& awaiting() const { return m_awaiting; }
+
   /// The figure with as many pixels as it has here; nothing where it cannot be laid out.
   std::optional<Figure> asShown() const;
 
@@ -41,8 +45,11 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  void paintAwaiting(QPainter& painter, const FigureLayout& layout) const;
+
   Figure m_figure;
   std::vector<QImage> m_pictures;
+  QString m_awaiting;
 };
 
 } // namespace limn

@@ -26,7 +26,8 @@ constexpr double narrowestCm = 2.0;
 constexpr double widestCm = 60.0;
 constexpr int narrowest = 16;      // pixels
 constexpr int longestSide = 16384; // of a picture in a file, pixels: more than drivers draw at once
-constexpr int changesPaths = 2;    // what the dialog ends with beside Accepted and Rejected
+constexpr int askedAgainMs = 250;
+constexpr int changesPaths = 2; // what the dialog ends with beside Accepted and Rejected
 
 QString wordOf(int number) {
   return QString::number(number);
@@ -156,6 +157,8 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
     form->setRowVisible(m_width, size == PictureOptions::Size::pixels);
     tellSize();
   };
+  m_again.setSingleShot(true);
+  connect(&m_again, &QTimer::timeout, this, &PictureDialog::tellSize);
   connect(m_size, &QComboBox::currentIndexChanged, this, show);
   for (const NumberField* width : {m_cm, m_width})
     connect(width, &NumberField::numberEdited, this, &PictureDialog::tellSize);
@@ -206,16 +209,20 @@ void PictureDialog::tellSize() {
   const double scale = scaleOf(options(), m_screen.width());
   const int beside = m_told.beside; // each is drawn by itself, in whole pixels
   const QSize size(beside * qRound(m_screen.width() * scale / beside), qRound(m_screen.height() * scale));
-  const double seconds = m_told.seconds ? m_told.seconds(scale).value_or(0.0) : 0.0;
+  const std::optional<double> known = m_told.seconds ? m_told.seconds(scale) : 0.0;
+  const double seconds = known.value_or(0.0);
   const bool fits = std::max(size.width(), size.height()) <= longestSide;
   const QString pixels = tr("%1 × %2 pixels").arg(size.width()).arg(size.height());
   m_pixels->setText(fits && seconds >= longSeconds
                         ? tr("%1, %2 to draw", "pixels, a time").arg(pixels, aboutText(seconds))
-                    : fits ? pixels
-                           : tr("%1 × %2 pixels: more than %3 a side cannot be drawn")
+                    : fits && !known ? tr("%1, the time to draw is being estimated", "pixels").arg(pixels)
+                    : fits           ? pixels
+                                     : tr("%1 × %2 pixels: more than %3 a side cannot be drawn")
                                  .arg(size.width())
                                  .arg(size.height())
                                  .arg(longestSide));
+  if (!known)
+    m_again.start(askedAgainMs);
   if (auto* save = findChild<QPushButton*>(QStringLiteral("pictureSave")))
     save->setEnabled(fits);
 }

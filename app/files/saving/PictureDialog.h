@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QSize>
+#include <QTimer>
 
 #include <functional>
 #include <optional>
@@ -52,7 +53,8 @@ enum class PictureKind { view, slice };
 
 /// What is told of drawing a picture beside what is asked of it.
 struct DrawingTold {
-  /// How long one takes that is larger by `scale`, s; absent where nobody knows. Empty: it takes no time.
+  /// How long one takes that is larger by `scale`, s; absent where nobody knows yet: it is asked again until
+  /// somebody does. Empty: it takes no time.
   std::function<std::optional<double>(double scale)> seconds = {};
   int beside = 1;                         ///< so many pictures of one size stand beside each other in it
   QString remark = {};                    ///< on what is saved; empty: nothing need be said
@@ -80,6 +82,7 @@ private:
 
   QSize m_screen;
   DrawingTold m_told;
+  QTimer m_again; ///< until it is asked again how long drawing takes
   QComboBox* m_size;
   NumberField* m_cm;
   NumberField* m_width; ///< pixels

@@ -11,6 +11,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/presets/PresetModel.h"
+#include "widgets/view/CompareView.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -218,7 +219,9 @@ LookController::LookController(WindowContext& context, PresetController& presets
       QStringLiteral("exportLook"),
       {.text = tr("&Export…"),
        .place = {Menu::preset, 2, 2},
-       .toolTip = tr("Writes the curve and the light that are shown as a file of Limn or another program."),
+       .toolTip =
+           tr("Writes the curve and the light that are shown, of two pictures the right one's, as a file "
+              "of Limn or another program."),
        .needsVolume = true});
   connect(import, &QAction::triggered, this, &LookController::askForLooks);
   connect(write, &QAction::triggered, this, &LookController::exportShown);
@@ -283,8 +286,9 @@ void LookController::tell(const LookImport& import) {
 }
 
 void LookController::exportShown() {
+  const std::vector<Scene> sides = m_context.view.scenesOfSides();
   const QString name = m_presets.nameShown();
-  askWhereToExport(presetOf(m_context.session.scene(), name.toStdString()));
+  askWhereToExport(presetOf(sides.back(), name.toStdString()));
 }
 
 void LookController::exportPreset(const QString& name) {

@@ -70,7 +70,7 @@ public slots:
   /// Imports files, on a thread of its own; files named meanwhile are next. The look of a single one is
   /// applied to the volume that is open, as one step of the history.
   void importFiles(const QStringList& paths);
-  /// Asks where to write the look that is shown.
+  /// Asks where to write the look that is shown, with the model of its picture: of two the right one's.
   void exportShown();
   /// The same of a preset of the list.
   void exportPreset(const QString& name);

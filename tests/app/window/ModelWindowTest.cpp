@@ -262,6 +262,46 @@ TEST_F(ModelWindow, aSinglePictureHasOneButton) {
   EXPECT_EQ(button(0)->text(), QStringLiteral("Classic"));
 }
 
+TEST_F(ModelWindow, onePictureShowsTheModelOfTheSideThatWasWorkedInAndThePairComesBack) {
+  window->resize(1380, 800); // every button fits
+  QCoreApplication::processEvents();
+  choose(0, 5);
+  const Models pair{ShadingModel::physical, ShadingModel::enhanced};
+  ASSERT_EQ(shown(), pair);
+  clickTool(QStringLiteral("Single"));
+  EXPECT_EQ(shown(), Models{ShadingModel::physical});
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Physical"));
+  clickTool(QStringLiteral("Side by side"));
+  EXPECT_EQ(shown(), pair);
+  undo().undo();
+  EXPECT_EQ(shown(), pair) << "the step before it";
+  EXPECT_EQ(scene().shading.model, ShadingModel::classic);
+  undo().redo();
+  EXPECT_EQ(shown(), Models{ShadingModel::physical});
+  undo().undo();
+  EXPECT_EQ(shown(), pair);
+  // A press in the right picture is work there.
+  const QPointF right = view().logicalRect(1).center();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), right.toPoint()));
+  clickTool(QStringLiteral("Single"));
+  EXPECT_EQ(shown(), Models{ShadingModel::enhanced});
+  clickTool(QStringLiteral("Side by side"));
+  EXPECT_EQ(shown(), pair);
+}
+
+TEST_F(ModelWindow, onePictureOfTwoLooksKeepsTheModelOfTheRightOne) {
+  window->resize(1380, 800);
+  QCoreApplication::processEvents();
+  auto& comparison = *window->findChild<ComparisonController*>();
+  comparison.compareOwn();
+  const Models pair = shown();
+  ASSERT_EQ(pair.back(), ShadingModel::enhanced);
+  clickTool(QStringLiteral("Single"));
+  EXPECT_EQ(shown(), Models{ShadingModel::enhanced});
+  clickTool(QStringLiteral("Side by side"));
+  EXPECT_EQ(shown(), pair);
+}
+
 TEST_F(ModelWindow, thePropertiesChangeTheSideInQuestion) {
   auto& properties = *window->findChild<PropertiesPanel*>();
   auto* right = rowNamed<ChoiceRow>(properties, "Model, right");

@@ -413,6 +413,34 @@ TEST(LabelLegend, endsAfterTwelveWithHowManyMoreThereAre) {
   EXPECT_EQ(rows.back(), (LabelRow{std::nullopt, QStringLiteral("and 17 more")}));
 }
 
+TEST(LabelLegend, theCurvesOfLabelsAreDrawnInTheirColoursAndTold) {
+  Figure figure = figureOf(1);
+  FigurePanel& panel = figure.panels.front();
+  EXPECT_TRUE(drawnLabelCurves(figure, 0).empty());
+  EXPECT_FALSE(notesOf(figure).contains(QStringLiteral("curves of their own")));
+  const TransferFunction rising{1.0, {{-500.0, {0, 1, 0}, 0.0}, {2000.0, {0, 1, 0}, 1.0}}};
+  panel.scene.keep = withLooks(turnsWithLooks(4), {{2, rising}});
+  panel.scene.keep.weights[3] = 0.25;
+  const std::vector<LabelCurve> curves = drawnLabelCurves(figure, 0);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves.front(), (LabelCurve{QColor(0, 255, 0), rising}));
+  const FigureLayout layout = figureLayout(figure);
+  const ValueRange range = legendRange(figure, layout, 0);
+  EXPECT_TRUE(range.lowest < -500.0 && range.highest > 2000.0) << "all of it is seen";
+  const QImage drawn = figureImage(figure, layout, {});
+  const QRect legend = layout.legends.front().place.toAlignedRect().intersected(drawn.rect());
+  int green = 0;
+  for (int y = legend.top(); y <= legend.bottom(); ++y)
+    for (int x = legend.left(); x <= legend.right(); ++x)
+      green += drawn.pixel(x, y) == QColor(0, 255, 0).rgb() ? 1 : 0;
+  EXPECT_GT(green, legend.width() / 8) << "along the axis";
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("the other curve is of the rest")));
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("1 label hidden or faded: organ 3.")));
+  hide(figure, FigureMark::labels);
+  EXPECT_TRUE(drawnLabelCurves(figure, 0).empty()) << "nothing would name them";
+  EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("Labels have curves of their own.")));
+}
+
 TEST(LabelLegend, aColourIsTheMeanOfWhatTheCurveShowsOfTheVoxels) {
   Grid grid;
   grid.dims = {4, 1, 1};
@@ -462,17 +490,19 @@ TEST(LabelLegend, standsBelowThePicturesOnceWhereAllHaveTheSame) {
         for (std::size_t k = 0; k < i; ++k)
           EXPECT_FALSE(places[i].intersects(places[k])) << count << " panels, places " << i << " and " << k;
       }
-      // Every label's colour is on the page, in squares within legends.
+      // Every label's colour is on the page, in a square of its legend; beside it only its curve has it.
       const QImage drawn = figureImage(figure, layout, {});
       for (const LabelRow& row : labelRows(figure.panels.front())) {
         int found = 0;
         for (int y = 0; y < drawn.height(); ++y)
           for (int x = 0; x < drawn.width(); ++x)
             if (drawn.pixel(x, y) == row.color->rgb()) {
-              ASSERT_TRUE(std::ranges::any_of(
-                  layout.labelLegends,
-                  [&](const LegendPlace& legend) { return legend.place.contains(QPointF(x, y)); }))
-                  << x << ' ' << y;
+              const auto isIn = [&](const LegendPlace& legend) {
+                return legend.place.contains(QPointF(x, y));
+              };
+              if (std::ranges::any_of(layout.legends, isIn))
+                continue;
+              ASSERT_TRUE(std::ranges::any_of(layout.labelLegends, isIn)) << x << ' ' << y;
               ++found;
             }
         // The side of one is 0.95 of the text's height, its frame included.

@@ -245,7 +245,21 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
           .arg(differenceGain);
 }
 
-QString regionText(const Region& region) {
+// "liver, spleen, left kidney and 4 more"
+static QString namesOfWeighed(const Region& region, std::size_t count) {
+  constexpr qsizetype most = 3;
+  QStringList names;
+  for (std::size_t place = 0; place < count; ++place)
+    if (region.weights[place] != 1.0) {
+      const Label& label = region.labels->labels()[place];
+      names << (label.name.empty() ? QString::number(label.value) : QString::fromStdString(label.name));
+    }
+  const QString first = names.mid(0, most).join(QObject::tr(", "));
+  return names.size() <= most ? first
+                              : QObject::tr("%1 and %2 more", "names").arg(first).arg(names.size() - most);
+}
+
+QString regionText(const Region& region, bool namesLabels) {
   if (!isRestricting(region))
     return {};
   const QString cut = cutText(region);
@@ -257,9 +271,15 @@ QString regionText(const Region& region) {
       std::count_if(region.weights.begin(), own, [](double weight) { return weight != 1.0; });
   if (hidesTable(region))
     notes << QObject::tr("Body only: table hidden");
-  if (region.kind == Region::Kind::labels && weighed > 0)
-    notes << (weighed == 1 ? QObject::tr("1 label hidden or faded")
-                           : QObject::tr("%1 labels hidden or faded").arg(weighed));
+  if (region.kind == Region::Kind::labels && weighed > 0) {
+    const QString what = weighed == 1 ? QObject::tr("1 label hidden or faded")
+                                      : QObject::tr("%1 labels hidden or faded").arg(weighed);
+    notes << (namesLabels
+                  ? QObject::tr("%1: %2", "labels hidden, their names")
+                        .arg(what,
+                             namesOfWeighed(region, static_cast<std::size_t>(own - region.weights.begin())))
+                  : what);
+  }
   if (!cut.isEmpty())
     notes << cut.left(1).toUpper() + cut.mid(1);
   return notes.join(QStringLiteral(" · "));

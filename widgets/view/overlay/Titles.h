@@ -55,8 +55,8 @@ int labelAt(const OverlaySource& source, const QPointF& point);
 QString toolTipAt(const OverlaySource& source, const QPointF& point);
 
 /// What a region hides: "Body only: table hidden", "2 labels hidden or faded", "Cut by hand, 1 piece hidden";
-/// empty where it hides nothing.
-QString regionText(const Region& region);
+/// empty where it hides nothing. Where it `namesLabels`, up to three of them by their names.
+QString regionText(const Region& region, bool namesLabels = false);
 
 /// Tells that a part of the volume is hidden, and by what.
 struct HiddenNote {

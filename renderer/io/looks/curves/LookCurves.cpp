@@ -248,6 +248,7 @@ std::vector<ReadLook> finished(PointLook look, const std::string& file,
 }
 
 TransferFunction pointsAlone(const Preset& preset, std::vector<Message>& changes) {
+  tellLostModel(preset.shading, changes);
   tellLostParts(preset, changes);
   if (preset.shading)
     tell(changes, Message::tr("Light and material were left out: the format has no place for them."));
@@ -451,6 +452,18 @@ TransferFunction overOneMillimetre(const TransferFunction& function, std::vector
        Message::tr("Opacities over %1 mm became those over 1 mm, within %2.")
            .arg(Message::rounded(function.unitDistanceMm, 4), Message::rounded(segmentTolerance, 2)));
   return {1.0, simplified(seen, 0.8 * segmentTolerance)};
+}
+
+void tellLostModel(const std::optional<Shading>& shading, std::vector<Message>& changes) {
+  if (!shading)
+    return;
+  if (shading->model == ShadingModel::enhanced || shading->model == ShadingModel::robust)
+    tell(changes, Message::tr("The shading model %1 was left out, with its exponent range, opacity range and "
+                              "gradient reference: other programs light by the classic model or not at all.")
+                      .arg(nameOf(shading->model)));
+  if (shading->model == ShadingModel::physical)
+    tell(changes, Message::tr("Physical light was left out: other programs light by the classic model or not "
+                              "at all."));
 }
 
 void tellLostParts(const Preset& preset, std::vector<Message>& changes) {

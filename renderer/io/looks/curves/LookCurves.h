@@ -96,6 +96,9 @@ TransferFunction stretchedOver(const TransferFunction& function, const std::opti
 /// where that changes them.
 TransferFunction overOneMillimetre(const TransferFunction& function, std::vector<Message>& changes);
 
+/// A sentence for a shading model that only Limn's own files hold: enhanced, robust, physical.
+void tellLostModel(const std::optional<Shading>& shading, std::vector<Message>& changes);
+
 /// Sentences for what only Limn's own files hold of a preset beside curves and light: projection, landmarks.
 void tellLostParts(const Preset& preset, std::vector<Message>& changes);
 

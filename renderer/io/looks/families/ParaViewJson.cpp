@@ -231,6 +231,7 @@ WrittenLook writeParaViewJson(const Preset& preset, const std::optional<LookTarg
     for (const double number : {point.value, point.opacity})
       straight.push_back(number);
   }
+  tellLostModel(preset.shading, written.changes);
   if (preset.shading)
     tell(written.changes, Message::tr("Its light was left out: such files hold curves alone."));
   if (preset.gradientOpacity)

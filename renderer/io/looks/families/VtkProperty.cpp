@@ -16,14 +16,7 @@ namespace {
 constexpr double lowestExponent = 0.01;
 constexpr double highestExponent = 1024.0; // DEFINITION section 4
 
-void tellLostModel(const Shading& shading, std::vector<Message>& changes) {
-  if (shading.model == ShadingModel::enhanced || shading.model == ShadingModel::robust)
-    tell(changes,
-         Message::tr("The shading model %1 became the classic one, whose opacity and highlights do not "
-                     "follow the gradient.")
-             .arg(nameOf(shading.model)));
-  if (shading.model == ShadingModel::physical)
-    tell(changes, Message::tr("Physical light became the classic model."));
+void tellLostLight(const Shading& shading, std::vector<Message>& changes) {
   if (shading.lightDirection)
     tell(changes, Message::tr("The light's direction was left out: it comes from the viewer there."));
   const LightingTerms terms = lightingTerms(shading);
@@ -129,8 +122,9 @@ HeadLight headLightOf(const std::optional<Shading>& shading, Reflection reflecti
   light.diffuse = shading->diffuse * shading->lightIntensity;
   light.specular = shading->specular * shading->lightIntensity;
   std::vector<Message> ofLight;
+  tellLostModel(shading, ofLight); // first: what is told of numbers is told of the classic model
   light.exponent = toldExponent(*shading, reflection, ofLight);
-  tellLostModel(*shading, ofLight);
+  tellLostLight(*shading, ofLight);
   if (light.isOn) // what is not lit loses nothing
     for (const Message& sentence : ofLight)
       tell(changes, sentence);

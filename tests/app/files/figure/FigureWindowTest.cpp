@@ -433,6 +433,24 @@ TEST_F(FigureWindow, itIsCopiedInFullSize) {
   EXPECT_EQ(QApplication::clipboard()->image().width(), 591) << "5 / 2.54 · 300";
 }
 
+TEST_F(FigureWindow, thePreviewAndTheSavingSayHowFarTheyAre) {
+  QTest::keyClick(window.get(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+  FigurePreview& preview = dialog().preview();
+  ASSERT_TRUE(preview.pictures().empty());
+  EXPECT_TRUE(preview.awaiting().startsWith(QStringLiteral("Drawing the preview")));
+  EXPECT_EQ(preview.accessibleDescription(), preview.awaiting());
+  const QImage waiting = preview.grab().toImage();
+  preview.setAwaiting({});
+  EXPECT_NE(preview.grab().toImage(), waiting) << "the words stand where the picture will";
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  EXPECT_TRUE(preview.awaiting().isEmpty());
+  typeName(pathTo("figure.png"));
+  click("figureSave");
+  ASSERT_TRUE(dialog().isWorking());
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Drawing the figure: 0 %"))) << said().toStdString();
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+}
+
 TEST_F(FigureWindow, cancellingLeavesNoFileAndTheDialogOpen) {
   ASSERT_TRUE(ask());
   typeName(pathTo("figure.png"));

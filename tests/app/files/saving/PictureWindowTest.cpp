@@ -261,8 +261,7 @@ TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
   ASSERT_TRUE(rest());
   std::vector<int> percents;
   QObject::connect(&saving(), &SavingController::drawing, window.get(), [&](const QString& sentence) {
-    const QRegularExpressionMatch match =
-        QRegularExpression(QStringLiteral(": (\\d+) %")).match(sentence);
+    const QRegularExpressionMatch match = QRegularExpression(QStringLiteral(": (\\d+) %")).match(sentence);
     if (match.hasMatch())
       percents.push_back(match.captured(1).toInt());
   });
@@ -301,6 +300,19 @@ TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
   window->show();
   QTest::mouseClick(&stopButton(), Qt::LeftButton);
   EXPECT_TRUE(window->close()) << "there is nothing to lose any more";
+}
+
+TEST_F(SavedPicture, theTimeToDrawIsToldAsSoonAsItIsKnown) {
+  std::optional<double> known;
+  DrawingTold told;
+  told.seconds = [&known](double) { return known; };
+  PictureDialog dialog({}, {640, 480}, window.get(), PictureKind::view, told);
+  const auto& pixels = *dialog.findChild<QLabel*>(QStringLiteral("picturePixels"));
+  EXPECT_EQ(pixels.text(), QStringLiteral("640 × 480 pixels, the time to draw is being estimated"));
+  known = 180.0;
+  EXPECT_TRUE(test::waitUntil([&] {
+    return pixels.text() == QStringLiteral("640 × 480 pixels, about 3 min to draw");
+  })) << pixels.text().toStdString();
 }
 
 // Two pictures touch in the file: the line between them on screen is in no promise.

@@ -218,6 +218,22 @@ TEST_F(LookWindow, whatIsShownIsExportedAndReadsAgain) {
   EXPECT_TRUE(report()->plainText().contains(QStringLiteral("Light and material")));
 }
 
+TEST_F(LookWindow, theModelOfThePictureIsExportedOrToldAsLost) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::sideBySide);
+  window->findChild<ComparisonController*>()->setSideModel(1, ShadingModel::enhanced);
+  ASSERT_EQ(scene().shading.model, ShadingModel::classic) << "the picture at the right has its own";
+  typeName(pathTo("mine.json"));
+  chooseFromMenu(Qt::Key_E);
+  EXPECT_EQ(readLooks(pathTo("mine.json").toStdString()).front().preset.shading->model,
+            ShadingModel::enhanced);
+  typeName(pathTo("mine.vp"));
+  chooseFromMenu(Qt::Key_E);
+  ASSERT_NE(report(), nullptr);
+  EXPECT_TRUE(report()->plainText().contains(QStringLiteral("The shading model enhanced was left out")))
+      << report()->plainText().toStdString();
+}
+
 TEST_F(LookWindow, anExportThatLosesNothingIsOnlyConfirmed) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   typeName(pathTo("mine.json"));

@@ -56,6 +56,13 @@ TEST_F(HiddenNotes, tellWhatIsHidden) {
             QStringLiteral("1 label hidden or faded"));
   EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {0.5, 0, 1}}),
             QStringLiteral("2 labels hidden or faded"));
+  const auto named = std::make_shared<const LabelMap>(
+      glm::ivec3(1), std::vector<std::uint8_t>{0},
+      std::vector<Label>{{0, "air", {}}, {1, "liver", {}}, {2, "", {}}, {3, "spleen", {}}, {4, "aorta", {}}});
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", named, {1, 0, 0.5, 1, 1}}, true),
+            QStringLiteral("2 labels hidden or faded: liver, 2"));
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", named, {1, 0, 0.5, 0, 0}}, true),
+            QStringLiteral("4 labels hidden or faded: liver, 2, spleen and 1 more"));
   EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1})),
             QStringLiteral("Body only: table hidden"));
 }
