@@ -98,8 +98,8 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
   std::vector<Cut> m_cuts;                ///< of it
   Region m_body;                          ///< of it, where it is known
-  QString m_opening;                 ///< labels or a folder of masks that are being read; empty: none are
-  QString m_said;                    ///< the sentence about what was kept last, where it may still be said
+  QString m_opening; ///< labels or a folder of masks that are being read; empty: none are
+  QString m_said;    ///< the sentence about what was kept last, where it may still be said
   /// What that is about.
   struct KeptThen {
     std::shared_ptr<const Volume> volume;
@@ -107,7 +107,7 @@ private:
     std::vector<std::string> sources; ///< of labels
   };
   KeptThen m_saidOf;
-  QString m_doing;                   ///< what is worked at, in words
+  QString m_doing; ///< what is worked at, in words
   QElapsedTimer m_doingFor;
   std::optional<std::vector<Cut>> m_cutsWanted; ///< while they are being made
   bool m_goesOn = false;                        ///< as a part of a gesture, of which none need take anything

@@ -2150,21 +2150,39 @@
         <translation>%1 Teile ausgeblendet</translation>
     </message>
     <message>
-        <source>a piece alone</source>
-        <translation>ein Teil allein</translation>
-    </message>
-    <message>
-        <source>Body only, %1</source>
-        <comment>what was cut</comment>
-        <translation>Nur Körper, %1</translation>
-    </message>
-    <message>
         <source>Single pixels lie farther off than the steps are meant for; &quot;Show where it is not exact&quot; in the accuracy panel shows where.</source>
         <translation>Einzelne Pixel weichen weiter ab, als die Schritte vorsehen; „Zeigen, wo es nicht exakt ist“ im Bedienfeld Genauigkeit zeigt, wo.</translation>
     </message>
     <message>
         <source>It stays as it is while &quot;Sharpen while nothing moves&quot; is off in the settings, and while accuracy is measured.</source>
         <translation>Es bleibt so, solange „Im Stillstand verfeinern“ in den Einstellungen aus ist und solange die Genauigkeit gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Labels in colour have curves of their own, in these colours; the other curve is of the rest</source>
+        <translation>Farbige Labels haben eigene Kurven in diesen Farben; die andere Kurve gilt für den Rest</translation>
+    </message>
+    <message>
+        <source>Labels have curves of their own</source>
+        <translation>Labels haben eigene Kurven</translation>
+    </message>
+    <message>
+        <source>only one piece</source>
+        <translation>nur ein Teil</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <comment>names</comment>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>Only the body, %1</source>
+        <comment>what was cut</comment>
+        <translation>Nur der Körper, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>labels hidden, their names</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2660,6 +2678,11 @@
     <message>
         <source>swap the sides</source>
         <translation>Seiten tauschen</translation>
+    </message>
+    <message>
+        <source>one picture: %1</source>
+        <comment>a model</comment>
+        <translation>ein Bild: %1</translation>
     </message>
 </context>
 <context>
@@ -3510,13 +3533,13 @@
         <source>%1; it %2.</source>
         <translation>%1; dies %2.</translation>
     </message>
+    <message>
+        <source>%1; it %2, and %3.</source>
+        <translation>%1; dies %2 und %3.</translation>
+    </message>
 </context>
 <context>
     <name>limn::EffectsPanel</name>
-    <message>
-        <source>Draws the picture several times with and without each effect, while nothing else is to be drawn; any change of the scene stops it.</source>
-        <translation>Zeichnet das Bild mehrmals mit und ohne jeden Effekt, solange nichts anderes zu zeichnen ist; jede Änderung der Szene beendet es.</translation>
-    </message>
     <message>
         <source>Effects</source>
         <translation>Effekte</translation>
@@ -3542,8 +3565,8 @@
         <translation>Das ganze Bild dauert %1&#xa0;ms bei %2 × %3 Pixeln. Jeder Kostenwert ist der Median der Zeit mit dem Effekt abzüglich des Medians ohne ihn; Kosten überschneiden sich und addieren sich nicht. Verfahren: %4.</translation>
     </message>
     <message>
-        <source>%1 ± %2</source>
-        <translation>%1 ± %2</translation>
+        <source>Draws the picture several times with and without each effect, also with those that are off, while nothing else is to be drawn; any change of the scene stops it.</source>
+        <translation>Zeichnet das Bild mehrmals mit und ohne jeden Effekt, auch mit den ausgeschalteten, solange nichts anderes zu zeichnen ist; jede Änderung der Szene hält es an.</translation>
     </message>
 </context>
 <context>
@@ -3728,10 +3751,6 @@
         <translation>Kopiert die Abbildung in voller Größe in die Zwischenablage.</translation>
     </message>
     <message>
-        <source>Drawing the figure…</source>
-        <translation>Abbildung wird gezeichnet…</translation>
-    </message>
-    <message>
         <source>Cancelled; nothing was saved.</source>
         <translation>Abgebrochen; nichts wurde gespeichert.</translation>
     </message>
@@ -3778,6 +3797,18 @@
     <message>
         <source>Copied %1 × %2 pixels.</source>
         <translation>%1 × %2 Pixel wurden kopiert.</translation>
+    </message>
+    <message>
+        <source>Drawing the figure: %1 %</source>
+        <translation>Abbildung wird gezeichnet: %1 %</translation>
+    </message>
+    <message>
+        <source>Drawing the preview: %1 %</source>
+        <translation>Vorschau wird gezeichnet: %1 %</translation>
+    </message>
+    <message>
+        <source>Drawing the preview…</source>
+        <translation>Vorschau wird gezeichnet…</translation>
     </message>
 </context>
 <context>
@@ -3931,6 +3962,18 @@
     <message>
         <source>End all the same</source>
         <translation>Trotzdem beenden</translation>
+    </message>
+    <message>
+        <source>A drawn picture could not be written to its file. If Limn ends now, it is lost.</source>
+        <translation>Ein gezeichnetes Bild konnte nicht in seine Datei geschrieben werden. Endet Limn jetzt, ist es verloren.</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
     </message>
 </context>
 <context>
@@ -4859,8 +4902,8 @@
         <translation>&amp;Exportieren…</translation>
     </message>
     <message>
-        <source>Writes the curve and the light that are shown as a file of Limn or another program.</source>
-        <translation>Schreibt die gezeigte Kurve und das gezeigte Licht als Datei von Limn oder einem anderen Programm.</translation>
+        <source>Writes the curve and the light that are shown, of two pictures the right one&apos;s, as a file of Limn or another program.</source>
+        <translation>Schreibt die gezeigte Kurve und das gezeigte Licht, von zwei Bildern die des rechten, als Datei von Limn oder einem anderen Programm.</translation>
     </message>
 </context>
 <context>
@@ -4940,10 +4983,6 @@
         <translation>Messen</translation>
     </message>
     <message>
-        <source>What was measured is led by its ends and goes with Delete; a drag over the picture rotates it. Esc takes back what is begun, then lays the tool aside.</source>
-        <translation>Gemessenes wird an seinen Enden geführt und mit Entf gelöscht; Ziehen dreht das Bild. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
-    </message>
-    <message>
         <source>In a slice, drag from corner to corner or click both</source>
         <translation>In einer Schicht von Ecke zu Ecke ziehen oder beide anklicken</translation>
     </message>
@@ -4958,6 +4997,10 @@
     <message>
         <source>Now the other end, which ends it. Esc takes it back.</source>
         <translation>Jetzt das andere Ende, damit ist es fertig. Esc nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>A drag over tissue measures, too; one beside it rotates the picture, as does any while ends are missing. What was measured is led by its ends and goes with Delete. Esc takes back what is begun, then lays the tool aside.</source>
+        <translation>Auch Ziehen über Gewebe misst; Ziehen daneben dreht das Bild, ebenso solange Enden fehlen. Gemessenes wird an seinen Enden geführt und verschwindet mit Entf. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
     </message>
 </context>
 <context>
@@ -7669,10 +7712,6 @@
         <translation>Deckkraft und Farbe enden bei verschiedenen Werten; die kürzere Kurve setzt sich mit dem fort, was sie zuletzt hat.</translation>
     </message>
     <message>
-        <source>The shading model %1 became the classic one, whose opacity and highlights do not follow the gradient.</source>
-        <translation>Das Schattierungsmodell %1 wurde zum klassischen, dessen Deckkraft und Glanzlichter nicht dem Gradienten folgen.</translation>
-    </message>
-    <message>
         <source>The light&apos;s direction was left out: it comes from the viewer there.</source>
         <translation>Die Richtung des Lichts wurde weggelassen: Dort kommt es vom Betrachter.</translation>
     </message>
@@ -8509,10 +8548,6 @@
         <translation>Geglättete Normalen bleiben nicht erhalten: Absätze dicker Schichten zeigen sich im Licht.</translation>
     </message>
     <message>
-        <source>Physical light became the classic model.</source>
-        <translation>Aus dem physikalischen Licht wurde das klassische Modell.</translation>
-    </message>
-    <message>
         <source>Shadows were left out.</source>
         <translation>Schatten wurden weggelassen.</translation>
     </message>
@@ -8879,6 +8914,90 @@
     <message>
         <source>saves %1 of %2 ms</source>
         <translation>spart %1 von %2&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>the folder %1 takes no files</source>
+        <translation>der Ordner %1 nimmt keine Dateien auf</translation>
+    </message>
+    <message>
+        <source>%1 voxels that %2 had before belong to no mask now; open a mask that has them, too, once more.</source>
+        <translation>%1 Voxel, die vorher zu %2 gehörten, gehören jetzt zu keiner Maske; öffnen Sie eine Maske, die sie auch enthält, noch einmal.</translation>
+    </message>
+    <message>
+        <source>The shading model %1 was left out, with its exponent range, opacity range and gradient reference: other programs light by the classic model or not at all.</source>
+        <translation>Das Beleuchtungsmodell %1 wurde weggelassen, mit seinem Exponentenbereich, Deckkraftbereich und Gradientenbezug: Andere Programme beleuchten nach dem klassischen Modell oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>Physical light was left out: other programs light by the classic model or not at all.</source>
+        <translation>Das physikalische Licht wurde weggelassen: Andere Programme beleuchten nach dem klassischen Modell oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Vorgang nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein- oder Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Kein Ordner</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Der Datenträger lässt sich nur lesen</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Zugeteilter Speicherplatz aufgebraucht</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>would take hardly any time</source>
+        <translation>würde kaum Zeit kosten</translation>
+    </message>
+    <message>
+        <source>would save %1 of %2 ms</source>
+        <translation>würde %1 von %2 ms sparen</translation>
+    </message>
+    <message>
+        <source>would take %1 ms more</source>
+        <translation>würde %1 ms mehr kosten</translation>
+    </message>
+    <message>
+        <source>would change nothing in this picture that could be seen</source>
+        <translation>würde in diesem Bild nichts Sichtbares ändern</translation>
+    </message>
+    <message>
+        <source>would change this picture by up to %1 of 255 levels, by %2 on average</source>
+        <translation>würde dieses Bild um bis zu %1 von 255 Stufen ändern, im Mittel um %2</translation>
     </message>
 </context>
 <context>
@@ -9724,20 +9843,12 @@
         <translation>D</translation>
     </message>
     <message>
-        <source>clicks set both ends, a drag rotates</source>
-        <translation>Klicks setzen beide Enden, Ziehen dreht</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
         <source>G</source>
         <translation>G</translation>
-    </message>
-    <message>
-        <source>clicks set an end, the corner and the other end, a drag rotates</source>
-        <translation>Klicks setzen ein Ende, den Scheitel und das andere Ende, Ziehen dreht</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -9762,6 +9873,14 @@
     <message>
         <source>drawn in a slice; a drag rotates</source>
         <translation>wird in einer Schicht gezeichnet; Ziehen dreht</translation>
+    </message>
+    <message>
+        <source>clicks set both ends, or a drag over tissue does; beside it a drag rotates</source>
+        <translation>Klicks setzen beide Enden, oder Ziehen über Gewebe; daneben dreht Ziehen</translation>
+    </message>
+    <message>
+        <source>clicks set an end, the corner and the other end; a drag over tissue draws the first leg</source>
+        <translation>Klicks setzen ein Ende, den Scheitel und das andere Ende; Ziehen über Gewebe zeichnet den ersten Schenkel</translation>
     </message>
 </context>
 <context>
@@ -9899,6 +10018,11 @@
         <source>&amp;Save…</source>
         <translation>&amp;Speichern…</translation>
     </message>
+    <message>
+        <source>%1, the time to draw is being estimated</source>
+        <comment>pixels</comment>
+        <translation>%1, die Zeichendauer wird geschätzt</translation>
+    </message>
 </context>
 <context>
     <name>limn::PictureMenu</name>
@@ -10026,10 +10150,6 @@
         <translation>&amp;Bild speichern…</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
         <source>Saves the picture on screen at full quality, with its scene inside.</source>
         <translation>Speichert das gezeigte Bild in voller Qualität, mit seiner Szene darin.</translation>
     </message>
@@ -10048,6 +10168,10 @@
     <message>
         <source>The 3D picture is saved without the slices: a right click on a slice saves that one, and File ▸ Save figure puts both in one file.</source>
         <translation>Das 3D-Bild wird ohne die Schichten gespeichert: Ein Rechtsklick auf eine Schicht speichert diese, und Datei ▸ Abbildung speichern fasst beides in einer Datei zusammen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Strg+Umschalt+P</translation>
     </message>
 </context>
 <context>
@@ -11146,6 +11270,30 @@
     <message>
         <source>Too late to cancel: the file was being written.</source>
         <translation>Zu spät zum Abbrechen: Die Datei wurde gerade geschrieben.</translation>
+    </message>
+    <message>
+        <source>Replace the changed session?</source>
+        <translation>Geänderte Sitzung ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window since it was opened or saved here.</source>
+        <translation>%1 wurde in einem anderen Fenster geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Replacing it loses what was saved there; another name keeps both.</source>
+        <translation>Ersetzen verwirft, was dort gespeichert wurde; ein anderer Name behält beides.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Strg+Umschalt+S</translation>
     </message>
 </context>
 <context>

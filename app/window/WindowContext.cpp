@@ -78,8 +78,7 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
-  QObject::connect(&session.undoStack(), &QUndoStack::indexChanged, &window,
-                   [this] { leaveUndone(); });
+  QObject::connect(&session.undoStack(), &QUndoStack::indexChanged, &window, [this] { leaveUndone(); });
 }
 
 MessageBar& WindowContext::addBar(const char* name) {

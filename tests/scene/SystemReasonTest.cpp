@@ -10,8 +10,8 @@ namespace limn {
 namespace {
 
 TEST(SystemReason, isTheSystemsOwnInEnglish) {
-  for (const int error : {EPERM, ENOENT, EIO, EACCES, EEXIST, ENOTDIR, EISDIR, ENOSPC, EROFS, ENAMETOOLONG,
-                          EDQUOT, EINVAL})
+  for (const int error :
+       {EPERM, ENOENT, EIO, EACCES, EEXIST, ENOTDIR, EISDIR, ENOSPC, EROFS, ENAMETOOLONG, EDQUOT, EINVAL})
     EXPECT_EQ(systemReason(error).english(), std::generic_category().message(error));
 }
 

@@ -92,12 +92,11 @@ SavingController::SavingController(WindowContext& context, std::function<Session
                            .toolTip = tr("Saves all of your work but the volume itself: look and camera, "
                                          "comparison, slices and panels."),
                            .needsVolume = true});
-  const QAction* saveAs = context.actions.add(
-      QStringLiteral("saveSessionAs"),
-      {.text = tr("Save session &as…"),
-       .place = {Menu::file, 2, 2},
-       .shortcut = tr("Ctrl+Shift+S"),
-       .needsVolume = true});
+  const QAction* saveAs =
+      context.actions.add(QStringLiteral("saveSessionAs"), {.text = tr("Save session &as…"),
+                                                            .place = {Menu::file, 2, 2},
+                                                            .shortcut = tr("Ctrl+Shift+S"),
+                                                            .needsVolume = true});
   const QAction* scene =
       context.actions.add(QStringLiteral("saveScene"),
                           {.text = tr("Save look and ca&mera (scene)…"),
@@ -320,13 +319,12 @@ void SavingController::offerElsewhere() {
   for (std::size_t n = m_unwritten.size() - 1; n-- > 0;)
     others << m_unwritten[n]->sentence;
   const std::shared_ptr<const Unwritten>& offered = m_unwritten.back();
-  m_context.unwritten.show(
-      MessageBar::Kind::error, offered->sentence, others,
-      {tr("Save elsewhere…"), [this, offered] { saveElsewhere(offered); }},
-      {{}, [this, dismissed = std::weak_ptr(offered)] {
-         std::erase(m_unwritten, dismissed.lock());
-         offerElsewhere();
-       }});
+  m_context.unwritten.show(MessageBar::Kind::error, offered->sentence, others,
+                           {tr("Save elsewhere…"), [this, offered] { saveElsewhere(offered); }},
+                           {{}, [this, dismissed = std::weak_ptr(offered)] {
+                              std::erase(m_unwritten, dismissed.lock());
+                              offerElsewhere();
+                            }});
 }
 
 void SavingController::saveElsewhere(const std::shared_ptr<const Unwritten>& offered) {
@@ -340,8 +338,7 @@ void SavingController::saveElsewhere(const std::shared_ptr<const Unwritten>& off
   PictureFile other = offered->file;
   other.path = path.toStdString();
   emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
-  m_drawing.start(
-      [this, other, offered](const Effort&) { return written(other, offered->sides, offered); });
+  m_drawing.start([this, other, offered](const Effort&) { return written(other, offered->sides, offered); });
 }
 
 QStringList SavingController::unwritten() const {

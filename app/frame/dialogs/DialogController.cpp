@@ -120,10 +120,9 @@ QList<HelpRow> curveRows() {
 // As the menus have them, so that both always say the same.
 QList<HelpRow> menuRows(const ActionList& actions) {
   QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
-  for (const char* name :
-       {"openFile", "openFolder", "saveSession", "saveSessionAs", "savePicture", "saveFigure", "copyPicture",
-        "undo", "redo", "cameraBack", "cameraForward", "findPreset", "settings", "guide", "closeVolume",
-        "quit"}) {
+  for (const char* name : {"openFile", "openFolder", "saveSession", "saveSessionAs", "savePicture",
+                           "saveFigure", "copyPicture", "undo", "redo", "cameraBack", "cameraForward",
+                           "findPreset", "settings", "guide", "closeVolume", "quit"}) {
     const QAction& action = actions.find(name);
     // Undo also says what it would undo.
     QString does = action.objectName() == QLatin1String("undo")   ? QObject::tr("Undo")

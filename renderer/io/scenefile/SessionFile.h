@@ -50,8 +50,8 @@ struct SessionDocument {
   bool gradientCurveIsShown = false; ///< instead of the curve over the value
   std::optional<int> labelInHand{}; ///< whose curve is shown, by its place in the list; absent: of all tissue
 
-  std::string label;      ///< what it shows, for a list of sessions that nobody saved; names nobody
-  std::string savedAs;    ///< absolute path of the file it was saved to, empty where there is none
+  std::string label;   ///< what it shows, for a list of sessions that nobody saved; names nobody
+  std::string savedAs; ///< absolute path of the file it was saved to, empty where there is none
   /// Of that file as it was read or written last (digestOf); empty where that is not known.
   std::string savedDigest{};
   bool isUnsaved = false; ///< the scene was edited since it was opened or saved

@@ -153,8 +153,8 @@ Message costText(const EffectCost& cost) {
 }
 
 Message costWithSpreadText(const EffectCost& cost) {
-  return costOfSize(cost, Message::tr("%1 ± %2")
-                              .arg(timeNumber(std::abs(cost.ms)), timeNumber(cost.spreadMs)));
+  return costOfSize(cost,
+                    Message::tr("%1 ± %2").arg(timeNumber(std::abs(cost.ms)), timeNumber(cost.spreadMs)));
 }
 
 Message wouldCostText(const EffectCost& cost) {

@@ -79,8 +79,8 @@ void HintBar::followCover(QWidget& cover) {
 bool HintBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched != parent()) {
     const QEvent::Type type = event->type();
-    const bool isElsewhere = type == QEvent::Move || type == QEvent::Resize || type == QEvent::Show ||
-                             type == QEvent::Hide;
+    const bool isElsewhere =
+        type == QEvent::Move || type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide;
     if (isElsewhere && m_isOut && !m_soon.isActive())
       m_soon.start(0);
     return PicturePanel::eventFilter(watched, event);

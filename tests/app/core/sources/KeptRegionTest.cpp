@@ -236,8 +236,9 @@ TEST_F(LabelledScene, aMaskThatIsSmallerThanBeforeTellsWhatItLeavesToNobody) {
   write("b.nrrd", "0 0 0 0 0 0 1 1");
   const FoundRegion smaller = opened(both, {"b.nrrd"}, volume);
   EXPECT_EQ(smaller.region.labels->placeAt(2), 0u);
-  EXPECT_EQ(smaller.remark.english(), "1 voxels that b had before belong to no mask now; open a mask that has "
-                                      "them, too, once more.");
+  EXPECT_EQ(smaller.remark.english(),
+            "1 voxels that b had before belong to no mask now; open a mask that has "
+            "them, too, once more.");
   EXPECT_EQ(opened(smaller.region, {"a.nrrd"}, volume).region.labels->placeAt(2), 2u) << "which helps";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/Waiting.h"
 #include "widgets/view/panels/HintBar.h"
+#include "support/Waiting.h"
 
 #include <QWidget>
 
@@ -22,9 +22,8 @@ protected:
                    [](const QRectF&, const QRectF&, const std::vector<QRectF>&) {
                      return std::optional<QRectF>(); // no room beside what is written
                    });
-    bar.setCoveredBelow([this] {
-      return cover.isHidden() ? std::vector<QRect>() : std::vector<QRect>{cover.geometry()};
-    });
+    bar.setCoveredBelow(
+        [this] { return cover.isHidden() ? std::vector<QRect>() : std::vector<QRect>{cover.geometry()}; });
     bar.followCover(cover);
     view.show();
     bar.showHint(QStringLiteral("Click both ends"), {});
