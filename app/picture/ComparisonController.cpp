@@ -203,8 +203,7 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
   const ViewOrder& order = m_context.view.order();
   if (watched == &m_context.view && event->type() == QEvent::MouseButtonPress &&
       order.comparison.layout != CompareLayout::single)
-    m_workedIn = sideShownAt(order.comparison,
-                             positionAt(order.geometry, static_cast<QMouseEvent*>(event)->position()));
+    m_workedIn = sideAt(order, static_cast<QMouseEvent*>(event)->position());
   if (watched == &m_context.view && event->type() == QEvent::Resize && !m_isAsked &&
       layoutWithRoom() != m_context.view.compareLayout())
     QMetaObject::invokeMethod(this, &ComparisonController::fitLayout,

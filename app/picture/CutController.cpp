@@ -238,7 +238,7 @@ void CutController::takeReach() {
 
 void CutController::show(const Shown& shown) {
   m_shown = shown;
-  m_context.view.setWheelIsForPiece(true);
+  m_context.view.input().setWheelIsForPiece(true);
   m_context.planes.setWheelIsForPiece(true);
   // What fades beside it are labels more, behind those there were.
   PlaneLit stands{shown.lit.labels, std::vector<bool>(shown.lit.weights.size())};
@@ -272,7 +272,7 @@ void CutController::finish(ConnectedPiece::Fate fate) {
 void CutController::putDown() {
   m_work.cancel();
   m_piece.reset();
-  m_context.view.setWheelIsForPiece(false);
+  m_context.view.input().setWheelIsForPiece(false);
   m_context.planes.setWheelIsForPiece(false);
   if (!m_shown)
     return;

@@ -59,7 +59,7 @@ QString nextHint(Measurement::Kind kind, std::size_t place) {
 
 MeasureController::MeasureController(WindowContext& context)
     : QObject(&context.window), m_context(context), m_bar(new HintBar(tr("Measuring"), &context.view)) {
-  const ViewInput* input = &context.view.input();
+  MeasureInput* input = &context.view.input().measures();
   connect(&context.planes, &PlaneDeck::measurementsEdited, this, [this](const MeasurementsEdited& edited) {
     m_open.reset(); // one is drawn at a time
     edit(edited);
@@ -74,17 +74,17 @@ MeasureController::MeasureController(WindowContext& context)
   context.keepClear(*m_bar);
   m_bar->setDrawing([this] { return m_open.has_value(); });
   m_bar->setLeastHeight(leastHeightForBar);
-  connect(input, &ViewInput::measureRequested, this, &MeasureController::pick);
-  connect(input, &ViewInput::measureStretched, this, &MeasureController::stretch);
-  context.view.setDrawsMeasureFrom([this](const Ray& ray, int side) { return drawsFrom(ray, side); });
-  connect(input, &ViewInput::measureTaken, this, &MeasureController::take);
-  connect(input, &ViewInput::measureLed, this, &MeasureController::lead);
-  connect(input, &ViewInput::measureLeft, this, [this] {
+  connect(input, &MeasureInput::placeRequested, this, &MeasureController::pick);
+  connect(input, &MeasureInput::stretched, this, &MeasureController::stretch);
+  input->setDrawsFrom([this](const Ray& ray, int side) { return drawsFrom(ray, side); });
+  connect(input, &MeasureInput::taken, this, &MeasureController::take);
+  connect(input, &MeasureInput::led, this, &MeasureController::lead);
+  connect(input, &MeasureInput::left, this, [this] {
     if (m_led)
       edit({m_led->before, m_inHand, {m_led->gesture, {}}});
   });
-  connect(input, &ViewInput::measureRemoved, this, &MeasureController::remove);
-  connect(input, &ViewInput::measureDropped, this, &MeasureController::drop);
+  connect(input, &MeasureInput::removed, this, &MeasureController::remove);
+  connect(input, &MeasureInput::dropped, this, &MeasureController::drop);
   connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) {
     if (std::exchange(m_isAtRest, news.state.resting) != m_isAtRest)
       findHidden();

@@ -7,7 +7,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/gestures/ViewDrag.h"
+#include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelReading.h"
 #include "widgets/view/panels/PictureStatus.h"
 
@@ -101,8 +101,8 @@ PictureArea::PictureArea(WindowContext& context)
   shareTools();
   addCopying();
   const CompareView* view = &context.view;
-  connect(view, &CompareView::windowLevelEdited, &context.session, &Session::setTransferFunction);
-  connect(view, &CompareView::cropEdited, &context.session, &Session::setCrop);
+  connect(&view->input(), &ViewInput::functionEdited, &context.session, &Session::setTransferFunction);
+  connect(&view->input(), &ViewInput::cropEdited, &context.session, &Session::setCrop);
   connect(view, &CompareView::told, this, [this](const ViewNews& news) { showState(news.state); });
   connect(view, &CompareView::errorOccurred, this,
           [this](const QString& sentence) { m_context.showError(sentence); });

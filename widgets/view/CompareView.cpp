@@ -81,8 +81,6 @@ void CompareView::connectEngines() {
 
 void CompareView::connectInput() {
   connect(m_input, &ViewInput::cameraEdited, this, &CompareView::cameraEdited);
-  connect(m_input, &ViewInput::functionEdited, this, &CompareView::windowLevelEdited);
-  connect(m_input, &ViewInput::cropEdited, this, &CompareView::cropEdited);
   connect(m_input, &ViewInput::wipeEdited, this, [this](double fraction) {
     setWipePosition(fraction);
     emit wipeMoved(wipePosition());
@@ -166,14 +164,6 @@ void CompareView::setTool(ViewTool tool) {
 void CompareView::setLinesRemoveInside(bool isInside) {
   m_input->setLinesRemoveInside(isInside);
   push();
-}
-
-void CompareView::setDrawsMeasureFrom(std::function<bool(const Ray& ray, int side)> drawsFrom) {
-  m_input->setDrawsMeasureFrom(std::move(drawsFrom));
-}
-
-void CompareView::setWheelIsForPiece(bool isForPiece) {
-  m_input->setWheelIsForPiece(isForPiece);
 }
 
 ViewTool CompareView::tool() const {

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -119,14 +118,9 @@ public:
 
   /// Whether lines of the scissors take away what they go around, or all else; at first the former.
   void setLinesRemoveInside(bool isInside);
-  /// Whether the wheel changes the range of a piece that was picked; at first it zooms.
-  void setWheelIsForPiece(bool isForPiece);
 
-  /// Where drags measure (ViewInput).
-  void setDrawsMeasureFrom(std::function<bool(const Ray& ray, int side)> drawsFrom);
-
-  /// What reads pointer and keys, and asks for what is not of the view itself.
-  const ViewInput& input() const { return *m_input; }
+  /// What reads pointer and keys, and asks for what is not of the view itself: windows, crops, measurements.
+  ViewInput& input() const { return *m_input; }
 
   /// The preset that the scene is shown as a preview of, which the pictures then say; empty: it is none.
   void setPreview(const std::string& preset) { set(m_order.comparison.preview, preset); }
@@ -180,8 +174,6 @@ signals:
   void cameraEdited(const limn::Camera& camera, std::uint64_t gesture);
   /// The same, but nobody asked: the pictures changed their shape, or what is visible.
   void cameraFitted(const limn::Camera& camera);
-  void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
-  void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void modelChosen(int side, limn::ShadingModel model);
   /// A menu opens that offers presets for the picture of a side; it is to be filled.
   void presetMenuAsked(QMenu* menu, int side);

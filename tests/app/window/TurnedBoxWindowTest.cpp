@@ -35,8 +35,7 @@ protected:
   // A face moved by a share of the whole box, as a drag asks for it.
   void moveFace(const CropFace& face, double by) {
     const CropBox crop = withFaceAt(turned()->crop, turned()->grid, face, placeOf(turned()->crop, face) + by);
-    emit const_cast<ViewInput&>(view().input())
-        .turnedBoxEdited(crop, {nextGestureId(), QStringLiteral("move")});
+    emit view().input().turnedBoxEdited(crop, {nextGestureId(), QStringLiteral("move")});
     ASSERT_TRUE(ready());
   }
   QToolButton* offered(const QString& text) {

@@ -15,7 +15,7 @@ using test::ViewHost;
 class CropBoxInView : public testing::TestWithParam<CompareLayout> {
 protected:
   void SetUp() override {
-    QObject::connect(&host.view, &CompareView::cropEdited,
+    QObject::connect(&host.view.input(), &ViewInput::cropEdited,
                      [this](const CropBox& crop, const Gesture& gesture) {
                        gestures.push_back(gesture);
                        host.scene.crop = crop;

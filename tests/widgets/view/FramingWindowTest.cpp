@@ -13,7 +13,7 @@ using test::ViewHost;
 class FramingInView : public ::testing::Test {
 protected:
   void SetUp() override {
-    QObject::connect(&host.view, &CompareView::cropEdited, [this](const CropBox& crop, const Gesture&) {
+    QObject::connect(&host.view.input(), &ViewInput::cropEdited, [this](const CropBox& crop, const Gesture&) {
       host.scene.crop = crop;
       host.view.setScene(host.scene);
     });

@@ -36,7 +36,7 @@ public:
     };
     QObject::connect(&view, &CompareView::cameraEdited, moveTo);
     QObject::connect(&view, &CompareView::cameraFitted, moveTo);
-    QObject::connect(&view, &CompareView::windowLevelEdited,
+    QObject::connect(&view.input(), &ViewInput::functionEdited,
                      [this](const TransferFunction& function, const Gesture& gesture) {
                        gestures.push_back(gesture);
                        scene.transferFunction = function;

@@ -22,7 +22,7 @@ namespace limn {
 /// What the left button does without modifiers. Scissors draw a line to cut along; with `piece`, a click
 /// picks the connected piece that is seen there, and a drag rotates. With those that measure a click sets a
 /// place that is seen (of an ellipse, which lies in slices alone, it only asks), and a drag rotates where it
-/// draws no measurement (ViewInput); they are in the order of Measurement::Kind.
+/// draws no measurement (MeasureInput); they are in the order of Measurement::Kind.
 enum class ViewTool { rotate, pan, zoom, windowLevel, scissors, piece, distance, angle, ellipse, mark };
 
 /// Whether a button that went down and up at these places, logical pixels, clicked and did not drag.

@@ -22,10 +22,6 @@ namespace {
 
 constexpr int ofTheWheel = -1; // among the causes of gestures, which are kinds of commands otherwise
 
-int sideAt(const OverlaySource& source, const QPointF& point) {
-  return sideShownAt(source.comparison, positionAt(source.geometry, point));
-}
-
 constexpr int cursorSize = 24; // logical pixels
 
 QPixmap iconIn(const QString& icon, bool isLight) {
@@ -64,7 +60,9 @@ QCursor cursorOf(DragKind kind) {
   }
 }
 
-ViewInput::ViewInput(QWidget* view, Facts facts) : QObject(view), m_view(view), m_facts(std::move(facts)) {}
+ViewInput::ViewInput(QWidget* view, Facts facts)
+    : QObject(view), m_view(view), m_facts(std::move(facts)),
+      m_measures(new MeasureInput(this, m_facts.shown)) {}
 
 Hovered ViewInput::hovered() const {
   Hovered hovered = m_hovered;
@@ -83,8 +81,7 @@ bool ViewInput::isTurning() const {
 void ViewInput::forget() {
   m_drag.reset();
   m_line.reset();
-  m_measure.reset();
-  m_drawn.reset();
+  m_measures->forget();
   m_read.reset();
 }
 
@@ -99,7 +96,7 @@ void ViewInput::setTool(ViewTool tool) {
     return;
   m_tool = tool;
   m_line.reset();
-  m_drawn.reset();
+  m_measures->forgetDrawn();
   if (m_hovered == Hovered{} && !m_drag)
     showCursor(std::nullopt);
   emit toolChanged(tool);
@@ -137,7 +134,7 @@ void ViewInput::askForCrop(const CropBox& crop, const Gesture& gesture) {
 
 void ViewInput::press(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
-  if (!source.comparison.scene.volume || m_drag || m_measure || m_drawn)
+  if (!source.comparison.scene.volume || m_drag || m_measures->isHolding())
     return;
   const Press press{event.button(), event.modifiers(), event.position()};
   std::optional<CropHandle> handle;
@@ -163,7 +160,7 @@ void ViewInput::press(const QMouseEvent& event) {
     }
     handle = cropHandleAt(source, press.point);
   }
-  if (!handle && (drawLine(source, event) || takeMeasure(source, event) || beginMeasure(source, event)))
+  if (!handle && (drawLine(source, event) || m_measures->press(source, event, kindOf(m_tool).has_value())))
     return;
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
   if (handle)
@@ -193,39 +190,6 @@ bool ViewInput::drawLine(const OverlaySource& source, const QMouseEvent& event) 
   return true;
 }
 
-// Whether the left button takes hold of a handle of a measurement; the scissors draw over them.
-bool ViewInput::takeMeasure(const OverlaySource& source, const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier)
-    return false;
-  m_measure = measureHandleAt(measureShapesOf(source, standingAt(source.geometry, event.position())),
-                              event.position());
-  if (m_measure)
-    emit measureTaken(*m_measure, nextGestureId());
-  return m_measure.has_value();
-}
-
-// Whether the left button begins a measurement that a drag ends; a click gives it one place.
-bool ViewInput::beginMeasure(const OverlaySource& source, const QMouseEvent& event) {
-  const QPointF point = event.position();
-  if (!kindOf(m_tool) || event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier ||
-      isOnWipeBorder(source.geometry, point))
-    return false;
-  const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point);
-  if (ray && m_drawsFrom(*ray, sideAt(source, point)))
-    m_drawn = Drawn{point};
-  return m_drawn.has_value();
-}
-
-void ViewInput::stretchMeasure(const QPointF& point) {
-  if (!m_drawn->hasMoved && isClick(m_drawn->from, point))
-    return;
-  if (!std::exchange(m_drawn->hasMoved, true))
-    obeyClick(ViewClick::measure, m_drawn->from);
-  const OverlaySource source = m_facts.shown();
-  if (const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
-    emit measureStretched(*ray, sideAt(source, point));
-}
-
 void ViewInput::closeLine() {
   const CutLine line = *std::exchange(m_line, std::nullopt);
   if (isArea(line))
@@ -235,14 +199,8 @@ void ViewInput::closeLine() {
 void ViewInput::move(const QMouseEvent& event) {
   if (m_line && !m_drag)
     return moveLine(*m_line, event.position(), event.modifiers() == Qt::ShiftModifier);
-  if (m_measure) {
-    const OverlaySource source = m_facts.shown();
-    if (const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, event.position()))
-      emit measureLed(*ray, sideAt(source, event.position()));
+  if (m_measures->move(event.position()))
     return;
-  }
-  if (m_drawn)
-    return stretchMeasure(event.position());
   if (!m_drag)
     return hover(event);
   const Gesture gesture = m_drag->gesture;
@@ -255,14 +213,8 @@ void ViewInput::release(const QMouseEvent& event) {
       closeLine();
     return;
   }
-  if (m_measure && event.button() == Qt::LeftButton) {
-    m_measure.reset();
+  if (m_measures->release(event))
     return;
-  }
-  if (m_drawn && event.button() == Qt::LeftButton) {
-    m_drawn.reset();
-    return obeyClick(ViewClick::measure, event.position()); // the end of a drag, or a click
-  }
   if (!m_drag || event.button() != m_drag->button)
     return;
   const ViewClick click = m_drag->click;
@@ -289,8 +241,7 @@ void ViewInput::obeyClick(ViewClick click, const QPointF& point) {
       emit pieceRequested(*ray, sideAt(source, point));
     break;
   case ViewClick::measure:
-    if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
-      emit measureRequested(*ray, sideAt(source, point));
+    m_measures->click(point);
     break;
   case ViewClick::turnAbout:
     if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
@@ -383,8 +334,7 @@ void ViewInput::hover(const QMouseEvent& event) {
   const std::optional<CropHandle> handle = isOnText || draws ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;
-  now.measure = !isOnText && !handle && !draws &&
-                measureHandleAt(measureShapesOf(source, standingAt(source.geometry, point)), point);
+  now.measure = !isOnText && !handle && !draws && measureHandleAt(source, point);
   now.wipe = !isOnText && !handle && !draws && !now.measure && isOnWipeBorder(source.geometry, point);
   if (now != m_hovered) {
     m_hovered = now;
@@ -455,19 +405,13 @@ bool ViewInput::obey(const ViewCommand& command, std::optional<std::uint64_t> ti
       m_line.reset();
   } else if ((std::holds_alternative<Cancel>(command) || std::holds_alternative<Remove>(command)) && m_line)
     m_line.reset();
-  else if (std::holds_alternative<ShortenLine>(command)) {
-    m_drawn.reset();
-    emit measureDropped();
-  } else if (std::holds_alternative<Remove>(command)) {
-    m_drawn.reset();
-    emit measureRemoved();
-  } else if (std::holds_alternative<Cancel>(command) && m_measure) {
-    m_measure.reset();
-    emit measureLeft();
-  } else if (std::holds_alternative<Cancel>(command) && m_drawn) {
-    m_drawn.reset();
-    emit measureDropped();
-  } else if (std::holds_alternative<Cancel>(command) && m_drag)
+  else if (std::holds_alternative<ShortenLine>(command))
+    m_measures->drop();
+  else if (std::holds_alternative<Remove>(command))
+    m_measures->remove();
+  else if (std::holds_alternative<Cancel>(command) && m_measures->cancel())
+    return true;
+  else if (std::holds_alternative<Cancel>(command) && m_drag)
     cancelDrag(shown);
   else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)
     setTool(ViewTool::rotate);

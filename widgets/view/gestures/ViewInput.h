@@ -3,11 +3,11 @@
 
 #include "scene/light/Gradient.h"
 #include "widgets/view/gestures/CameraHistory.h"
+#include "widgets/view/gestures/MeasureInput.h"
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/gestures/ViewCommands.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/overlay/CutLine.h"
-#include "widgets/view/overlay/MeasureMarks.h"
 #include "widgets/view/overlay/ViewOrder.h"
 
 #include <QCursor>
@@ -68,10 +68,8 @@ public:
   /// Whether the wheel widens and narrows a piece that was picked; else it zooms.
   void setWheelIsForPiece(bool isForPiece) { m_wheelIsForPiece = isForPiece; }
 
-  /// Whether a drag that begins on this ray of the picture of a side measures; else it does what the tool
-  /// does without. None does at first.
-  using DrawsFrom = std::function<bool(const Ray& ray, int side)>;
-  void setDrawsMeasureFrom(DrawsFrom drawsFrom) { m_drawsFrom = std::move(drawsFrom); }
+  /// What it asks of measurements.
+  MeasureInput& measures() const { return *m_measures; }
 
   void setTool(ViewTool tool);
   ViewTool tool() const { return m_tool; }
@@ -106,18 +104,6 @@ signals:
   void pieceRequested(const limn::Ray& ray, int side);
   /// The picked piece's range shall be so many notches narrower, or wider; `onlyAbove`: its upper end.
   void pieceNarrowed(double notches, bool onlyAbove);
-  /// A place of the measurement of the tool in hand shall be what is seen along this ray of the picture of a
-  /// side.
-  void measureRequested(const limn::Ray& ray, int side);
-  /// The next place of the measurement that a drag has begun shall be shown there, until it is let go.
-  void measureStretched(const limn::Ray& ray, int side);
-  /// A handle of a measurement was taken; it is led by the gesture of this id. The same with a ray along
-  /// which it shall lie, or that it shall lie again where it was.
-  void measureTaken(const limn::MeasureHandle& handle, std::uint64_t gesture);
-  void measureLed(const limn::Ray& ray, int side);
-  void measureLeft();
-  void measureRemoved(); ///< the one that is being drawn shall be dropped, or else the one in hand deleted
-  void measureDropped(); ///< the one that is being drawn shall be dropped
   void cameraReset();
   /// What can be done with what is seen along a ray of the picture of a side; no ray: beside the pictures.
   void menuRequested(const std::optional<limn::Ray>& ray, int side, const QPoint& at);
@@ -143,25 +129,14 @@ private:
   void obeyClick(ViewClick click, const QPointF& point);
   bool drawLine(const OverlaySource& source, const QMouseEvent& event);
   void closeLine();
-  bool takeMeasure(const OverlaySource& source, const QMouseEvent& event);
-  bool beginMeasure(const OverlaySource& source, const QMouseEvent& event);
-  void stretchMeasure(const QPointF& point);
   void showProbe(const std::optional<Probe>& probe, const OverlaySource& source, const QPointF& point);
-
-  // A measurement that is drawn from where the button went down.
-  struct Drawn {
-    QPointF from;
-    bool hasMoved = false; ///< else it is a click
-  };
 
   QWidget* m_view;
   Facts m_facts;
+  MeasureInput* m_measures;
   ViewTool m_tool = ViewTool::rotate;
   std::optional<ViewDrag> m_drag;
   std::optional<CutLine> m_line;
-  std::optional<MeasureHandle> m_measure; ///< that is being led
-  std::optional<Drawn> m_drawn;
-  DrawsFrom m_drawsFrom = [](const Ray&, int) { return false; };
   bool m_linesRemoveInside = true;
   bool m_wheelIsForPiece = false;
   Hovered m_hovered;

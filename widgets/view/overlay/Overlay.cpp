@@ -220,7 +220,7 @@ std::vector<Overlay::Measures> measuresOf(const OverlaySource& source, const Ove
 
 void addMarks(Overlay& overlay, const OverlaySource& source) {
   for (const QPointF& at : marksOf(source, source.comparison.markMm)) {
-    const int side = sideShownAt(source.comparison, positionAt(source.geometry, at));
+    const int side = sideAt(source, at);
     const bool isHidden = source.comparison.markIsHidden[static_cast<std::size_t>(side)];
     (isHidden ? overlay.hiddenMarks : overlay.marks).push_back(at);
   }

@@ -25,6 +25,10 @@ std::vector<Scene> scenesOfSides(const Comparison& comparison) {
   return scenes;
 }
 
+int sideAt(const ViewOrder& order, const QPointF& point) {
+  return sideShownAt(order.comparison, positionAt(order.geometry, point));
+}
+
 PictureState stateTold(PictureState state, const ViewOrder& order) {
   state.engine = order.inUse.engine;
   state.engineReason = order.inUse.reason;

@@ -157,6 +157,9 @@ struct ViewOrder {
   }
 };
 
+/// The side that is shown at a point of the view, logical pixels.
+int sideAt(const ViewOrder& order, const QPointF& point);
+
 /// What is told of pictures of an order: with the engine that draws them, and what was measured.
 PictureState stateTold(PictureState state, const ViewOrder& order);
 
