@@ -170,7 +170,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_files.noteOpened(loaded, request);
   m_files.safety().sayWhatIsKept();
   if (!loaded.session && !loaded.beside)
-    m_picture.regions().offerBody();
+    m_picture.regions().offers().offerBody();
   m_frame.title().show();
 }
 

@@ -21,9 +21,6 @@
 namespace limn {
 namespace {
 
-// What the session file calls it, whatever the language.
-const std::string snapshotName = "(before)";
-
 // Narrower pictures show less of two models than one picture of both.
 constexpr int leastOfTwo = 400; // pixels
 
@@ -128,21 +125,21 @@ void ComparisonController::addSnapshot() {
 }
 
 void ComparisonController::begin() {
-  m_wanted = CompareLayout::sideBySide;
-  m_isAsked = false;
+  m_compared.wanted = CompareLayout::sideBySide;
+  m_compared.isAsked = false;
   fitLayout();
 }
 
 void ComparisonController::setLayout(CompareLayout layout) {
   m_beforeOpened.reset();
-  m_wanted = layout;
-  m_isAsked = true;
+  m_compared.wanted = layout;
+  m_compared.isAsked = true;
   fitLayout();
 }
 
 void ComparisonController::chooseLayout(CompareLayout layout) {
   const bool wereTwo = m_context.view.compareLayout() != CompareLayout::single;
-  const int side = m_look ? m_context.view.ownSide() : m_workedIn;
+  const int side = m_compared.look ? m_context.view.ownSide() : m_workedIn;
   const ShadingModel model = m_context.view.sceneOfSide(side).shading.model;
   const Scene& scene = m_context.session.scene();
   const bool isOther = scene.volume && model != scene.shading.model;
@@ -156,8 +153,8 @@ void ComparisonController::chooseLayout(CompareLayout layout) {
 // shown last: by a step that undo comes to last, and by one that redo comes to last.
 void ComparisonController::showOneOfBoth(ShadingModel model) {
   m_beforeOpened.reset();
-  const Compared before = compared();
-  Compared after = before;
+  const ComparisonState before = m_compared;
+  ComparisonState after = before;
   after.wanted = CompareLayout::single;
   after.isAsked = true;
   Shading shading = m_context.session.scene().shading;
@@ -177,8 +174,10 @@ void ComparisonController::showOneOfBoth(ShadingModel model) {
 // Two looks are compared because somebody asked for that.
 CompareLayout ComparisonController::layoutWithRoom() const {
   const bool isTight = m_hasSlices || m_context.view.width() < 2 * leastOfTwo;
-  const bool mayGiveWay = m_wanted == CompareLayout::sideBySide && !m_isAsked && !m_look;
-  return mayGiveWay && isTight && m_context.session.scene().volume ? CompareLayout::single : m_wanted;
+  const bool mayGiveWay =
+      m_compared.wanted == CompareLayout::sideBySide && !m_compared.isAsked && !m_compared.look;
+  return mayGiveWay && isTight && m_context.session.scene().volume ? CompareLayout::single
+                                                                   : m_compared.wanted;
 }
 
 void ComparisonController::fitLayout() {
@@ -194,8 +193,8 @@ void ComparisonController::noteSlices() {
   if (has == m_hasSlices)
     return;
   m_hasSlices = has;
-  if (m_wanted == CompareLayout::sideBySide)
-    m_isAsked = false;
+  if (m_compared.wanted == CompareLayout::sideBySide)
+    m_compared.isAsked = false;
   fitLayout();
 }
 
@@ -204,7 +203,7 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &m_context.view && event->type() == QEvent::MouseButtonPress &&
       order.comparison.layout != CompareLayout::single)
     m_workedIn = sideAt(order, static_cast<QMouseEvent*>(event)->position());
-  if (watched == &m_context.view && event->type() == QEvent::Resize && !m_isAsked &&
+  if (watched == &m_context.view && event->type() == QEvent::Resize && !m_compared.isAsked &&
       layoutWithRoom() != m_context.view.compareLayout())
     QMetaObject::invokeMethod(this, &ComparisonController::fitLayout,
                               Qt::QueuedConnection); // once it has its size
@@ -213,58 +212,37 @@ bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
 
 void ComparisonController::setSideModel(int side, ShadingModel model) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
-  const Compared before = compared();
-  if (!isSingle && m_look && side == 1 && m_ownModel) {
-    m_ownModel->choose(model);
-    show();
-    return note(before, tr("Right: %1").arg(modelName(model)));
-  }
-  if (isSingle || (m_look && side == 1)) {
+  const bool isOfOwnLook = m_compared.look && side == 1;
+  if (isSingle || (isOfOwnLook && !m_compared.ownModel)) {
     Shading shading = m_context.session.scene().shading;
     shading.model = model;
     m_context.session.setShading(shading, {nextGestureId(), tr("change model")});
     return;
   }
-  if (m_look)
-    m_look->shading->model = model;
-  else if (side == 0)
-    m_left = model;
-  else
-    m_right.choose(model);
-  m_workedIn = side;
+  const ComparisonState before = m_compared;
+  m_compared.setSideModel(side, model);
+  if (!isOfOwnLook)
+    m_workedIn = side;
   show();
   note(before, (side == 0 ? tr("Left: %1") : tr("Right: %1")).arg(modelName(model)));
 }
 
-ComparisonController::Compared ComparisonController::compared() const {
-  return {m_left, m_right, m_look, m_lookFrom, m_ownModel, m_wanted, m_isAsked};
-}
-
-void ComparisonController::note(const Compared& before, const QString& text) {
-  const Compared after = compared();
+void ComparisonController::note(const ComparisonState& before, const QString& text) {
+  const ComparisonState after = m_compared;
   if (after != before)
     m_context.session.undoStack().push(new ComparisonEdit(
         text, [this, before, after] { showCompared(before, after); },
         [this, before, after] { showCompared(after, before); }));
 }
 
-void ComparisonController::showCompared(const Compared& wanted, const Compared& other) {
-  m_left = wanted.left;
-  m_right = wanted.right;
-  m_look = wanted.look;
-  m_lookFrom = wanted.lookFrom;
-  m_ownModel = wanted.ownModel;
-  if (wanted.wanted == other.wanted && wanted.isAsked == other.isAsked)
+void ComparisonController::showCompared(const ComparisonState& wanted, const ComparisonState& other) {
+  const std::pair layoutNow{m_compared.wanted, m_compared.isAsked};
+  m_compared = wanted;
+  if (wanted.wanted == other.wanted && wanted.isAsked == other.isAsked) {
+    std::tie(m_compared.wanted, m_compared.isAsked) = layoutNow;
     return show();
-  m_wanted = wanted.wanted;
-  m_isAsked = wanted.isAsked;
+  }
   fitLayout();
-}
-
-void ComparisonController::RightModel::choose(ShadingModel model) {
-  if (model == ShadingModel::physical && shown != ShadingModel::physical)
-    before = shown;
-  shown = model;
 }
 
 // Of a volume that is opened a comparison has models of its own. What changed shows once the view has the
@@ -273,22 +251,12 @@ void ComparisonController::followModel(const Scene& scene) {
   const bool had = std::exchange(m_hasPhysical, scene.shading.model == ShadingModel::physical);
   if (had == m_hasPhysical || !haveSameVoxels(m_volume, scene.volume))
     return;
-  setRightPhysical(m_hasPhysical);
+  m_compared.setRightPhysical(m_hasPhysical);
 }
 
 void ComparisonController::followLight(LightPreset light) {
-  setRightPhysical(light == LightPreset::physical);
+  m_compared.setRightPhysical(light == LightPreset::physical);
   show();
-}
-
-void ComparisonController::setRightPhysical(bool is) {
-  for (RightModel* right : {&m_right, m_ownModel ? &*m_ownModel : nullptr})
-    if (right)
-      is ? right->choose(ShadingModel::physical) : right->leavePhysical();
-}
-
-std::optional<ShadingModel> ComparisonController::ownModel() const {
-  return m_ownModel ? std::optional(m_ownModel->shown) : std::nullopt;
 }
 
 void ComparisonController::compareOwn() {
@@ -302,30 +270,29 @@ void ComparisonController::compareOwn() {
 // a side whose model stays.
 void ComparisonController::compare(const Preset& look, const std::optional<Preset>& from) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
-  const bool isSnapshot = look.name == snapshotName;
-  const Compared before = compared();
+  const bool isRemembered = isSnapshot(look);
+  const ComparisonState before = m_compared;
   const ShadingModel left = m_context.view.sceneOfSide(0).shading.model;
-  if (!m_look || isSingle)
-    m_ownModel = isSingle ? std::nullopt : std::optional(m_right);
-  m_look = look;
-  m_lookFrom = from;
-  if (!m_look->shading)
-    m_look->shading = m_context.session.scene().shading;
-  m_look->shading->model = isSnapshot ? ownModel().value_or(m_look->shading->model) : left;
+  if (!m_compared.look || isSingle)
+    m_compared.ownModel = isSingle ? std::nullopt : std::optional(m_compared.right);
+  m_compared.look = look;
+  m_compared.lookFrom = from;
+  if (!m_compared.look->shading)
+    m_compared.look->shading = m_context.session.scene().shading;
+  m_compared.look->shading->model =
+      isRemembered ? m_compared.shownOwnModel().value_or(m_compared.look->shading->model) : left;
   if (isSingle)
     setLayout(CompareLayout::sideBySide);
   else
     show();
-  if (!isSnapshot) // that comes and goes by one key, like a way of looking
+  if (!isRemembered) // that comes and goes by one key, like a way of looking
     note(before, tr("Left: %1").arg(QString::fromStdString(comparedLook()->names[0])));
 }
 
 void ComparisonController::compareModels() {
-  const Compared before = compared();
-  const bool wasSnapshot = m_look && m_look->name == snapshotName;
-  m_look.reset();
-  m_lookFrom.reset();
-  m_ownModel.reset();
+  const ComparisonState before = m_compared;
+  const bool wasSnapshot = m_compared.isWithSnapshot();
+  m_compared.endLook();
   show();
   if (!wasSnapshot)
     note(before, tr("compare models"));
@@ -335,11 +302,11 @@ void ComparisonController::compareModels() {
 void ComparisonController::swapSides() {
   if (!m_swap->isEnabled())
     return;
-  const Compared before = compared();
+  const ComparisonState before = m_compared;
   const QString text = tr("swap the sides");
-  if (!m_look) {
-    const ShadingModel left = std::exchange(m_left, m_right.shown);
-    m_right.choose(left);
+  if (!m_compared.look) {
+    const ShadingModel left = std::exchange(m_compared.left, m_compared.right.shown);
+    m_compared.right.choose(left);
     m_workedIn = 1 - m_workedIn;
     show();
     return note(before, text);
@@ -349,34 +316,33 @@ void ComparisonController::swapSides() {
   const OpenDocument::PresetInUse named = m_context.document.presetInUse();
   Preset left = presetOf(scene, named.name.empty() ? both.names[1] : named.name);
   left.isWhole = true;
-  left.shading->model = ownModel().value_or(scene.shading.model);
+  left.shading->model = m_compared.shownOwnModel().value_or(scene.shading.model);
   Preset own = both.shown;
-  own.name = m_look->name == snapshotName ? both.names[0] : m_look->name;
+  own.name = m_compared.isWithSnapshot() ? both.names[0] : m_compared.look->name;
   Scene next = withPreset(scene, own);
-  if (m_ownModel)
+  if (m_compared.ownModel)
     next.shading.model = scene.shading.model;
   QUndoStack& steps = m_context.session.undoStack();
   const Gesture gesture{nextGestureId(), text};
   const std::optional<Preset> leftFrom =
       named.isModified ? std::optional(m_context.session.preset()) : std::nullopt;
   steps.beginMacro(text);
-  m_context.session.edit(next, m_lookFrom.value_or(own), gesture);
-  m_look = left;
-  m_lookFrom = leftFrom;
-  if (m_ownModel)
-    m_ownModel->choose(own.shading->model);
+  m_context.session.edit(next, m_compared.lookFrom.value_or(own), gesture);
+  m_compared.look = left;
+  m_compared.lookFrom = leftFrom;
+  if (m_compared.ownModel)
+    m_compared.ownModel->choose(own.shading->model);
   show();
   note(before, text);
   steps.endMacro();
 }
 
 void ComparisonController::takeSnapshot() {
-  const bool isCompared = m_look && m_look->name == snapshotName;
-  m_snapshot = presetOf(m_context.session.scene(), snapshotName);
-  m_snapshot->note = ownName().toStdString();
+  const bool isCompared = m_compared.isWithSnapshot();
+  m_snapshot = snapshotOf(m_context.session.scene(), ownName());
   if (isCompared) {
-    m_look = m_snapshot;
-    m_look->shading->model = ownModel().value_or(m_look->shading->model);
+    m_compared.look = m_snapshot;
+    m_compared.look->shading->model = m_compared.shownOwnModel().value_or(m_compared.look->shading->model);
   }
   const QString name = ownName();
   m_context.window.statusBar()->showMessage(
@@ -393,22 +359,8 @@ QString ComparisonController::ownName() const {
   return own.name.empty() || !own.isModified ? name : tr("%1, modified", "a preset").arg(name);
 }
 
-// Both looks are named after their presets; what was remembered says so where the names tell no difference.
 std::optional<ComparedLook> ComparisonController::comparedLook() const {
-  if (!m_look)
-    return std::nullopt;
-  const bool isBefore = m_look->name == snapshotName;
-  const QString right = ownName();
-  QString left =
-      isBefore ? QString::fromStdString(m_look->note) : presetWords(QString::fromStdString(m_look->name));
-  if (isBefore)
-    left = left.isEmpty() ? tr("Before") : left == right ? tr("%1, before", "a preset").arg(left) : left;
-  else if (m_lookFrom)
-    left = tr("%1, modified", "a preset").arg(left);
-  ComparedLook compared{*m_look, {left.toStdString(), (right.isEmpty() ? tr("Now") : right).toStdString()}};
-  compared.shown.isWhole = m_look->isWhole || isBefore;
-  compared.ownModel = ownModel();
-  return compared;
+  return m_compared.comparedLook(ownName());
 }
 
 void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
@@ -417,21 +369,19 @@ void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
       scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
   const bool bringsLayout = sides || isImage;
   if (bringsLayout && !m_beforeOpened)
-    m_beforeOpened = {m_wanted, m_isAsked};
+    m_beforeOpened = {m_compared.wanted, m_compared.isAsked};
   if (sides && !isImage) {
-    m_look.reset();
-    m_lookFrom.reset();
-    m_ownModel.reset();
-    m_wanted = sides->layout;
+    m_compared.endLook();
+    m_compared.wanted = sides->layout;
     if (pictureCount(sides->layout) == 2) { // a single one leaves the models of two
-      m_left = sides->left;
-      m_right = {.shown = sides->right};
+      m_compared.left = sides->left;
+      m_compared.right = {.shown = sides->right};
       m_context.view.setWipePosition(sides->wipe);
     }
   } else if (isImage) {
-    m_wanted = CompareLayout::single;
+    m_compared.wanted = CompareLayout::single;
   } else if (m_beforeOpened) {
-    std::tie(m_wanted, m_isAsked) = *m_beforeOpened;
+    std::tie(m_compared.wanted, m_compared.isAsked) = *m_beforeOpened;
     m_beforeOpened.reset();
   }
   fitLayout();
@@ -441,52 +391,31 @@ void ComparisonController::show() {
   const Scene& scene = m_context.session.scene();
   if (!haveSameVoxels(m_volume, scene.volume)) {
     m_snapshot.reset();
-    m_look.reset();
-    m_lookFrom.reset();
-    m_ownModel.reset();
+    m_compared.endLook();
     m_workedIn = 0;
   }
   m_volume = scene.volume;
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
-  m_context.view.setSides({m_left, m_right.shown}, comparedLook());
+  m_context.view.setSides({m_compared.left, m_compared.right.shown}, comparedLook());
   m_compareSnapshot->setEnabled(m_snapshot.has_value());
-  m_compareSnapshot->setChecked(m_look && m_look->name == snapshotName && !isSingle);
-  m_compareModels->setEnabled(m_look && !isSingle);
+  m_compareSnapshot->setChecked(m_compared.isWithSnapshot() && !isSingle);
+  m_compareModels->setEnabled(m_compared.look && !isSingle);
   m_swap->setEnabled(scene.volume && !isSingle);
-  const ShadingModel own = isSingle ? scene.shading.model : ownModel().value_or(scene.shading.model);
-  emit modelsShown(isSingle ? std::vector{own}
-                   : m_look ? std::vector{m_look->shading->model, own}
-                            : std::vector{m_left, m_right.shown});
+  emit modelsShown(m_compared.models(isSingle, scene.shading.model));
   emit shown();
 }
 
 void ComparisonController::describe(SessionDocument& session) const {
-  session.layout = m_wanted; // what gave way comes back with the room
-  session.layoutIsAsked = m_isAsked;
-  session.leftModel = m_left;
-  session.rightModel = m_right.shown;
-  session.ownModel = ownModel();
+  m_compared.describe(session);
   session.wipe = m_context.view.wipePosition();
   session.snapshot = m_snapshot;
-  session.comparedLook = m_look;
-  session.comparedFrom = m_lookFrom;
 }
 
 void ComparisonController::restore(const SessionDocument& session) {
-  m_left = session.leftModel;
+  m_compared = comparisonOf(session, m_context.session.scene().shading);
   m_snapshot = session.snapshot;
-  m_look = session.comparedLook;
-  m_lookFrom = session.comparedFrom;
-  m_right = {.shown = session.rightModel};
-  m_ownModel.reset();
-  if (m_look && session.ownModel)
-    m_ownModel = {.shown = *session.ownModel};
-  if (m_look && !m_look->shading)
-    m_look->shading = m_context.session.scene().shading;
   m_context.view.setWipePosition(session.wipe);
   m_beforeOpened.reset();
-  m_wanted = session.layout;
-  m_isAsked = session.layoutIsAsked;
   fitLayout();
 }
 

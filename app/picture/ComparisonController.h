@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/picture/ComparisonState.h"
 #include "io/scenefile/SessionFile.h"
 #include "scene/light/LightPresets.h"
 
@@ -89,38 +90,13 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  /// The model at the right of a comparison. Physical light comes and goes with the scene's, so that undo
-  /// brings back what was there before it.
-  struct RightModel {
-    ShadingModel shown = ShadingModel::enhanced;
-    ShadingModel before = ShadingModel::enhanced; ///< physical light
-    void choose(ShadingModel model);
-    void leavePhysical() { shown = shown == ShadingModel::physical ? before : shown; }
-    bool operator==(const RightModel&) const = default;
-  };
-
-  /// What is compared, as undo brings it back.
-  struct Compared {
-    ShadingModel left = ShadingModel::classic;
-    RightModel right;
-    std::optional<Preset> look;
-    std::optional<Preset> lookFrom;
-    std::optional<RightModel> ownModel;
-    CompareLayout wanted = CompareLayout::sideBySide;
-    bool isAsked = false;
-    bool operator==(const Compared&) const = default;
-  };
-
   /// `from` is the preset that the look was made from, where it was changed since.
   void compare(const Preset& look, const std::optional<Preset>& from);
-  Compared compared() const;
   /// What has changed since `before` is an undo step from now on.
-  void note(const Compared& before, const QString& text);
+  void note(const ComparisonState& before, const QString& text);
   /// Shows one of the two states between which a step leads; the layout where the step changed it.
-  void showCompared(const Compared& wanted, const Compared& other);
+  void showCompared(const ComparisonState& wanted, const ComparisonState& other);
   void followModel(const Scene& scene);
-  void setRightPhysical(bool is);
-  std::optional<ShadingModel> ownModel() const;
   QString ownName() const; ///< of the preset in use; empty where there is none
   void showOneOfBoth(ShadingModel model);
   CompareLayout layoutWithRoom() const;
@@ -133,19 +109,13 @@ private:
   void compareModels();
 
   WindowContext& m_context;
-  QActionGroup* m_layouts; ///< data: CompareLayout as int
-  CompareLayout m_wanted = CompareLayout::sideBySide;
-  bool m_isAsked = false;               ///< for by somebody: it holds where it has little room, too
+  QActionGroup* m_layouts;              ///< data: CompareLayout as int
   bool m_hasSlices = false;             ///< beside the picture
   QAction* m_compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* m_compareModels = nullptr;   ///< enabled while looks are compared
   QAction* m_swap = nullptr;            ///< enabled while there are two pictures
-  ShadingModel m_left = ShadingModel::classic;
-  RightModel m_right;
+  ComparisonState m_compared;
   std::optional<Preset> m_snapshot;
-  std::optional<Preset> m_look;           ///< at the left
-  std::optional<Preset> m_lookFrom;       ///< the preset that it was made from, where it was changed since
-  std::optional<RightModel> m_ownModel;   ///< of the right then, where it is not the scene's
   int m_workedIn = 0;                     ///< the side of two models: 0 left, 1 right
   bool m_hasPhysical = false;             ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to

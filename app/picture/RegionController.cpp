@@ -8,9 +8,7 @@
 #include "io/labels/MaskFolder.h"
 #include "regions/Cutting.h"
 #include "regions/LabelVoxels.h"
-#include "scene/presets/PresetFit.h"
 #include "scene/regions/BodyAndLabels.h"
-#include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
@@ -39,19 +37,6 @@ Region shownWholly(const Region& region) {
   for (Cut& cut : whole.cuts)
     cut.isOn = cut.isOn && !takesAway(cut);
   return whole;
-}
-
-// Whether two grids hold their voxels at the same places, but for what is lost as files write numbers.
-bool areAlike(const Grid& a, const Grid& b) {
-  if (a.dims != b.dims)
-    return false;
-  const double least = std::min({a.spacingMm.x, a.spacingMm.y, a.spacingMm.z});
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 index = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(a.dims - 1);
-    if (glm::distance(indexToWorld(a, index), indexToWorld(b, index)) > 0.01 * least)
-      return false;
-  }
-  return true;
 }
 
 // What is worked at for less is not said: a bar that flashes tells nobody anything.
@@ -88,13 +73,10 @@ QString namesOf(const Region& region, const Volume& volume) {
   return mayNameThePatient(name, volume.info().patient) ? RegionController::tr("one file") : name;
 }
 
-QString tableQuestion() {
-  return RegionController::tr("Hide the table and the holder? It is not certain which part is the body.");
-}
-
 } // namespace
 
-RegionController::RegionController(WindowContext& context) : QObject(&context.window), m_context(context) {
+RegionController::RegionController(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_offers(context) {
   const QAction* open = context.actions.add(
       QStringLiteral("openLabels"), {.text = tr("Open &labels…"),
                                      .place = {Menu::file, 1, 4},
@@ -121,6 +103,7 @@ RegionController::RegionController(WindowContext& context) : QObject(&context.wi
   connect(open, &QAction::triggered, this, &RegionController::askForLabels);
   connect(openFolder, &QAction::triggered, this, &RegionController::askForMasks);
   connect(m_bodyOnly, &QAction::triggered, this, &RegionController::setBodyOnly);
+  connect(&m_offers, &RegionOffers::cutsWanted, this, &RegionController::setCuts);
   connect(&context.view.input(), &ViewInput::everythingRequested, this, &RegionController::showEverything);
   connect(&context.view, &CompareView::loadingCancelled, this, &RegionController::cancel);
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
@@ -216,51 +199,6 @@ void RegionController::hideTableBesideLabels(bool isHidden, const Gesture& gestu
   }
 }
 
-void RegionController::offerBody() {
-  const Scene& scene = m_context.session.scene();
-  if (!scene.volume || scene.volume->room() || scene.keep.kind != Region::Kind::all ||
-      imageNormalAxis(scene.volume->grid()) || !looksLikeHounsfield(*scene.volume))
-    return;
-  m_offering.start([this, volume = scene.volume](const Effort& effort) -> BackgroundWork::Deliver {
-    Progress progress;
-    progress.isCancelled = effort.isCancelled;
-    const FoundRegion found = bodyOf(*volume, progress);
-    // A remark says that it is doubtful what lies beside the body, and that something does.
-    if (found.remark.empty() || found.region.kind != Region::Kind::body)
-      return [] {};
-    return [this, volume, found] { askAboutTable(volume, found, QDeadlineTimer(m_asksForMs)); };
-  });
-}
-
-// What is said of the volume itself goes before, and is dismissed first. A question that comes long after the
-// volume only interrupts: the View menu has its answer.
-void RegionController::askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found,
-                                     const QDeadlineTimer& end) {
-  if (end.hasExpired())
-    return;
-  const auto isAsShown = [this, volume] {
-    const Scene& shown = m_context.session.scene();
-    return shown.volume == volume && shown.keep.kind == Region::Kind::all;
-  };
-  if (!isAsShown())
-    return;
-  if (m_context.messages.isWanted()) {
-    connect(
-        &m_context.messages, &MessageBar::wanted, this,
-        [this, volume, found, end] { askAboutTable(volume, found, end); },
-        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
-    return;
-  }
-  m_context.messages.show(MessageBar::Kind::question, tableQuestion(), {},
-                          {tr("Hide them"),
-                           [this, isAsShown, found] {
-                             m_context.messages.hide();
-                             if (isAsShown())
-                               m_context.session.setKeep(found.region, {nextGestureId(), tr("body only")});
-                           }},
-                          {tr("Leave them"), {}});
-}
-
 void RegionController::setKeep(const Region& region, const Gesture& gesture) {
   if (needsCutting(region))
     cut(region, region.cuts, gesture);
@@ -314,15 +252,10 @@ void RegionController::showEverything() {
 void RegionController::showScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     cancel();
-    m_offering.cancel();
-    offerCutsOfBefore(scene);
     m_volume = scene.volume;
     m_body = {};
-    if (m_context.messages.isAsking() && m_context.messages.sentence() == tableQuestion())
-      m_context.messages.hide(); // it was about the volume before
   }
-  if (scene.volume)
-    m_cuts = scene.keep.cuts;
+  m_offers.showScene(scene);
   if (scene.keep.kind == Region::Kind::body)
     m_body = withoutCuts(scene.keep);
   m_bodyOnly->setChecked(hidesTable(scene.keep));
@@ -346,24 +279,6 @@ void RegionController::measureLabels(const Scene& scene) {
       const std::vector<LabelFigures> figures = figuresOfLabels(*labels, *volume, effort);
       return [this, figures, volume] { emit labelsMeasured(figures, volume); };
     });
-}
-
-// Another series of the same grid shows the same body: what hides one hides the other.
-void RegionController::offerCutsOfBefore(const Scene& scene) {
-  const bool suits = m_volume && scene.volume && !m_cuts.empty() && scene.keep.cuts.empty() &&
-                     !scene.volume->sharesVoxelsWith(*m_volume) &&
-                     areAlike(m_volume->grid(), scene.volume->grid());
-  if (!suits)
-    return;
-  m_context.messages.show(MessageBar::Kind::question,
-                          tr("The volume before lies on the same grid and was cut by hand."), {},
-                          {tr("Cut this one likewise"),
-                           [this, volume = scene.volume, cuts = m_cuts] {
-                             m_context.messages.hide();
-                             if (m_context.session.scene().volume == volume)
-                               setCuts(cuts, tr("cuts of the volume before"));
-                           }},
-                          {tr("Not now"), {}});
 }
 
 void RegionController::start(const QString& what, const Gesture& gesture, const Work& work) {

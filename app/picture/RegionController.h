@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/core/sources/KeptRegion.h"
+#include "app/picture/RegionOffers.h"
 #include "scene/Scene.h"
 #include "scene/regions/LabelFigures.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/BackgroundWork.h"
 #include "widgets/controls/MessageBar.h"
 
-#include <QDeadlineTimer>
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
@@ -37,6 +37,8 @@ public:
   /// Whether something is being found or read.
   bool isBusy() const { return m_work.isRunning(); }
 
+  RegionOffers& offers() { return m_offers; }
+
 public slots:
   void askForLabels();
   void askForMasks();
@@ -55,14 +57,6 @@ public slots:
   /// Takes back what labels, cuts or Body only hide; a crop stays, and cuts stay in their list.
   void showEverything();
   void cancel();
-  /// Of a CT volume that was opened by itself and is shown wholly, because it is not sure which part is the
-  /// body: looks beside the event loop whether something lies beside one, and asks whether to hide that.
-  void offerBody();
-  /// How long after it was found that may still be asked, ms, where something else was said meanwhile: a
-  /// minute at first.
-  void setAsksFor(int ms) { m_asksForMs = ms; }
-  /// Whether it is still being found whether there is something to ask.
-  bool isOffering() const { return m_offering.isRunning(); }
   void showScene(const limn::Scene& scene);
 
 signals:
@@ -88,15 +82,12 @@ private:
   void leaveWhatWasSaid(const Scene& scene);
   void measureLabels(const Scene& scene);
   void hideTableBesideLabels(bool isHidden, const Gesture& gesture);
-  void offerCutsOfBefore(const Scene& scene);
-  void askAboutTable(const std::shared_ptr<const Volume>& volume, const FoundRegion& found,
-                     const QDeadlineTimer& end);
   void end();
 
   WindowContext& m_context;
+  RegionOffers m_offers;
   QAction* m_bodyOnly;
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
-  std::vector<Cut> m_cuts;                ///< of it
   Region m_body;                          ///< of it, where it is known
   QString m_opening; ///< labels or a folder of masks that are being read; empty: none are
   QString m_said;    ///< the sentence about what was kept last, where it may still be said
@@ -114,8 +105,6 @@ private:
   BackgroundWork m_work;
   std::shared_ptr<const LabelMap> m_labels; ///< that are measured, of the volume
   BackgroundWork m_measuring;
-  BackgroundWork m_offering; ///< of a body
-  int m_asksForMs = 60000;
 };
 
 /// Whether what is dropped beside an open volume becomes its labels: a file that is named so (LabelNames.h),

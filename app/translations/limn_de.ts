@@ -11102,36 +11102,8 @@
         <translation>Ordner mit Masken dieses Volumens öffnen</translation>
     </message>
     <message>
-        <source>The volume before lies on the same grid and was cut by hand.</source>
-        <translation>Das vorige Volumen liegt auf demselben Gitter und wurde von Hand beschnitten.</translation>
-    </message>
-    <message>
-        <source>Cut this one likewise</source>
-        <translation>Dieses ebenso schneiden</translation>
-    </message>
-    <message>
-        <source>cuts of the volume before</source>
-        <translation>Schnitte des vorigen Volumens</translation>
-    </message>
-    <message>
-        <source>Not now</source>
-        <translation>Jetzt nicht</translation>
-    </message>
-    <message>
         <source>Open it as a volume</source>
         <translation>Als Volumen öffnen</translation>
-    </message>
-    <message>
-        <source>Hide the table and the holder? It is not certain which part is the body.</source>
-        <translation>Tisch und Halterung ausblenden? Es ist nicht sicher, welcher Teil der Körper ist.</translation>
-    </message>
-    <message>
-        <source>Hide them</source>
-        <translation>Ausblenden</translation>
-    </message>
-    <message>
-        <source>Leave them</source>
-        <translation>So lassen</translation>
     </message>
     <message>
         <source>Finds the body and hides the table, the head holder and what else lies beside it; labels that are open stay open.</source>
@@ -11168,6 +11140,41 @@
     <message>
         <source>one file</source>
         <translation>einer Datei</translation>
+    </message>
+</context>
+<context>
+    <name>limn::RegionOffers</name>
+    <message>
+        <source>body only</source>
+        <translation>nur Körper</translation>
+    </message>
+    <message>
+        <source>The volume before lies on the same grid and was cut by hand.</source>
+        <translation>Das vorige Volumen liegt auf demselben Gitter und wurde von Hand beschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut this one likewise</source>
+        <translation>Dieses ebenso schneiden</translation>
+    </message>
+    <message>
+        <source>cuts of the volume before</source>
+        <translation>Schnitte des vorigen Volumens</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Hide the table and the holder? It is not certain which part is the body.</source>
+        <translation>Tisch und Halterung ausblenden? Es ist nicht sicher, welcher Teil der Körper ist.</translation>
+    </message>
+    <message>
+        <source>Hide them</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>So lassen</translation>
     </message>
 </context>
 <context>

@@ -179,10 +179,10 @@ TEST_F(RegionWindow, aQuestionAboutTheTableThatIsLateIsNotAsked) {
     return messages().isVisible() && messages().sentence().startsWith(QStringLiteral("Hide the table"));
   };
   const auto afterAnother = [&](int asksForMs) {
-    controller().setAsksFor(asksForMs);
+    controller().offers().setAsksFor(asksForMs);
     EXPECT_TRUE(open(pathTo("doubtful.nrrd")));
     messages().show(MessageBar::Kind::warning, QStringLiteral("Something else"));
-    EXPECT_TRUE(test::waitUntil([&] { return !controller().isOffering(); }));
+    EXPECT_TRUE(test::waitUntil([&] { return !controller().offers().isOffering(); }));
     messages().hide();
     for (int turn = 0; turn < 5; ++turn)
       QCoreApplication::processEvents();
