@@ -70,7 +70,8 @@ void ComparisonController::addLayouts() {
                                  .tool = {4, row},
                                  .needsVolume = true});
   };
-  add(CompareLayout::single, tr("Si&ngle"), "single", tr("One picture with the chosen model."));
+  add(CompareLayout::single, tr("Si&ngle"), "single",
+      tr("One picture; of two models that of the side you worked in last."));
   add(CompareLayout::sideBySide, tr("Si&de by side"), "side-by-side", tr("Two models beside each other."));
   add(CompareLayout::wipe, tr("&Wipe"), "wipe", tr("Two models over each other with a border to drag."));
   add(CompareLayout::difference, tr("Di&fference"), "difference",
@@ -139,11 +140,14 @@ void ComparisonController::setLayout(CompareLayout layout) {
 
 void ComparisonController::chooseLayout(CompareLayout layout) {
   const bool wereTwo = m_context.view.compareLayout() != CompareLayout::single;
-  const int side = m_compared.look ? m_context.view.ownSide() : m_workedIn;
+  const std::optional<int> workedIn = m_compared.look ? m_context.view.ownSide() : m_workedIn;
+  if (layout != CompareLayout::single || !wereTwo || !workedIn)
+    return setLayout(layout);
+  const int side = *workedIn;
   const ShadingModel model = m_context.view.sceneOfSide(side).shading.model;
   const Scene& scene = m_context.session.scene();
   const bool isOther = scene.volume && model != scene.shading.model;
-  if (layout == CompareLayout::single && wereTwo && isOther)
+  if (isOther)
     showOneOfBoth(model);
   else
     setLayout(layout);
@@ -256,6 +260,8 @@ void ComparisonController::followModel(const Scene& scene) {
 
 void ComparisonController::followLight(LightPreset light) {
   m_compared.setRightPhysical(light == LightPreset::physical);
+  if (light == LightPreset::physical)
+    m_workedIn = 1;
   show();
 }
 
@@ -307,7 +313,8 @@ void ComparisonController::swapSides() {
   if (!m_compared.look) {
     const ShadingModel left = std::exchange(m_compared.left, m_compared.right.shown);
     m_compared.right.choose(left);
-    m_workedIn = 1 - m_workedIn;
+    if (m_workedIn)
+      m_workedIn = 1 - *m_workedIn;
     show();
     return note(before, text);
   }
@@ -392,7 +399,7 @@ void ComparisonController::show() {
   if (!haveSameVoxels(m_volume, scene.volume)) {
     m_snapshot.reset();
     m_compared.endLook();
-    m_workedIn = 0;
+    m_workedIn.reset();
   }
   m_volume = scene.volume;
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;

@@ -116,8 +116,8 @@ private:
   QAction* m_swap = nullptr;            ///< enabled while there are two pictures
   ComparisonState m_compared;
   std::optional<Preset> m_snapshot;
-  int m_workedIn = 0;                     ///< the side of two models: 0 left, 1 right
-  bool m_hasPhysical = false;             ///< the scene
+  std::optional<int> m_workedIn; ///< the side of two models: 0 left, 1 right; absent where in neither yet
+  bool m_hasPhysical = false;    ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
   /// What was wanted, and whether somebody asked for it, while what was opened brings a layout of its own.
   std::optional<std::pair<CompareLayout, bool>> m_beforeOpened;

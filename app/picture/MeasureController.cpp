@@ -55,6 +55,11 @@ QString nextHint(Measurement::Kind kind, std::size_t place) {
   return MeasureController::tr("Now the other end, which ends it. Esc takes it back.");
 }
 
+// Whether drags draw it: a distance, or an angle's first leg.
+bool hasLegs(Measurement::Kind kind) {
+  return kind == Measurement::Kind::distance || kind == Measurement::Kind::angle;
+}
+
 } // namespace
 
 MeasureController::MeasureController(WindowContext& context)
@@ -253,9 +258,14 @@ void MeasureController::showBar() {
     return m_bar->lookAgain();
   m_bar->showHint(
       hint,
-      tr("A drag over tissue measures, too; one beside it rotates the picture, as does any while ends are "
-         "missing. What was measured is led by its ends and goes with Delete. Esc takes back what is begun, "
-         "then lays the tool aside."));
+      hasLegs(*kind)
+          ? tr("A drag over tissue measures, too; one beside it rotates the picture, as does any while ends "
+               "are "
+               "missing. What was measured is led by its ends and goes with Delete. Esc takes back what is "
+               "begun, then lays the tool aside.")
+          : tr("What was measured is led by its ends and goes with Delete; a drag over the picture rotates "
+               "it. "
+               "Esc takes back what is begun, then lays the tool aside."));
   if (!m_bar->hasRoom())
     say(hint);
 }
@@ -275,8 +285,7 @@ std::optional<glm::dvec3> MeasureController::placeSeen(const Ray& ray, int side)
 // may lie on its other side, as it does beside the tissue.
 bool MeasureController::drawsFrom(const Ray& ray, int side) const {
   const std::optional<Measurement::Kind> kind = kindOf(m_context.view.tool());
-  const bool hasLegs = kind == Measurement::Kind::distance || kind == Measurement::Kind::angle;
-  return hasLegs && m_volume && !m_open &&
+  return kind && hasLegs(*kind) && m_volume && !m_open &&
          m_context.view.sceneOfSide(side).projection != Projection::average &&
          turnCentreAlong(m_context.view, ray, side).placeMm;
 }

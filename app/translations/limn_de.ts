@@ -2547,10 +2547,6 @@
         <translation>E&amp;inzeln</translation>
     </message>
     <message>
-        <source>One picture with the chosen model.</source>
-        <translation>Ein Bild mit dem gewählten Modell.</translation>
-    </message>
-    <message>
         <source>Si&amp;de by side</source>
         <translation>&amp;Nebeneinander</translation>
     </message>
@@ -2683,6 +2679,10 @@
         <source>one picture: %1</source>
         <comment>a model</comment>
         <translation>ein Bild: %1</translation>
+    </message>
+    <message>
+        <source>One picture; of two models that of the side you worked in last.</source>
+        <translation>Ein Bild; von zwei Modellen das der Seite, an der Sie zuletzt gearbeitet haben.</translation>
     </message>
 </context>
 <context>
@@ -3534,8 +3534,12 @@
         <translation>%1; dies %2.</translation>
     </message>
     <message>
-        <source>%1; it %2, and %3.</source>
-        <translation>%1; dies %2 und %3.</translation>
+        <source>%1; switched on it %2, and %3.</source>
+        <translation>%1; eingeschaltet: %2 und %3.</translation>
+    </message>
+    <message>
+        <source>%1; switched on it %2.</source>
+        <translation>%1; eingeschaltet: %2.</translation>
     </message>
 </context>
 <context>
@@ -3566,7 +3570,7 @@
     </message>
     <message>
         <source>Draws the picture several times with and without each effect, also with those that are off, while nothing else is to be drawn; any change of the scene stops it.</source>
-        <translation>Zeichnet das Bild mehrmals mit und ohne jeden Effekt, auch mit den ausgeschalteten, solange nichts anderes zu zeichnen ist; jede Änderung der Szene hält es an.</translation>
+        <translation>Zeichnet das Bild mehrmals mit und ohne jeden Effekt, auch mit den ausgeschalteten, solange nichts anderes zu zeichnen ist; jede Änderung der Szene beendet es.</translation>
     </message>
 </context>
 <context>
@@ -3800,11 +3804,11 @@
     </message>
     <message>
         <source>Drawing the figure: %1 %</source>
-        <translation>Abbildung wird gezeichnet: %1 %</translation>
+        <translation>Abbildung wird gezeichnet: %1&#xa0;%</translation>
     </message>
     <message>
         <source>Drawing the preview: %1 %</source>
-        <translation>Vorschau wird gezeichnet: %1 %</translation>
+        <translation>Vorschau wird gezeichnet: %1&#xa0;%</translation>
     </message>
     <message>
         <source>Drawing the preview…</source>
@@ -5001,6 +5005,10 @@
     <message>
         <source>A drag over tissue measures, too; one beside it rotates the picture, as does any while ends are missing. What was measured is led by its ends and goes with Delete. Esc takes back what is begun, then lays the tool aside.</source>
         <translation>Auch Ziehen über Gewebe misst; Ziehen daneben dreht das Bild, ebenso solange Enden fehlen. Gemessenes wird an seinen Enden geführt und verschwindet mit Entf. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
+    </message>
+    <message>
+        <source>What was measured is led by its ends and goes with Delete; a drag over the picture rotates it. Esc takes back what is begun, then lays the tool aside.</source>
+        <translation>Gemessenes wird an seinen Enden geführt und verschwindet mit Entf; Ziehen über das Bild dreht es. Esc nimmt Begonnenes zurück und legt dann das Werkzeug weg.</translation>
     </message>
 </context>
 <context>
@@ -8925,7 +8933,7 @@
     </message>
     <message>
         <source>The shading model %1 was left out, with its exponent range, opacity range and gradient reference: other programs light by the classic model or not at all.</source>
-        <translation>Das Beleuchtungsmodell %1 wurde weggelassen, mit seinem Exponentenbereich, Deckkraftbereich und Gradientenbezug: Andere Programme beleuchten nach dem klassischen Modell oder gar nicht.</translation>
+        <translation>Das Schattierungsmodell %1 wurde weggelassen, mit seinem Exponentenbereich, Deckkraftbereich und Gradientenbezug: Andere Programme beleuchten nach dem klassischen Modell oder gar nicht.</translation>
     </message>
     <message>
         <source>Physical light was left out: other programs light by the classic model or not at all.</source>
@@ -8977,7 +8985,7 @@
     </message>
     <message>
         <source>%1 ± %2</source>
-        <translation>%1 ± %2</translation>
+        <translation>%1&#xa0;±&#xa0;%2</translation>
     </message>
     <message>
         <source>would take hardly any time</source>
@@ -8985,11 +8993,11 @@
     </message>
     <message>
         <source>would save %1 of %2 ms</source>
-        <translation>würde %1 von %2 ms sparen</translation>
+        <translation>würde %1 von %2&#xa0;ms sparen</translation>
     </message>
     <message>
         <source>would take %1 ms more</source>
-        <translation>würde %1 ms mehr kosten</translation>
+        <translation>würde %1&#xa0;ms mehr kosten</translation>
     </message>
     <message>
         <source>would change nothing in this picture that could be seen</source>
@@ -10021,7 +10029,7 @@
     <message>
         <source>%1, the time to draw is being estimated</source>
         <comment>pixels</comment>
-        <translation>%1, die Zeichendauer wird geschätzt</translation>
+        <translation>%1, die Dauer des Zeichnens wird geschätzt</translation>
     </message>
 </context>
 <context>
@@ -10171,7 +10179,7 @@
     </message>
     <message>
         <source>Ctrl+Shift+P</source>
-        <translation>Strg+Umschalt+P</translation>
+        <translation>Ctrl+Shift+P</translation>
     </message>
 </context>
 <context>
@@ -11283,10 +11291,6 @@
         <translation>Geänderte Sitzung ersetzen?</translation>
     </message>
     <message>
-        <source>%1 was changed by another window since it was opened or saved here.</source>
-        <translation>%1 wurde in einem anderen Fenster geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
-    </message>
-    <message>
         <source>Replacing it loses what was saved there; another name keeps both.</source>
         <translation>Ersetzen verwirft, was dort gespeichert wurde; ein anderer Name behält beides.</translation>
     </message>
@@ -11300,7 +11304,11 @@
     </message>
     <message>
         <source>Ctrl+Shift+S</source>
-        <translation>Strg+Umschalt+S</translation>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>%1 was changed elsewhere since it was opened or saved here.</source>
+        <translation>%1 wurde anderswo geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
     </message>
 </context>
 <context>

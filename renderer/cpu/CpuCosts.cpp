@@ -4,17 +4,31 @@
 #include <chrono>
 
 namespace limn {
+namespace {
+
+// Whether light is found for each sample, which takes milliseconds a pixel.
+bool samplesLight(const Quality& quality) {
+  return quality.light == LightDetail::sampled ||
+         (quality.light == LightDetail::fine && quality.toleranceLevels);
+}
+
+} // namespace
 
 Image CpuCosts::tileOf(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) {
   return m_renderer.drawWithout(leftOut, scene, size, tile, &m_light.light());
 }
 
 bool CpuCosts::useLightOf(const Scene& scene) {
-  const bool isSampled = scene.quality.light == LightDetail::sampled ||
-                         (scene.quality.light == LightDetail::fine && scene.quality.toleranceLevels);
-  if (isSampled)
+  if (samplesLight(scene.quality)) {
     m_light.useNone();
-  return isSampled || m_light.use(scene, [this](const Scene& first) { return m_renderer.lightOf(first); });
+    return true;
+  }
+  return m_light.use(scene, [this](const Scene& first) { return m_renderer.lightOf(first); });
+}
+
+// No step may hold up a window for a minute.
+bool CpuCosts::canDraw(const Scene& scene) const {
+  return !(samplesLight(scene.quality) && requiredEffects(scene, {}).effects.hasAny(travellingLight));
 }
 
 void CpuCosts::draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) {

@@ -96,7 +96,7 @@ void EffectCosts::addWhatIsOff(const CostedDrawing& drawing) {
   for (std::size_t row = 0; row < m_rows.size(); ++row)
     if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row]);
         with && drawing.canDraw(*with)) {
-      m_variants.push_back({row, *with, *with, m_rows[row].effects, true, {}, {}});
+      m_variants.push_back({row, *with, m_scene, m_rows[row].effects, true, {}, {}});
       const std::size_t last = m_variants.size() - 1;
       m_turns.push_back({Purpose::compare, last, true});
       m_turns.push_back({Purpose::prepare, last, false});
@@ -132,7 +132,7 @@ bool EffectCosts::step(CostedDrawing& drawing) {
 void EffectCosts::draw(CostedDrawing& drawing, const Turn& turn) {
   Variant& variant = m_variants[turn.variant];
   const Scene& scene = turn.isWith ? variant.with : variant.without;
-  const EffectSet leftOut = turn.isWith ? EffectSet() : variant.leftOut;
+  const EffectSet leftOut = turn.isWith || variant.isOff ? EffectSet() : variant.leftOut;
   const auto all = [&] { drawing.draw(scene, leftOut, m_size, {{0, 0}, m_size}); };
   const bool bringsLight = variant.leftOut.hasAny(travellingLight);
   // What another scene needs is made ready outside the measured time.

@@ -84,7 +84,7 @@ private:
   struct Variant {
     std::size_t row = 0;
     Scene with, without;
-    EffectSet leftOut;                      ///< without
+    EffectSet leftOut;                      ///< without, where it is in the picture
     bool isOff = false;                     ///< in the picture, which then is the one without
     std::vector<double> withMs;             ///< of the pictures drawn beside those without
     std::vector<double> ms;                 ///< without

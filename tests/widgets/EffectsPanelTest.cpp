@@ -98,9 +98,10 @@ TEST_F(EffectsPanelTest, saysWhatWouldBeTakenByWhatIsOff) {
                   QStringLiteral("a clock"),
                   {256, 128},
                   {EffectCost{38.0, 0.5, PictureChange{84.6, 4.23}, 31.0}, EffectCost{2.0, 0.5, {}, 31.0}}});
-  EXPECT_TRUE(says(QStringLiteral("The strength of shadows is set to 0; it would take 38 ms more, and would "
-                                  "change this picture by up to 85 of 255 levels, by 4.2 on average.")));
-  EXPECT_TRUE(says(QStringLiteral("It is switched off; it would take 2.0 ms more.")));
+  EXPECT_TRUE(says(
+      QStringLiteral("The strength of shadows is set to 0; switched on it would take 38 ms more, and would "
+                     "change this picture by up to 85 of 255 levels, by 4.2 on average.")));
+  EXPECT_TRUE(says(QStringLiteral("It is switched off; switched on it would take 2.0 ms more.")));
   panel.setTimes({});
   EXPECT_FALSE(says(QStringLiteral("would take"))) << "another scene has other costs";
 }

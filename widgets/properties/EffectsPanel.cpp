@@ -99,11 +99,11 @@ void EffectRowWidget::setCost(const std::optional<EffectCost>& cost,
   if (cost && cost->brought)
     reason = tr("%1; it %2.").arg(reason, translated(broughtText(*cost->brought)));
   else if (wouldCost && wouldCost->brought)
-    reason = tr("%1; it %2, and %3.")
+    reason = tr("%1; switched on it %2, and %3.")
                  .arg(reason, translated(wouldCostText(*wouldCost)),
                       translated(wouldBringText(*wouldCost->brought)));
   else if (wouldCost)
-    reason = tr("%1; it %2.").arg(reason, translated(wouldCostText(*wouldCost)));
+    reason = tr("%1; switched on it %2.").arg(reason, translated(wouldCostText(*wouldCost)));
   m_reason->setText(reason);
   describe();
 }

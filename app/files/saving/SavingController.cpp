@@ -65,7 +65,7 @@ enum class ChangedFile { kept, replaced, savedElsewhere };
 
 ChangedFile askAboutChanged(QWidget& parent, const QString& file) {
   QMessageBox box(QMessageBox::Warning, SavingController::tr("Replace the changed session?"),
-                  SavingController::tr("%1 was changed by another window since it was opened or saved here.")
+                  SavingController::tr("%1 was changed elsewhere since it was opened or saved here.")
                       .arg(QFileInfo(file).fileName()),
                   QMessageBox::Cancel, &parent);
   box.setObjectName(QStringLiteral("changedSession"));

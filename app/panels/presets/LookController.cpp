@@ -286,9 +286,11 @@ void LookController::tell(const LookImport& import) {
 }
 
 void LookController::exportShown() {
-  const std::vector<Scene> sides = m_context.view.scenesOfSides();
+  // The view may show the preview of another look.
+  Scene shown = m_context.session.scene();
+  shown.shading.model = m_context.view.scenesOfSides().back().shading.model;
   const QString name = m_presets.nameShown();
-  askWhereToExport(presetOf(sides.back(), name.toStdString()));
+  askWhereToExport(presetOf(shown, name.toStdString()));
 }
 
 void LookController::exportPreset(const QString& name) {

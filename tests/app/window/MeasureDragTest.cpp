@@ -118,5 +118,18 @@ TEST_F(MeasureDrag, isTakenBackByEscAndTheToolStays) {
   EXPECT_EQ(view().tool(), ViewTool::distance);
 }
 
+TEST_F(MeasureDrag, thatEndsBesideThePictureOrWhereItBeganMeasuresNothing) {
+  press(Qt::Key_D);
+  hold(inPicture({-20, 0}), inPicture({25, 10}));
+  letGo({5, 5});
+  EXPECT_TRUE(seen().empty());
+  hold(inPicture({-20, 0}), inPicture({25, 10}));
+  letGo(inPicture({-20, 0}));
+  EXPECT_TRUE(seen().empty());
+  EXPECT_TRUE(measurements().empty());
+  EXPECT_EQ(undo().count(), 0);
+  EXPECT_EQ(view().tool(), ViewTool::distance);
+}
+
 } // namespace
 } // namespace limn

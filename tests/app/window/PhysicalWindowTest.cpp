@@ -69,7 +69,7 @@ TEST_F(PhysicalWindow, theLightCalledPhysicalShowsAtTheRightAndItsNumbersComeUp)
   EXPECT_FALSE(section.isFolded());
   ASSERT_TRUE(rest());
   EXPECT_TRUE(lastSide().paths);
-  setLayout(CompareLayout::single);
+  action(QStringLiteral("Si&ngle"))->trigger(); // as the tool bar does
   EXPECT_EQ(view().scenesOfSides()[0].shading.model, ShadingModel::physical);
   choose(light(), 1);
   EXPECT_EQ(view().scenesOfSides()[0].shading.model, ShadingModel::classic);

@@ -21,11 +21,13 @@ void MeasureInput::forget() {
   m_drawn.reset();
 }
 
-// Says it with the ray through a point of the view; nothing beside the pictures.
-void MeasureInput::say(Said said, const QPointF& point) {
+// Says it with the ray through a point of the view; false, and nothing is said, beside the pictures.
+bool MeasureInput::say(Said said, const QPointF& point) {
   const OverlaySource source = m_shown();
-  if (const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+  const auto ray = rayUnder(source.geometry, source.comparison.scene.camera, point);
+  if (ray)
     emit(this->*said)(*ray, sideAt(source, point));
+  return ray.has_value();
 }
 
 bool MeasureInput::press(const OverlaySource& source, const QMouseEvent& event, bool isTool) {
@@ -73,10 +75,14 @@ void MeasureInput::stretch(const QPointF& point) {
 bool MeasureInput::release(const QMouseEvent& event) {
   if (!isHolding() || event.button() != Qt::LeftButton)
     return false;
-  const bool drew = !m_held;
+  const std::optional<Drawn> drawn = m_drawn;
   forget();
-  if (drew)
-    click(event.position()); // the end of a drag, or a click
+  if (!drawn)
+    return true;
+  // A drag that comes back to where it began, or ends beside the pictures, measures nothing.
+  const bool isBack = drawn->hasMoved && isClick(drawn->from, event.position());
+  if (isBack || !say(&MeasureInput::placeRequested, event.position()))
+    emit dropped();
   return true;
 }
 

@@ -64,7 +64,7 @@ signals:
 
 private:
   using Said = void (MeasureInput::*)(const Ray& ray, int side);
-  void say(Said said, const QPointF& point);
+  bool say(Said said, const QPointF& point);
   bool take(const OverlaySource& source, const QPointF& point);
   bool begin(const OverlaySource& source, const QPointF& point);
   void stretch(const QPointF& point);
