@@ -10,7 +10,7 @@
 
 namespace limn {
 
-std::optional<MeasureHandle> measureHandleAt(const OverlaySource& source, const QPointF& point) {
+std::optional<MeasureHandle> measureHandleUnder(const OverlaySource& source, const QPointF& point) {
   return measureHandleAt(measureShapesOf(source, standingAt(source.geometry, point)), point);
 }
 
@@ -38,7 +38,7 @@ bool MeasureInput::press(const OverlaySource& source, const QMouseEvent& event, 
 
 // Whether the button takes hold of a handle.
 bool MeasureInput::take(const OverlaySource& source, const QPointF& point) {
-  m_held = measureHandleAt(source, point);
+  m_held = measureHandleUnder(source, point);
   if (m_held)
     emit taken(*m_held, nextGestureId());
   return m_held.has_value();

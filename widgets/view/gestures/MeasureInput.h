@@ -18,7 +18,7 @@ class QMouseEvent;
 namespace limn {
 
 /// The handle of a measurement that a press at a point of the view, logical pixels, takes hold of.
-std::optional<MeasureHandle> measureHandleAt(const OverlaySource& source, const QPointF& point);
+std::optional<MeasureHandle> measureHandleUnder(const OverlaySource& source, const QPointF& point);
 
 /// What the pointer asks of measurements in a view: leads their handles, sets places with clicks, and draws
 /// from one place to the next with drags. It knows no measurement: what is asked for is said by signals.

@@ -334,7 +334,7 @@ void ViewInput::hover(const QMouseEvent& event) {
   const std::optional<CropHandle> handle = isOnText || draws ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;
-  now.measure = !isOnText && !handle && !draws && measureHandleAt(source, point);
+  now.measure = !isOnText && !handle && !draws && measureHandleUnder(source, point);
   now.wipe = !isOnText && !handle && !draws && !now.measure && isOnWipeBorder(source.geometry, point);
   if (now != m_hovered) {
     m_hovered = now;
