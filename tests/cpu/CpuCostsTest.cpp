@@ -103,8 +103,8 @@ TEST(CpuCosts, whatIsOffIsToldWithWhatItWouldAddAndThePictureStays) {
       continue;
     ASSERT_TRUE(figures.wouldCosts[i]) << rows[i].name;
     EXPECT_GE(figures.wouldCosts[i]->brought.value().mostLevels, 1.0) << rows[i].name;
-    const PictureChange change =
-        changeBetween(renderer.render(*withUsualEffect(scene, rows[i]), costSize), before);
+    const Scene with = *withUsualEffect(scene, rows[i]);
+    const PictureChange change = changeBetween(CpuRenderer(1).render(with, costSize), before);
     EXPECT_NEAR(figures.wouldCosts[i]->brought->meanLevels, change.meanLevels, 0.05)
         << rows[i].name << ": against this picture, whatever its light has to do for it";
     EXPECT_GT(figures.wouldCosts[i]->withoutMs, 0.0) << rows[i].name;
