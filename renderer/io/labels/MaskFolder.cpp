@@ -45,7 +45,7 @@ std::string maskName(const fs::path& file, int value, const std::vector<fs::path
   using Naming = std::string (*)(const fs::path&, const PatientLabel&);
   for (const Naming naming : {Naming(structureName), Naming(stemName), Naming(nameWithFolder)}) {
     const auto nameOf = [&](const fs::path& one) { return naming(one, patient); };
-    const std::string name = nameOf(file);
+    std::string name = nameOf(file);
     if (!name.empty() && std::ranges::count(files, name, nameOf) == 1 && !isNamed(before, name))
       return name;
   }
