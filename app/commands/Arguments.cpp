@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Arguments.h"
 
+#include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
 
 #include <unistd.h>
@@ -121,10 +122,8 @@ void requireReportFolder(const fs::path& folder) {
 }
 
 void makeReportFolder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    failFolder(folder, failure.message());
+  if (const Message why = makeFolders(folder); !why.empty())
+    failFolder(folder, why.english());
 }
 
 void note(const std::string& sentence) {

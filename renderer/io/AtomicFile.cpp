@@ -32,10 +32,10 @@ fs::path folderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// Of a file that cannot be made in a folder that is there, as in /proc, the system says that there is none.
-Message reasonAgainst(const Target& target, int error) {
+// Of what cannot be made in a folder that is there, as in /proc, the system says that there is none.
+Message reasonAgainst(const fs::path& made, int error) {
   std::error_code unknown;
-  const fs::path folder = folderOf(target.path);
+  const fs::path folder = folderOf(made);
   return error == ENOENT && fs::is_directory(folder, unknown)
              ? Message::tr("the folder %1 takes no files").arg(folder.string())
              : systemReason(error);
@@ -57,7 +57,7 @@ Message reasonAgainst(const Target& target, int error) {
   throw Error(Error::Kind::other,
               (isThere ? Message::tr("Cannot write %1: %2; %3, the old file is untouched.")
                        : Message::tr("Cannot write %1: %2; %3."))
-                  .arg(target.path.string(), reasonAgainst(target, error), advice));
+                  .arg(target.path.string(), reasonAgainst(target.path, error), advice));
 }
 
 const std::string prefix = ".limn-";
@@ -200,12 +200,21 @@ void writeFileAtomically(const fs::path& target, std::string_view bytes, FilePla
       place);
 }
 
+Message makeFolders(const fs::path& folder) {
+  std::error_code unknown, failed;
+  fs::path first = fs::absolute(folder); // the outermost that is missing
+  while (!fs::exists(folderOf(first), unknown) && folderOf(first).has_relative_path())
+    first = folderOf(first);
+  fs::create_directories(folder, failed);
+  return failed ? reasonAgainst(first, failed.value()) : Message();
+}
+
 ScratchFolder::ScratchFolder(const std::filesystem::path& parent) {
   const char* given = std::getenv("TMPDIR");
   const std::filesystem::path system = given && *given ? given : "/tmp";
   std::string pattern = (parent.empty() ? system / "limn-XXXXXX" : parent / ".limn-XXXXXX").string();
   if (!mkdtemp(pattern.data()))
-    throw Error(Error::Kind::other, systemReason(errno));
+    throw Error(Error::Kind::other, reasonAgainst(pattern, errno));
   m_path = pattern;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Message.h"
+
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -31,11 +33,15 @@ bool isTemporary(const std::filesystem::path& file);
 void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes,
                          FilePlace place = FilePlace::chosen);
 
+/// Makes a folder, and those above it that are missing. Why that fails, in words within a sentence; empty where
+/// the folder is there.
+Message makeFolders(const std::filesystem::path& folder);
+
 /// A folder for files of the moment, which goes with all that is in it.
 class ScratchFolder {
 public:
   /// Below the system's folder for temporary files, or in `parent` as a hidden one. Throws Error whose
-  /// sentence is the system's reason alone.
+  /// sentence is the reason alone.
   explicit ScratchFolder(const std::filesystem::path& parent = {});
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -120,6 +120,23 @@ TEST(AtomicFile, adviceIsSuchThatItCanBeTaken) {
   EXPECT_EQ(kernels, "Cannot write /proc/a.json: the folder /proc takes no files; choose another folder.");
 }
 
+TEST(AtomicFile, foldersAreMadeOrItIsSaidWhyNot) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(makeFolders(folder.path() / "a" / "b").empty());
+  EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
+  EXPECT_TRUE(makeFolders(folder.path() / "a" / "b").empty()) << "it is there";
+  writeFileAtomically(folder.path() / "file", "no folder");
+  EXPECT_EQ(makeFolders(folder.path() / "file" / "b").english(), "Not a directory");
+  for (const char* below : {"/proc/a", "/proc/a/b", "/proc/a/"}) // is there, and takes no folder
+    EXPECT_EQ(makeFolders(below).english(), "the folder /proc takes no files") << below;
+  try {
+    const ScratchFolder scratch("/proc");
+    FAIL() << "it was made";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "the folder /proc takes no files");
+  }
+}
+
 TEST(AtomicFile, aLinkStaysALink) {
   const TemporaryFolder folder;
   writeFileAtomically(folder.path() / "a.json", "old");

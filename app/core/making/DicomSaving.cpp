@@ -3,7 +3,6 @@
 
 #include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
-#include "scene/basics/SystemReason.h"
 
 namespace limn {
 
@@ -51,10 +50,8 @@ std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scen
   const DicomObjects objects =
       dicomObjectsOf(scene, {series, bytesOverBackground(picture, scene.image.background), LIMN_VERSION,
                              remark, isAnonymous});
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    failMaking(folder, systemReason(failure.value()));
+  if (const Message why = makeFolders(folder); !why.empty())
+    failMaking(folder, why);
   writeDicomObjects(folder, objects);
   return objects.losses;
 }

@@ -6,7 +6,6 @@
 #include "io/ImageFile.h"
 #include "io/reading/HeaderText.h"
 #include "scene/basics/Error.h"
-#include "scene/basics/SystemReason.h"
 
 #include <algorithm>
 #include <array>
@@ -112,12 +111,10 @@ std::string endingOf(const fs::path& path) {
 }
 
 void makeFolderFor(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed)
+  if (const Message why = makeFolders(folder); !why.empty())
     throw Error(Error::Kind::other, Message::tr("The folder %1 cannot be made (%2); choose another one.")
                                         .arg(folder.string())
-                                        .arg(systemReason(failed.value())));
+                                        .arg(why));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/naming/UserFolders.h"
 
+#include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
-#include "scene/basics/SystemReason.h"
 
 #include <cstdlib>
 
@@ -37,13 +37,11 @@ UserFolders UserFolders::below(const fs::path& folder) {
 }
 
 void makeFolder(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed)
+  if (const Message why = makeFolders(folder); !why.empty())
     throw Error(Error::Kind::other,
                 Message::tr("Cannot make the folder %1: %2; make room there or allow Limn to write there.")
                     .arg(folder.string())
-                    .arg(systemReason(failed.value())));
+                    .arg(why));
 }
 
 void makePrivateFolder(const fs::path& folder) {

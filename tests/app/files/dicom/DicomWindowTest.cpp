@@ -117,6 +117,9 @@ TEST_F(DicomWindow, drawsNothingForAPlaceThatTakesNoFolder) {
         labelSays(QStringLiteral("The folder %1 cannot be made (Not a directory)").arg(pathTo(below))))
         << "the folder that was typed";
   }
+  save("/proc/kept.dicom"); // of which the system says that there is none
+  EXPECT_EQ(said(), QStringLiteral("The folder /proc/kept.dicom cannot be made (the folder /proc takes no "
+                                   "files); choose another one."));
   EXPECT_EQ(dialog().findChild<QProgressBar*>()->value(), 0) << "nothing was drawn";
 }
 

@@ -58,6 +58,14 @@ TEST_F(TurntableWindow, framesOfWhatIsOpenAreSaved) {
   EXPECT_EQ(undo().count(), 0);
 }
 
+TEST_F(TurntableWindow, saysOfAFolderThatTakesNoneWhyItCannotBeMade) {
+  type("turntableFrames", QStringLiteral("2"));
+  save("/proc/turn.frames"); // of which the system says that there is none
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_EQ(said(), QStringLiteral("The folder /proc/turn.frames cannot be made (the folder /proc takes no "
+                                   "files); choose another one."));
+}
+
 TEST_F(TurntableWindow, goesAsFarAsItIsAskedToWithWhatStandsInASavedPicture) {
   auto& turn = *dialog().findChild<QComboBox*>(QStringLiteral("turntableTurn"));
   auto& marks = *dialog().findChild<QCheckBox*>(QStringLiteral("turntableMarks"));
