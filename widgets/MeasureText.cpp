@@ -131,7 +131,9 @@ QString measureDetails(const Measured& measured, const Volume& volume) {
   const EllipseFigures& figures = measured.ellipse;
   if (measured.measurement.kind == Measurement::Kind::ellipse && figures.voxels > 0) {
     const int decimals = decimalsIn(volume);
-    lines << QObject::tr("mean ± standard deviation of %1 voxels").arg(figures.voxels)
+    lines << (figures.voxels == 1 ? QObject::tr("mean ± standard deviation of %1 voxel")
+                                  : QObject::tr("mean ± standard deviation of %1 voxels"))
+                 .arg(figures.voxels)
           << QObject::tr("from %1 to %2")
                  .arg(valueText(figures.lowest, {}, decimals),
                       valueText(figures.highest, unitIn(volume), decimals));

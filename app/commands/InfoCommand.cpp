@@ -63,7 +63,8 @@ void printText(const VolumeFacts& facts) {
   std::printf("type        %s, value = %s\n", voxelTypeName(volume.stored()).c_str(),
               rescaleText(volume.rescale()).c_str());
   std::printf("range       %.6g to %.6g%s\n", volume.range().lowest, volume.range().highest, unit.c_str());
-  std::printf("invalid     %zu voxels\n", volume.invalidVoxels());
+  std::printf("invalid     %zu %s\n", volume.invalidVoxels(),
+              volume.invalidVoxels() == 1 ? "voxel" : "voxels");
   std::printf("gradient    largest %.6g, 99.5th percentile %.6g %s\n", facts.gradientMax,
               facts.gradientPercentile, perMm.c_str());
   for (const SeriesSummary& series : facts.series)

@@ -84,9 +84,10 @@ QStringList remarksOn(const Volume& volume, const std::vector<Message>& notes) {
     remarks << translated(note);
   for (const Message& warning : volume.info().warnings)
     remarks << translated(warning);
-  if (volume.invalidVoxels() > 0)
-    remarks << QObject::tr("%L1 voxels hold no data and are shown as the smallest value.")
-                   .arg(volume.invalidVoxels());
+  if (const std::size_t invalid = volume.invalidVoxels(); invalid > 0)
+    remarks << (invalid == 1 ? QObject::tr("%L1 voxel holds no data and is shown as the smallest value.")
+                             : QObject::tr("%L1 voxels hold no data and are shown as the smallest value."))
+                   .arg(invalid);
   return remarks;
 }
 

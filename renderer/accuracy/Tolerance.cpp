@@ -364,7 +364,9 @@ Message describe(const WithinTolerance& found) {
   const Message steps =
       quality.fineness
           ? Message::tr("error-controlled steps of fineness %1").arg(Message::rounded(*quality.fineness, 3))
-          : Message::tr("equal steps of %1 voxels").arg(Message::rounded(quality.stepVoxels, 3));
+          : (quality.stepVoxels == 1.0 ? Message::tr("equal steps of %1 voxel")
+                                       : Message::tr("equal steps of %1 voxels"))
+                .arg(Message::rounded(quality.stepVoxels, 3));
   return (quality.ownWeights ? Message::tr("estimated within %1, with %2 and own weights between voxels")
                              : Message::tr("estimated within %1, with %2"))
       .arg(levelsText(found.estimateLevels), steps);

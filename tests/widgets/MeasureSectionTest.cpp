@@ -162,5 +162,15 @@ TEST(MeasureText, lengthsOfAnUnknownSpacingAreVoxels) {
             QStringLiteral("no angle: two places are one"));
 }
 
+TEST(MeasureText, oneVoxelIsOne) {
+  const auto details = [](std::size_t voxels) {
+    const Measured ellipse{{Kind::ellipse, PatientPlane::axial, {{0, 0, 0}, {1, 1, 0}}},
+                           {1.0, voxels, 7.0, 0.0, 7.0, 7.0}};
+    return measureDetails(ellipse, *phantomVolume({12.0, 0.0, 1}));
+  };
+  EXPECT_TRUE(details(1).contains(QStringLiteral("deviation of 1 voxel\n"))) << details(1).toStdString();
+  EXPECT_TRUE(details(2).contains(QStringLiteral("deviation of 2 voxels\n"))) << details(2).toStdString();
+}
+
 } // namespace
 } // namespace limn

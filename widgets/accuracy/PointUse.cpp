@@ -244,7 +244,8 @@ QString pointToolTip(const MeasuredPoint& point, const AccuracyReport& report) {
   QString rows;
   if (!point.point.toleranceLevels && !point.point.paths)
     rows +=
-        row(QObject::tr("Step"), QObject::tr("%1 voxels = %2 mm")
+        row(QObject::tr("Step"), (point.point.stepVoxels == 1.0 ? QObject::tr("%1 voxel = %2 mm")
+                                                                : QObject::tr("%1 voxels = %2 mm"))
                                      .arg(plainNumber(point.point.stepVoxels, 4),
                                           plainNumber(point.point.stepVoxels * report.smallestSpacingMm, 3)));
   rows += errorRow(reference, QObject::tr("Largest error"), point.error.largest, least);

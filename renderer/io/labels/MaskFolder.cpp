@@ -76,17 +76,26 @@ Message listOf(const std::vector<std::string>& names) {
 // Whether masks come by name, as those of a folder, or in the order in which they were chosen.
 enum class Order { byName, asChosen };
 
+Message overlapOf(std::size_t voxels, Order order) {
+  if (voxels == 1)
+    return order == Order::byName
+               ? Message::tr("%1 voxel lies in two masks and belongs to the one whose name comes last: to %2 "
+                             "and not to %3.")
+               : Message::tr("%1 voxel lies in two masks and belongs to the one that was opened last: to %2 "
+                             "and not to %3.");
+  return order == Order::byName
+             ? Message::tr("%1 voxels lie in two masks and belong to the one whose name comes last: to %2 "
+                           "and not to %3.")
+             : Message::tr("%1 voxels lie in two masks and belong to the one that was opened last: to %2 "
+                           "and not to %3.");
+}
+
 Message overlapIn(const MasksOnGrid& masks, Order order) {
   const auto& largest = masks.largestOverlap();
   if (!largest)
     return {};
   if (largest->voxels == masks.overlapping())
-    return (order == Order::byName
-                ? Message::tr("%1 voxels lie in two masks and belong to the one whose name comes last: to %2 "
-                              "and not to %3.")
-                : Message::tr("%1 voxels lie in two masks and belong to the one that was opened last: to %2 "
-                              "and not to %3."))
-        .arg(largest->voxels, largest->winner, largest->loser);
+    return overlapOf(largest->voxels, order).arg(largest->voxels, largest->winner, largest->loser);
   return (order == Order::byName
               ? Message::tr("%1 voxels lie in more than one mask and belong to the one whose name comes "
                             "last; most of them, %2, to %3 and not to %4.")
@@ -338,10 +347,13 @@ private:
       if (!isOpenedAgain || m_stay.empty() || mask.place == 0)
         continue;
       const std::size_t voxels = voxelsLost(*m_open.labels, mask.place, joined);
+      const Message lost =
+          voxels == 1 ? Message::tr("%1 voxel that %2 had before belongs to no mask now; open a mask "
+                                    "that has it, too, once more.")
+                      : Message::tr("%1 voxels that %2 had before belong to no mask now; open a "
+                                    "mask that has them, too, once more.");
       if (voxels > 0)
-        left = left.followedBy(" ", Message::tr("%1 voxels that %2 had before belong to no mask now; open a "
-                                                "mask that has them, too, once more.")
-                                        .arg(voxels, m_open.labels->labels()[mask.place].name));
+        left = left.followedBy(" ", lost.arg(voxels, m_open.labels->labels()[mask.place].name));
     }
     return left;
   }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 // What is open, what counts as saved and what it is called, without a window.
 
 namespace limn {
@@ -176,6 +178,20 @@ TEST_F(OpenDocumentTest, aSessionIsCalledAfterItsOwnFileAndNotAsItsVolume) {
   document.settleIn(QStringLiteral("/data/t1.limn.json"), document.described());
   EXPECT_EQ(labelOf(document), QStringLiteral("head.nii · CT 4×3×2"));
   EXPECT_EQ(labelOf(document, document.sessionFile()), QStringLiteral("t1.limn.json · CT 4×3×2"));
+}
+
+TEST(DocumentText, tellsOfOneVoxelWithoutDataAsOfOne) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const auto remark = [](std::vector<float> values) {
+    Grid grid;
+    grid.dims = {3, 1, 1};
+    return remarksOn(Volume(grid, std::move(values), {}, {}, {}), {}).join(QLatin1Char('\n'));
+  };
+  EXPECT_EQ(remark({1.0f, 2.0f, 3.0f}), QString());
+  EXPECT_EQ(remark({1.0f, none, 3.0f}),
+            QStringLiteral("1 voxel holds no data and is shown as the smallest value."));
+  EXPECT_EQ(remark({none, none, 3.0f}),
+            QStringLiteral("2 voxels hold no data and are shown as the smallest value."));
 }
 
 TEST_F(OpenDocumentTest, theSampleIsCalledSo) {

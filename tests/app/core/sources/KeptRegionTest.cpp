@@ -147,8 +147,9 @@ TEST_F(LabelledScene, aMaskComesToTheMasksThatAreOpenAndOtherLabelsReplaceThem) 
   Region& keep = loaded.scene.keep;
   keep = withLooks(keep, {{1, look}});
   const FoundRegion both = opened(keep, {"b.nrrd"}, *loaded.scene.volume);
-  EXPECT_EQ(both.remark.english(), "1 voxels lie in two masks and belong to the one that was opened last: to "
-                                   "b and not to a.");
+  EXPECT_EQ(both.remark.english(),
+            "1 voxel lies in two masks and belongs to the one that was opened last: to "
+            "b and not to a.");
   EXPECT_EQ(sourcesOf(both.region), (std::vector<std::string>{(folder.path() / "a.nrrd").string(),
                                                               (folder.path() / "b.nrrd").string()}));
   EXPECT_EQ(both.region.weights, (std::vector<double>{1.0, 0.5, 1.0})) << "as they were shown";
@@ -197,7 +198,7 @@ TEST_F(LabelledScene, aMaskComesToOpenOnesWhoseFilesHaveGone) {
   for (std::size_t voxel = 0; voxel < places.size(); ++voxel)
     EXPECT_EQ(three.region.labels->placeAt(voxel), places[voxel]) << voxel;
   EXPECT_EQ(three.remark.english(),
-            "1 voxels lie in two masks and belong to the one that was opened last: to "
+            "1 voxel lies in two masks and belongs to the one that was opened last: to "
             "c and not to a.");
 }
 
@@ -237,8 +238,8 @@ TEST_F(LabelledScene, aMaskThatIsSmallerThanBeforeTellsWhatItLeavesToNobody) {
   const FoundRegion smaller = opened(both, {"b.nrrd"}, volume);
   EXPECT_EQ(smaller.region.labels->placeAt(2), 0u);
   EXPECT_EQ(smaller.remark.english(),
-            "1 voxels that b had before belong to no mask now; open a mask that has "
-            "them, too, once more.");
+            "1 voxel that b had before belongs to no mask now; open a mask that has "
+            "it, too, once more.");
   EXPECT_EQ(opened(smaller.region, {"a.nrrd"}, volume).region.labels->placeAt(2), 2u) << "which helps";
 }
 
