@@ -20,6 +20,7 @@
 #include "widgets/controls/TrackSlider.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/PhysicalSection.h"
+#include "widgets/view/panels/PictureStatus.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,6 +29,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+
+#include <set>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -136,6 +140,30 @@ TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
   }
   ASSERT_TRUE(rest());
   test::expectShortTurns(heart, "while paths are followed", 100.0);
+}
+
+// Between two passes, of which each takes as long as all before it.
+TEST_F(PhysicalWindow, theErrorInTheStatusBarFallsWhileMorePathsAreFollowed) {
+  setLayout(CompareLayout::single);
+  choose(light(), 4);
+  ASSERT_TRUE(rest());
+  const auto& status = *window->findChild<PictureStatus*>();
+  std::set<double> told; // within one pass
+  int paths = 0;
+  const auto hasFallen = [&] {
+    const SideState& side = lastSide();
+    if (!side.onTheWay || !side.paths)
+      return false;
+    if (side.paths->paths != std::exchange(paths, side.paths->paths))
+      told.clear();
+    EXPECT_TRUE(told.empty() || *side.onTheWay->rmsLevels <= *told.begin()) << "it never rises";
+    told.insert(*side.onTheWay->rmsLevels);
+    EXPECT_LE(*told.rbegin(), *side.paths->rmsLevels);
+    EXPECT_TRUE(status.text().estimate.contains(levelsText(*side.onTheWay->rmsLevels)))
+        << status.text().estimate.toStdString();
+    return told.size() >= 3;
+  };
+  EXPECT_TRUE(test::waitUntil(hasFallen));
 }
 
 TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {

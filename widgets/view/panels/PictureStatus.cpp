@@ -336,6 +336,16 @@ QString engineText(const PictureState& state) {
   return drawsWithOpenGl(state.engine) ? QObject::tr("OpenGL") : QObject::tr("processor");
 }
 
+// A picture that gets more paths is told of as it is shown, which is better than the whole one before.
+PictureState asShown(PictureState state) {
+  for (SideState& side : state.sides)
+    if (side.onTheWay) {
+      side.paths = side.onTheWay;
+      side.estimate = estimateOf(*side.paths);
+    }
+  return state;
+}
+
 constexpr int partGap = 12; // between parts
 
 constexpr std::size_t badgePart = 0, estimatePart = 1, stepPart = 2, timePart = 3, enginePart = 4;
@@ -372,9 +382,10 @@ QString PictureStatusText::line() const {
   return parts.join(QStringLiteral(" · "));
 }
 
-PictureStatusText pictureStatusText(const PictureState& state, const Scene& scene) {
-  if (state.sides.empty())
+PictureStatusText pictureStatusText(const PictureState& told, const Scene& scene) {
+  if (told.sides.empty())
     return {};
+  const PictureState state = asShown(told);
   PictureStatusText text;
   text.badge = badgeText(state);
   text.estimate = estimateText(state);

@@ -11,10 +11,10 @@
 namespace limn {
 namespace {
 
-constexpr int showEveryMs = 200;          // while refining: showing costs as much as a turn of it
+constexpr int showEveryMs = 250;          // while refining: showing costs as much as a turn of it
 constexpr int tellEveryMs = 50;           // how far a volume is got ready
 constexpr int waitMs = 4;                 // for another thread
-constexpr double timeBetweenProbes = 9.0; // in times of one
+constexpr double timeBetweenProbes = 9.0; // in times of one; between judgements of paths, too
 
 } // namespace
 
@@ -291,6 +291,7 @@ RestTurn PictureLoop::restTurn() {
   }
   try {
     turn = m_pictures->workAtRest(m_order.refines, m_pace.restBudgetMs);
+    judgeWhatIsShown();
   } catch (const Cancelled&) {
     // An order came. Another one ends this, but it may be the same once more: then nothing else would go on.
     turn = RestTurn::waiting;
@@ -301,6 +302,17 @@ RestTurn PictureLoop::restTurn() {
   }
   m_context.doneCurrent();
   return turn;
+}
+
+// The error of a picture that gets more paths follows what is shown of it, in a tenth of the time at most.
+void PictureLoop::judgeWhatIsShown() {
+  if (m_sinceShown.elapsed() < showEveryMs)
+    return;
+  if (m_sinceJudged.isValid() && m_sinceJudged.elapsed() < (1.0 + timeBetweenProbes) * m_judgedInMs)
+    return;
+  m_sinceJudged.start();
+  m_pictures->judgePass();
+  m_judgedInMs = static_cast<double>(m_sinceJudged.elapsed());
 }
 
 const SidePicture* PictureLoop::resting(int side) const {

@@ -95,6 +95,7 @@ private:
   void probeError();
   void workAtRest();
   RestTurn restTurn();
+  void judgeWhatIsShown();
   bool isDriverLost();
   void tellEffects(std::vector<EffectRow> rows);
 
@@ -113,6 +114,8 @@ private:
   QTimer m_lightTimer; ///< until the light of a coarse picture is found
   QTimer m_probeTimer; ///< from a coarse picture to the measure of its error
   QElapsedTimer m_sinceShown;
+  QElapsedTimer m_sinceJudged;    ///< a picture that gets more paths; valid once one was
+  double m_judgedInMs = 0.0;      ///< what that took
   QElapsedTimer m_sincePreparing; ///< valid while a volume is being got ready
   QElapsedTimer m_sinceTold;      ///< how far that is; valid once it was
 };

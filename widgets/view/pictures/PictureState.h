@@ -48,7 +48,8 @@ struct SideState {
   std::optional<ErrorByChance> chance;   ///< of the error of what is shown, once it is final
   std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
   bool isLightMeasured = true;           ///< false: what a grid of light is off by is in no figure told
-  std::optional<PathFigures> paths{};    ///< of what is shown, where light is physical
+  std::optional<PathFigures> paths{};    ///< of the picture at rest, where light is physical
+  std::optional<PathFigures> onTheWay{}; ///< of what is shown while it gets more paths: rows of two pictures
   std::optional<double> msPerPath{};     ///< drawing time of a path of each pixel, where light is physical
   bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
@@ -66,6 +67,13 @@ inline std::optional<double> levelsOf(const SideState& side) {
   if (side.measuredLevels || !side.estimate)
     return side.measuredLevels;
   return side.estimate->p99_9;
+}
+
+/// The error that paths tell of their picture.
+inline std::optional<ErrorEstimate> estimateOf(const PathFigures& paths) {
+  if (!paths.rmsLevels || !paths.p99_9Levels)
+    return std::nullopt;
+  return ErrorEstimate{*paths.p99_9Levels, *paths.rmsLevels, 1.0};
 }
 
 /// The quality with which a side at rest is drawn as it stands on screen, refined or not; `asked` is its

@@ -114,9 +114,8 @@ SideState Pictures::stateOf(int index) const {
     state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
   if (isPhysical(side.scene())) {
     state.paths = m_refinement.paths(index).value_or(PathFigures{side.shownPaths(), {}, {}});
-    state.estimate.reset();
-    if (state.paths->rmsLevels)
-      state.estimate = ErrorEstimate{*state.paths->p99_9Levels, *state.paths->rmsLevels, 1.0};
+    state.onTheWay = m_refinement.pathsOnTheWay(index);
+    state.estimate = estimateOf(*state.paths);
     state.isRough = false;
     state.msPerPath = side.msPerPath();
   }

@@ -56,6 +56,8 @@ public:
   /// `refines`, pictures of smaller steps, then what chance says of their error; where that is more than a
   /// screen hides, pictures of a smaller tolerance, and the same of these.
   RestTurn workAtRest(bool refines, double budgetMs);
+  /// Finds how far pictures that get more paths are off as they are shown by now (`SideState::onTheWay`).
+  void judgePass() { m_refinement.judgePass(*m_engine, sides()); }
   void leaveRefinementPass() { m_refinement.leavePass(sides()); }
   void giveUpRefinement() {
     leaveRefinementPass();

@@ -53,6 +53,10 @@ public:
   /// Draws sides anew that were drawn while their light was being found, once that is there, as `step` does.
   RestTurn completeLight(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
 
+  /// Finds of pictures that get more paths how far off they are as they are shown by now, which passes alone
+  /// tell late: each takes as long as all before it. Takes as long as some strips.
+  void judgePass(DrawingEngine& engine, std::span<const SidePicture> sides);
+
   /// Looks for the road.
   bool isSearching() const { return m_search.has_value(); }
 
@@ -75,6 +79,10 @@ public:
   /// physical and before the first pass.
   std::optional<PathFigures> paths(int side) const;
 
+  /// The same of the picture as it is shown while it gets more, in part that of the pass: fewest paths and
+  /// their error, as last judged, which within a pass never rises; absent before that.
+  std::optional<PathFigures> pathsOnTheWay(int side) const;
+
   const std::optional<RefinementEnd>& end() const { return m_end; }
 
   /// The pictures adopted see their transfer functions, whatever they were drawn with before.
@@ -87,9 +95,10 @@ private:
   struct Side {
     std::vector<ImageError> halvings; ///< the differences that the passes made
     ErrorEstimate steps;
-    ImageError ofFilter;                ///< where the steps are halved; a tolerance has it counted
-    std::optional<ErrorEstimate> whole; ///< with early ends and filter, once a pass is adopted
-    std::optional<PathFigures> paths;   ///< of physical light
+    ImageError ofFilter;                 ///< where the steps are halved; a tolerance has it counted
+    std::optional<ErrorEstimate> whole;  ///< with early ends and filter, once a pass is adopted
+    std::optional<PathFigures> paths;    ///< of physical light
+    std::optional<PathFigures> onTheWay; ///< during a pass, of those and of what it has drawn
     std::shared_ptr<Job> job;
   };
 

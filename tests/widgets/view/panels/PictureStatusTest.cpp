@@ -244,6 +244,10 @@ TEST(PictureStatusText, ofPhysicalLightTellsItsPathsAndTheirError) {
   EXPECT_EQ(text.step, QStringLiteral("random paths, refining"));
   EXPECT_TRUE(text.toolTip.contains(QStringLiteral("64 paths of each pixel"))) << text.toolTip.toStdString();
   EXPECT_FALSE(text.toolTip.contains(QStringLiteral("step"))) << text.toolTip.toStdString();
+  side.onTheWay = PathFigures{64, 1.1, 3.1};
+  const PictureStatusText onTheWay = pictureStatusText(state, {});
+  EXPECT_EQ(onTheWay.estimate, QStringLiteral("within 1.1 levels RMS after 64 paths"));
+  EXPECT_TRUE(onTheWay.toolTip.contains(QStringLiteral("within 3.1"))) << onTheWay.toolTip.toStdString();
 }
 
 } // namespace

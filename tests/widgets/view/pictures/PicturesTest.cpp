@@ -16,6 +16,7 @@
 #include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/StepSearch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -179,6 +180,50 @@ void passes(Pictures& pictures, int count) {
       turn = pictures.workAtRest(true, 5.0);
       ASSERT_NE(turn, RestTurn::nothing);
     }
+}
+
+// A pass takes as long as all before it: meanwhile the error is that of the rows as they are shown.
+TEST(PicturesInMemory, ofPhysicalLightTellTheirErrorStripByStrip) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  finish(pictures, {phantomWith(ShadingModel::physical)});
+  passes(pictures, 1);
+  std::vector<double> told;
+  while (told.size() < 3) { // a fast machine draws the first passes in one strip
+    const SideState before = pictures.state().sides[0];
+    EXPECT_FALSE(before.onTheWay);
+    told = {*before.paths->rmsLevels};
+    for (RestTurn turn = RestTurn::worked; turn != RestTurn::finished;) {
+      turn = pictures.workAtRest(true, 0.0); // a strip a turn
+      ASSERT_NE(turn, RestTurn::nothing);
+      pictures.judgePass();
+      const SideState state = pictures.state().sides[0];
+      if (turn == RestTurn::finished)
+        continue;
+      EXPECT_EQ(state.paths, before.paths) << "what would be saved";
+      EXPECT_EQ(levelsOf(state), levelsOf(before));
+      if (state.onTheWay && *state.onTheWay->rmsLevels != told.back())
+        told.push_back(*state.onTheWay->rmsLevels);
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(told, std::greater())) << "it never rises";
+    const SideState after = pictures.state().sides[0];
+    EXPECT_EQ(after.paths->paths, 2 * before.paths->paths);
+    EXPECT_NEAR(*after.paths->rmsLevels, told.back(), 0.02 * told.back()) << "its last strip was drawn";
+  }
+}
+
+// Without the pass that is left stands the picture before it, with its own figures.
+TEST(PicturesInMemory, ofPhysicalLightAreAsTheyWereWhereAPassIsLeft) {
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  finish(pictures, {phantomWith(ShadingModel::physical)});
+  passes(pictures, 1);
+  while (!pictures.state().sides[0].onTheWay) {
+    ASSERT_EQ(pictures.workAtRest(true, 0.0), RestTurn::worked);
+    pictures.judgePass();
+  }
+  pictures.leaveRefinementPass();
+  EXPECT_FALSE(pictures.state().sides[0].onTheWay);
+  pictures.judgePass();
+  EXPECT_FALSE(pictures.state().sides[0].onTheWay) << "nothing is drawn";
 }
 
 // Exposed otherwise it is there at once, with all that was found; then it goes on.
