@@ -4,11 +4,13 @@
 #include "app/WindowHarness.h"
 #include "app/files/exports/ExportDialog.h"
 #include "app/files/saving/PictureDialog.h"
+#include "widgets/controls/NumberField.h"
 
 #include <QComboBox>
 #include <QLabel>
 
 #include <set>
+#include <utility>
 
 namespace limn::test {
 
@@ -35,6 +37,21 @@ inline void expectOneKeyEachOfSizes(PictureDialog& dialog) {
   for (const PictureOptions::Size size : {PictureOptions::Size::print, PictureOptions::Size::pixels}) {
     dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(static_cast<int>(size));
     expectOneKeyEach(dialog);
+  }
+}
+
+/// Asks for a picture of so many pixels, by hand: opens the lock of the shape and types both.
+inline void askForPixels(PictureDialog& dialog, const char* width, const char* height) {
+  auto* size = dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"));
+  size->setCurrentIndex(static_cast<int>(PictureOptions::Size::pixels));
+  auto* lock = dialog.findChild<QToolButton*>(QStringLiteral("pictureShape"));
+  if (lock->isChecked())
+    QTest::mouseClick(lock, Qt::LeftButton);
+  for (const auto& [name, text] : {std::pair("pictureWidthPixels", width), {"pictureHeightPixels", height}}) {
+    auto* field = dialog.findChild<NumberField*>(QLatin1String(name));
+    field->selectAll();
+    QTest::keyClicks(field, QLatin1String(text));
+    field->commit();
   }
 }
 

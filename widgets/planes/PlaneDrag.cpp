@@ -74,19 +74,32 @@ PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& th
   return frame;
 }
 
-PlaneFrame scaledBy(PlaneFrame frame, double scale) {
-  if (scale == 1.0)
-    return frame; // to the bit
-  PlaneGrid& grid = frame.grid;
+// Of pixels that lie 1 / `scale` as far apart, about the same middle.
+static PlaneGrid drawnAnew(PlaneGrid grid, const glm::ivec2& size, double scale) {
   const auto place = [&grid](const glm::dvec2& pixel) {
     return grid.originMm + grid.spacingMm * (pixel.x * grid.axes.right + pixel.y * grid.axes.down);
   };
   const glm::dvec3 middle = place((glm::dvec2(grid.size) - 1.0) / 2.0);
-  grid.size = glm::max(glm::ivec2(glm::round(glm::dvec2(grid.size) * scale)), 1);
+  grid.size = size;
   grid.spacingMm /= scale;
-  frame.pixelRatio *= scale;
   const glm::dvec2 half = (glm::dvec2(grid.size) - 1.0) / 2.0;
   grid.originMm = middle - grid.spacingMm * (half.x * grid.axes.right + half.y * grid.axes.down);
+  return grid;
+}
+
+PlaneFrame scaledBy(PlaneFrame frame, double scale) {
+  if (scale == 1.0)
+    return frame; // to the bit
+  const glm::ivec2 size = glm::max(glm::ivec2(glm::round(glm::dvec2(frame.grid.size) * scale)), 1);
+  frame.grid = drawnAnew(frame.grid, size, scale);
+  frame.pixelRatio *= scale;
+  return frame;
+}
+
+PlaneFrame shapedAs(PlaneFrame frame, const glm::ivec2& size) {
+  const glm::dvec2 scale = glm::dvec2(size) / glm::dvec2(frame.grid.size);
+  frame.grid = drawnAnew(frame.grid, size, scale.y);
+  frame.pixelRatio *= std::max(scale.x, scale.y);
   return frame;
 }
 

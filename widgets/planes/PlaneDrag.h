@@ -35,6 +35,10 @@ PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& th
 /// The same of a picture that has `scale` > 0 times as many pixels each way.
 PlaneFrame scaledBy(PlaneFrame frame, double scale);
 
+/// The same about the same middle in a picture of another shape (pixels): its height shows as much as before,
+/// its width what fits. Logical pixels stay as large in it, of whichever side has become smaller.
+PlaneFrame shapedAs(PlaneFrame frame, const glm::ivec2& size);
+
 /// Between the world and points of the view, logical pixels. What is seen at a point lies in the plane.
 QPointF pointOf(const PlaneFrame& frame, const glm::dvec3& worldMm);
 glm::dvec3 worldAt(const PlaneFrame& frame, const QPointF& point);

@@ -5,14 +5,17 @@
 #include "app/files/saving/DrawingTime.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/TimeLeft.h"
+#include "widgets/theme/Icons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -26,6 +29,7 @@ constexpr double narrowestCm = 2.0;
 constexpr double widestCm = 60.0;
 constexpr int narrowest = 16;      // pixels
 constexpr int longestSide = 16384; // of a picture in a file, pixels: more than drivers draw at once
+constexpr int tallest = 99999;     // that a height is told of, which follows from a width
 constexpr int askedAgainMs = 250;
 constexpr int changesPaths = 2; // what the dialog ends with beside Accepted and Rejected
 
@@ -35,7 +39,11 @@ QString wordOf(int number) {
 
 } // namespace
 
-double scaleOf(const PictureOptions& options, int screenWidth) {
+bool hasOwnShape(const PictureOptions& options) {
+  return options.size == PictureOptions::Size::pixels && !options.keepsShape;
+}
+
+double scaleOf(const PictureOptions& options, const QSize& screen) {
   switch (options.size) {
   case PictureOptions::Size::screen:
     return 1.0;
@@ -44,11 +52,18 @@ double scaleOf(const PictureOptions& options, int screenWidth) {
   case PictureOptions::Size::fourTimes:
     return 4.0;
   case PictureOptions::Size::print:
-    return options.printCm / cmPerInch * printDotsPerInch / std::max(1, screenWidth);
+    return options.printCm / cmPerInch * printDotsPerInch / std::max(1, screen.width());
   case PictureOptions::Size::pixels:
-    return double(options.widthPixels) / std::max(1, screenWidth);
+    return options.keepsShape ? double(options.widthPixels) / std::max(1, screen.width())
+                              : double(options.heightPixels) / std::max(1, screen.height());
   }
   return 1.0;
+}
+
+QSize sizeInFile(const PictureOptions& options, const QSize& screen, int beside) {
+  const double scale = scaleOf(options, screen);
+  const double width = hasOwnShape(options) ? options.widthPixels : screen.width() * scale;
+  return {beside * std::max(1, qRound(width / beside)), std::max(1, qRound(screen.height() * scale))};
 }
 
 QString writtenOptions(const PictureOptions& options) {
@@ -57,7 +72,7 @@ QString writtenOptions(const PictureOptions& options) {
                     wordOf(static_cast<int>(options.ground))};
   for (const bool mark : {marks.names, marks.letters, marks.scale, marks.warning, marks.measurements})
     words << wordOf(mark ? 1 : 0);
-  words << wordOf(options.widthPixels);
+  words << wordOf(options.widthPixels) << wordOf(options.heightPixels) << wordOf(options.keepsShape ? 1 : 0);
   return words.join(QLatin1Char(' '));
 }
 
@@ -74,8 +89,10 @@ PictureOptions readOptions(const QString& text) {
   int at = 3;
   for (bool* mark : {&marks.names, &marks.letters, &marks.scale, &marks.warning, &marks.measurements})
     *mark = words[at++].toInt() != 0;
-  if (const int width = words.value(at).toInt(); width >= narrowest && width <= longestSide)
-    options.widthPixels = width;
+  for (int* side : {&options.widthPixels, &options.heightPixels})
+    if (const int pixels = words.value(at++).toInt(); pixels >= narrowest && pixels <= longestSide)
+      *side = pixels;
+  options.keepsShape = words.value(at) != QStringLiteral("0");
   return options;
 }
 
@@ -94,24 +111,13 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
                              PictureKind kind, const DrawingTold& told)
     : QDialog(parent), m_screen(screen), m_told(told), m_size(new QComboBox(this)),
       m_cm(new NumberField(narrowestCm, widestCm, 1, this)),
-      m_width(new NumberField(narrowest, longestSide, 0, this)), m_ground(new QComboBox(this)),
-      m_pixels(new QLabel(this)) {
+      m_width(new NumberField(narrowest, longestSide, 0, this)),
+      m_height(new NumberField(narrowest, longestSide, 0, this)), m_shape(new QToolButton(this)),
+      m_ground(new QComboBox(this)), m_pixels(new QLabel(this)) {
   setObjectName(QStringLiteral("pictureDialog"));
   setWindowTitle(kind == PictureKind::slice ? tr("Save the slice") : tr("Save the picture"));
-  m_size->setObjectName(QStringLiteral("pictureSize"));
   m_pixels->setObjectName(QStringLiteral("picturePixels"));
-  m_size->addItems({tr("As on screen"), tr("Twice as large"), tr("Four times as large"),
-                    tr("For print, 300 dpi"), tr("Width in pixels")});
-  m_size->setCurrentIndex(static_cast<int>(options.size));
-  m_cm->setObjectName(QStringLiteral("pictureWidth"));
-  m_cm->setSuffix(QChar(0x00a0) + tr("cm"));
-  m_cm->setAccessibleName(tr("Width on paper"));
-  m_cm->setNumber(options.printCm);
-  m_width->setObjectName(QStringLiteral("pictureWidthPixels"));
-  m_width->setSuffix(QChar(0x00a0) + tr("pixels"));
-  m_width->setAccessibleName(tr("Width in pixels"));
-  m_width->setToolTip(tr("The height follows from the shape of the picture."));
-  m_width->setNumber(options.widthPixels);
+  prepareSize(options);
   m_ground->setObjectName(QStringLiteral("pictureGround"));
   m_ground->addItems({tr("As on screen"), tr("White"), tr("Black"), tr("Transparent")});
   m_ground->setCurrentIndex(static_cast<int>(options.ground));
@@ -123,6 +129,8 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   form->addRow(tr("Si&ze"), m_size);
   form->addRow(tr("&Width"), m_cm);
   form->addRow(tr("&Width"), m_width);
+  form->addRow(tr("&Height"), m_height);
+  form->addRow(QString(), m_shape);
   form->addRow(QString(), m_pixels);
   if (!told.paths.isEmpty())
     addPaths(*form);
@@ -151,18 +159,70 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   column->setSizeConstraint(QLayout::SetFixedSize); // no gap where a row goes
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  const auto show = [this, form] {
-    const auto size = static_cast<PictureOptions::Size>(m_size->currentIndex());
-    form->setRowVisible(m_cm, size == PictureOptions::Size::print);
-    form->setRowVisible(m_width, size == PictureOptions::Size::pixels);
-    tellSize();
-  };
   m_again.setSingleShot(true);
   connect(&m_again, &QTimer::timeout, this, &PictureDialog::tellSize);
-  connect(m_size, &QComboBox::currentIndexChanged, this, show);
-  for (const NumberField* width : {m_cm, m_width})
-    connect(width, &NumberField::numberEdited, this, &PictureDialog::tellSize);
-  show();
+  connect(m_size, &QComboBox::currentIndexChanged, this, [this, form] { showSize(*form); });
+  for (const NumberField* side : {m_cm, m_width, m_height})
+    connect(side, &NumberField::numberEdited, this, &PictureDialog::tellSize);
+  connect(m_shape, &QToolButton::toggled, this, [this, form] { showSize(*form); });
+  showSize(*form);
+}
+
+void PictureDialog::prepareSize(const PictureOptions& options) {
+  m_size->setObjectName(QStringLiteral("pictureSize"));
+  m_size->addItems({tr("As on screen"), tr("Twice as large"), tr("Four times as large"),
+                    tr("For print, 300 dpi"), tr("Size in pixels")});
+  m_size->setCurrentIndex(static_cast<int>(options.size));
+  m_cm->setObjectName(QStringLiteral("pictureWidth"));
+  m_cm->setSuffix(QChar(0x00a0) + tr("cm"));
+  m_cm->setAccessibleName(tr("Width on paper"));
+  m_cm->setNumber(options.printCm);
+  m_width->setObjectName(QStringLiteral("pictureWidthPixels"));
+  m_width->setAccessibleName(tr("Width in pixels"));
+  m_width->setNumber(options.widthPixels);
+  m_height->setObjectName(QStringLiteral("pictureHeightPixels"));
+  m_height->setAccessibleName(tr("Height in pixels"));
+  m_height->setNumber(options.heightPixels);
+  for (NumberField* side : {m_width, m_height}) {
+    side->setSuffix(QChar(0x00a0) + tr("pixels"));
+    side->setToolTip(tr("From %1 to %2 pixels.").arg(narrowest).arg(longestSide));
+  }
+  m_shape->setObjectName(QStringLiteral("pictureShape"));
+  m_shape->setText(tr("Shape of the &view"));
+  m_shape->setToolTip(
+      tr("Locked: the height follows from the width. Unlocked: the picture shows as much from top to "
+         "bottom as on screen, and at the sides what fits."));
+  m_shape->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_shape->setCheckable(true);
+  m_shape->setChecked(options.keepsShape);
+}
+
+// A height that follows is told, whatever it is; one that is chosen lies within what can be drawn.
+void PictureDialog::showSize(QFormLayout& form) {
+  const auto size = static_cast<PictureOptions::Size>(m_size->currentIndex());
+  const bool isInPixels = size == PictureOptions::Size::pixels;
+  form.setRowVisible(m_cm, size == PictureOptions::Size::print);
+  form.setRowVisible(m_width, isInPixels);
+  form.setRowVisible(m_height, isInPixels);
+  form.setRowVisible(m_shape, isInPixels);
+  const bool isFree = !m_shape->isChecked();
+  m_height->setEnabled(isFree);
+  m_height->setLimits(isFree ? narrowest : 1, isFree ? longestSide : tallest, 0);
+  if (isFree)
+    m_height->setNumber(std::clamp(m_height->number(), double(narrowest), double(longestSide)));
+  showLock();
+  tellSize();
+}
+
+void PictureDialog::showLock() {
+  m_shape->setIcon(themedIcon(m_shape->isChecked() ? QStringLiteral("lock") : QStringLiteral("lock-open"),
+                              m_shape->palette()));
+}
+
+void PictureDialog::changeEvent(QEvent* event) {
+  QDialog::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange)
+    showLock();
 }
 
 void PictureDialog::addRemark(QFormLayout& form) {
@@ -199,6 +259,8 @@ PictureOptions PictureDialog::options() const {
   options.size = static_cast<PictureOptions::Size>(m_size->currentIndex());
   options.printCm = m_cm->number();
   options.widthPixels = qRound(m_width->number());
+  options.heightPixels = qRound(m_height->number());
+  options.keepsShape = m_shape->isChecked();
   options.ground = static_cast<PictureOptions::Ground>(m_ground->currentIndex());
   options.marks = {m_marks[0]->isChecked(), m_marks[1]->isChecked(), m_marks[2]->isChecked(),
                    m_marks[3]->isChecked(), m_marks[4]->isChecked()};
@@ -206,10 +268,10 @@ PictureOptions PictureDialog::options() const {
 }
 
 void PictureDialog::tellSize() {
-  const double scale = scaleOf(options(), m_screen.width());
-  const int beside = m_told.beside; // each is drawn by itself, in whole pixels
-  const QSize size(beside * qRound(m_screen.width() * scale / beside), qRound(m_screen.height() * scale));
-  const std::optional<double> known = m_told.seconds ? m_told.seconds(scale) : 0.0;
+  const QSize size = sizeInFile(options(), m_screen, m_told.beside);
+  if (m_shape->isChecked())
+    m_height->setNumber(size.height());
+  const std::optional<double> known = m_told.seconds ? m_told.seconds(size) : 0.0;
   const double seconds = known.value_or(0.0);
   const bool fits = std::max(size.width(), size.height()) <= longestSide;
   const QString pixels = tr("%1 × %2 pixels").arg(size.width()).arg(size.height());

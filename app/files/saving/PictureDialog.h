@@ -15,6 +15,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QToolButton;
 
 namespace limn {
 
@@ -27,8 +28,10 @@ struct PictureOptions {
   enum class Ground { shown, white, black, transparent };
 
   Size size = Size::screen;
-  double printCm = 17.0;  ///< its width on paper, > 0; of `print` alone
-  int widthPixels = 1920; ///< > 0; of `pixels` alone
+  double printCm = 17.0;   ///< its width on paper, > 0; of `print` alone
+  int widthPixels = 1920;  ///< > 0; of `pixels` alone, as are those that follow
+  int heightPixels = 1080; ///< > 0; where it need not keep the shape
+  bool keepsShape = true;  ///< that it has on screen: the height follows from the width
   Ground ground = Ground::shown;
   SavedMarks marks;
   bool operator==(const PictureOptions&) const = default;
@@ -37,8 +40,15 @@ struct PictureOptions {
 /// Dots per inch of a picture for print, as journals ask for.
 inline constexpr double printDotsPerInch = 300.0;
 
-/// By what a picture that has this width on screen is larger in its file.
-double scaleOf(const PictureOptions& options, int screenWidth);
+/// Whether a picture has another shape in its file than on screen: about the same middle its height shows as
+/// much as there, as with `limn render --size`, and its width what fits.
+bool hasOwnShape(const PictureOptions& options);
+
+/// By what things are larger in the file of a picture that has this size on screen.
+double scaleOf(const PictureOptions& options, const QSize& screen);
+
+/// The pixels of its file; `beside`: so many pictures of one size share its width, in whole pixels each.
+QSize sizeInFile(const PictureOptions& options, const QSize& screen, int beside = 1);
 
 /// The options as one line of words and numbers for the settings, and back; what is not understood is as
 /// usual.
@@ -53,9 +63,9 @@ enum class PictureKind { view, slice };
 
 /// What is told of drawing a picture beside what is asked of it.
 struct DrawingTold {
-  /// How long one takes that is larger by `scale`, s; absent where nobody knows yet: it is asked again until
-  /// somebody does. Empty: it takes no time.
-  std::function<std::optional<double>(double scale)> seconds = {};
+  /// How long one of a size takes, s; absent where nobody knows yet: it is asked again until somebody does.
+  /// Empty: it takes no time.
+  std::function<std::optional<double>(const QSize& size)> seconds = {};
   int beside = 1;                         ///< so many pictures of one size stand beside each other in it
   QString remark = {};                    ///< on what is saved; empty: nothing need be said
   QString paths = {};                     ///< of physical light: how far it is drawn; empty: there is none
@@ -74,7 +84,13 @@ public:
 
   PictureOptions options() const;
 
+protected:
+  void changeEvent(QEvent* event) override;
+
 private:
+  void prepareSize(const PictureOptions& options);
+  void showSize(QFormLayout& form);
+  void showLock();
   void addRemark(QFormLayout& form);
   void addPaths(QFormLayout& form);
   void addMark(const char* name, const QString& text, bool isOn);
@@ -85,7 +101,9 @@ private:
   QTimer m_again; ///< until it is asked again how long drawing takes
   QComboBox* m_size;
   NumberField* m_cm;
-  NumberField* m_width; ///< pixels
+  NumberField* m_width;  ///< pixels
+  NumberField* m_height; ///< pixels
+  QToolButton* m_shape;  ///< a lock: closed it keeps the shape
   QComboBox* m_ground;
   QLabel* m_pixels;
   std::vector<QCheckBox*> m_marks; ///< in the order of SavedMarks

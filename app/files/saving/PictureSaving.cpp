@@ -103,14 +103,19 @@ DrawingTold PictureSaving::told(const std::vector<Scene>& asked) {
     told.remark =
         tr("The 3D picture is saved without the slices: a right click on a slice saves that one, and "
            "File ▸ Save figure puts both in one file.");
-  told.beside = m_context.view.compareLayout() == CompareLayout::sideBySide ? 2 : 1;
+  const ViewGeometry& geometry = m_context.view.order().geometry;
+  const glm::ivec2 onScreen = savedSize(geometry);
+  told.beside = standingCount(geometry);
   told.changePaths = [this] { emit pathsWanted(); };
-  told.seconds = [this, asked](double scale) -> std::optional<double> {
+  told.seconds = [this, asked,
+                  screen = QSize(onScreen.x, onScreen.y)](const QSize& size) -> std::optional<double> {
+    const double timesThePixels =
+        double(size.width()) * size.height() / (double(screen.width()) * screen.height());
     const std::vector<SideState> sides = m_context.view.pictureState().sides; // of now: they go on
     double all = 0.0;
-    bool isOnScreen = scale == 1.0;
+    bool isOnScreen = size == screen;
     for (std::size_t side = 0; side < asked.size() && side < sides.size(); ++side) {
-      const std::optional<double> seconds = secondsToDraw(asked[side], sides[side], scale * scale);
+      const std::optional<double> seconds = secondsToDraw(asked[side], sides[side], timesThePixels);
       if (!seconds)
         return std::nullopt;
       all += *seconds;

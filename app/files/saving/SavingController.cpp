@@ -219,8 +219,10 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
       return m_context.notes.sayFailure(tr("The picture is not complete yet; save it again once it is."));
     sides.push_back(*picture);
   }
-  const double scale = scaleOf(options, savedSize(view.order().geometry).x);
-  bool isOnScreen = scale == 1.0;
+  const int beside = standingCount(view.order().geometry);
+  const glm::ivec2 onScreen = savedSize(view.order().geometry);
+  const QSize screen(onScreen.x, onScreen.y), size = sizeInFile(options, screen, beside);
+  bool isOnScreen = size == screen;
   std::vector<Scene> scenes;
   const PictureState shown = view.pictureState();
   for (std::size_t side = 0; side < sides.size(); ++side) {
@@ -238,7 +240,7 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   if (options.size == PictureOptions::Size::print)
     file.dotsPerInch = printDotsPerInch;
   else if (!isOnScreen) // on paper it is as large as on screen
-    file.dotsPerInch = scale * view.logicalDpiX() * view.devicePixelRatioF();
+    file.dotsPerInch = scaleOf(options, screen) * view.logicalDpiX() * view.devicePixelRatioF();
   SceneDocument document = documentOf(scene, volumeInPicture());
   document.measurements = m_context.session.measurements();
   document.sides = sidesOf(view.order().comparison);
@@ -248,8 +250,7 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
       sayGround(path, options);
     return;
   }
-  const glm::dvec2 size = glm::dvec2(sides.front().size) * scale;
-  drawPicture(file, scenes, glm::max(glm::ivec2(1), glm::ivec2(glm::round(size))));
+  drawPicture(file, scenes, {size.width() / beside, size.height()});
 }
 
 void SavingController::drawPicture(const PictureFile& file, const std::vector<Scene>& scenes,

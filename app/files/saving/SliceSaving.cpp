@@ -67,7 +67,13 @@ void SliceSaving::save(PatientPlane plane) {
       m_context.settings);
   if (path.isEmpty())
     return;
-  slice.frame = scaledBy(slice.frame, scaleOf(*options, screen.x));
+  if (hasOwnShape(*options)) {
+    const QSize size = sizeInFile(*options, {screen.x, screen.y});
+    slice.frame = shapedAs(slice.frame, {size.width(), size.height()});
+    slice.size = QSizeF(size) / slice.frame.pixelRatio;
+  } else {
+    slice.frame = scaledBy(slice.frame, scaleOf(*options, {screen.x, screen.y}));
+  }
   const double dots = options->size == PictureOptions::Size::print ? printDotsPerInch : 0.0;
   m_writing.start([this, slice = std::move(slice), marks = options->marks, path,
                    dots](const Effort&) -> BackgroundWork::Deliver {

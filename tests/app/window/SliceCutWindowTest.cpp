@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/DialogKeys.h"
 #include "app/WindowHarness.h"
 #include "app/picture/CutController.h"
 #include "app/picture/PictureArea.h"
@@ -397,6 +398,22 @@ TEST_F(SliceCutWindow, aSliceIsSavedAsLargeAsAskedForAndSaysThatItIsNotForDiagno
   EXPECT_NEAR(mmPerLogicalPixel(twice), mmPerLogicalPixel(seen.frame), 1e-12);
   const glm::dvec3 middle = crosshairOf(seen.content);
   EXPECT_NEAR(QLineF(pointOf(twice, middle), pointOf(seen.frame, middle)).length(), 0.0, 1e-9);
+}
+
+TEST_F(SliceCutWindow, aSliceIsSavedInAnotherShapeAboutTheSameMiddle) {
+  const SeenSlice seen{axial().content(), PatientPlane::axial, axial().frame(), axial().size(),
+                       axial().font()};
+  onceAsked<PictureDialog>([](PictureDialog& dialog) {
+    test::askForPixels(dialog, "300", "300");
+    dialog.accept();
+  });
+  typeName(pathTo("square"));
+  window->findChild<PictureArea*>()->sliceSaveChosen(PatientPlane::axial);
+  ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "square.png"); }));
+  SeenSlice square = seen;
+  square.frame = shapedAs(seen.frame, {300, 300});
+  square.size = QSizeF(300, 300) / square.frame.pixelRatio;
+  EXPECT_EQ(QImage(pathTo("square.png")).convertToFormat(QImage::Format_RGB32), slicePicture(square, {}));
 }
 
 TEST_F(SliceCutWindow, aDistanceOfASliceStandsInThePictureAndIsLedInTheSlice) {

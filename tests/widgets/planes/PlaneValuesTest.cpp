@@ -33,6 +33,23 @@ TEST(PlaneFrame, showsAllOfTheVolumeAndLeadsThereAndBack) {
     }
 }
 
+TEST(PlaneFrame, inAnotherShapeShowsItsHeightAboutItsMiddle) {
+  const auto volume = test::countingVolume({60, 50, 20}, {1.0, 1.0, 2.0});
+  const PlaneFrame seen =
+      planeFrame(volume->grid(), PatientPlane::coronal, {29, 24, 18}, {320, 200}, 1.5, std::nullopt);
+  const auto middle = [](const PlaneFrame& frame) {
+    return pixelToWorld(frame.grid, (glm::dvec2(frame.grid.size) - 1.0) / 2.0);
+  };
+  for (const glm::ivec2& size : {glm::ivec2(512, 512), glm::ivec2(900, 100)}) {
+    const PlaneFrame shaped = shapedAs(seen, size);
+    EXPECT_EQ(shaped.grid.size, size);
+    EXPECT_NEAR(glm::distance(middle(shaped), middle(seen)), 0.0, 1e-9);
+    EXPECT_NEAR(shaped.grid.spacingMm * size.y, seen.grid.spacingMm * seen.grid.size.y, 1e-9);
+  }
+  EXPECT_DOUBLE_EQ(shapedAs(seen, {512, 512}).pixelRatio, 1.5 * 512.0 / 300.0) << "as high as it was";
+  EXPECT_DOUBLE_EQ(shapedAs(seen, {900, 100}).pixelRatio, 1.5 * 900.0 / 480.0) << "as wide as it was";
+}
+
 TEST(PlanePictures, outlineTheKeptRegionAndTintOnlyIt) {
   const auto volume = test::countingVolume({20, 20, 3}, {1.0, 1.0, 1.0});
   PlaneContent content = test::contentOf(volume);

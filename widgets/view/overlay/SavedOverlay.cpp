@@ -81,18 +81,28 @@ Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks) {
   return overlay;
 }
 
+OverlaySource inFile(OverlaySource source, const QSize& size) {
+  ViewGeometry& geometry = source.geometry;
+  const double scale = std::max(static_cast<double>(size.width()) / geometry.size.width(),
+                                static_cast<double>(size.height()) / geometry.size.height());
+  const int height = std::max(1, qRound(size.height() / scale));
+  const double aspect = static_cast<double>(size.width()) / size.height();
+  geometry.size = QSize(std::max(1, qRound(height * aspect)), height);
+  geometry.hasGap = false;
+  return source;
+}
+
 QImage savedMarksImage(const OverlaySource& source, const SavedMarks& marks, const QSize& size) {
   QImage image(size, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
-  const QSize view = source.geometry.size;
-  if (image.isNull() || view.isEmpty())
+  if (image.isNull() || source.geometry.size.isEmpty())
     return image;
+  const OverlaySource shown = inFile(source, size);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
-  // One factor for both ways: a column between two pictures is missing in the file.
-  const double factor = static_cast<double>(size.height()) / view.height();
+  const double factor = static_cast<double>(size.height()) / shown.geometry.size.height();
   painter.scale(factor, factor);
-  paintOverlay(painter, savedOverlay(source, marks));
+  paintOverlay(painter, savedOverlay(shown, marks));
   return image;
 }
 

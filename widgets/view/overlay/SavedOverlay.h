@@ -26,8 +26,12 @@ inline constexpr SavedMarks noMarks{false, false, false, false, false};
 /// a tool or to the state of the work.
 Overlay savedOverlay(const OverlaySource& source, const SavedMarks& marks);
 
-/// The marks of a view alone, on nothing, in a picture of this size (pixels) of which they cover as much as
-/// of the view.
+/// The same over what a file of this size (pixels) shows, of whatever shape: as large as a view that is as
+/// high as the one there is, or as wide where that is flatter. Pictures beside each other have half of it
+/// each.
+OverlaySource inFile(OverlaySource source, const QSize& size);
+
+/// The marks of a view alone, on nothing, in a picture of this size (pixels), as large in it as in the view.
 QImage savedMarksImage(const OverlaySource& source, const SavedMarks& marks, const QSize& size);
 
 } // namespace limn

@@ -31,7 +31,8 @@ std::vector<PixelRect> pictureRects(const ViewGeometry& geometry) {
   if (size.y < 1)
     return {};
   if (geometry.layout == CompareLayout::sideBySide) {
-    const int width = (size.x - static_cast<int>(std::lround(pictureGap * geometry.pixelRatio))) / 2;
+    const double gap = geometry.hasGap ? pictureGap * geometry.pixelRatio : 0.0;
+    const int width = (size.x - static_cast<int>(std::lround(gap))) / 2;
     if (width < 1)
       return {};
     return {{{0, 0}, {width, size.y}}, {{size.x - width, 0}, {width, size.y}}};

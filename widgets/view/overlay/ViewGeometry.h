@@ -20,6 +20,7 @@ struct ViewGeometry {
   double wipe = 0.5;       ///< where the border of the wipe lies, as a fraction of the width
   QSize size;              ///< of the view, logical pixels
   double pixelRatio = 1.0; ///< device pixels per logical one, each way
+  bool hasGap = true;      ///< between pictures side by side; in a file they touch
   bool operator==(const ViewGeometry&) const = default;
 };
 
@@ -27,8 +28,8 @@ struct ViewGeometry {
 glm::ivec2 deviceSize(const ViewGeometry& geometry);
 
 /// Where the pictures lie, device pixels, y down; in `wipe` and `difference` both fill the view. Side by side
-/// they are equal in size, with two logical pixels between them (one device pixel more where the width is
-/// odd). Empty where the view is too small to show them.
+/// they are equal in size, with a gap of two logical pixels between them (one device pixel more where the
+/// width is odd). Empty where the view is too small to show them.
 std::vector<PixelRect> pictureRects(const ViewGeometry& geometry);
 
 /// Where the picture at `position` (0 left, 1 right) lies, logical pixels; the view where it is too small.

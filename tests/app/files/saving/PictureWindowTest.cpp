@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/DialogKeys.h"
 #include "app/WindowHarness.h"
+#include "app/core/drawing/PictureMaker.h"
+#include "app/core/sources/SceneSource.h"
 #include "io/ImageFile.h"
 #include "widgets/controls/NumberField.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QMessageBox>
@@ -47,6 +50,14 @@ protected:
       if (button->text() == QStringLiteral("Dismiss"))
         return QTest::mouseClick(button, Qt::LeftButton);
     FAIL() << "no button to dismiss it";
+  }
+
+  // The picture of a scene as the command line writes it.
+  QImage drawn(const Scene& scene, const glm::ivec2& size) {
+    canvas().doneCurrent(); // makes room for the command line's context
+    const Image picture = makePictures({scene}, size, Engine::rayCaster, 1).front().image;
+    writeImage(folder.path() / "drawn.png", picture, scene.image.background, {});
+    return QImage(pathTo("drawn.png"));
   }
 
   QToolButton& stopButton() { return *window->findChild<QToolButton*>(QStringLiteral("stopWaiting")); }
@@ -305,7 +316,7 @@ TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
 TEST_F(SavedPicture, theTimeToDrawIsToldAsSoonAsItIsKnown) {
   std::optional<double> known;
   DrawingTold told;
-  told.seconds = [&known](double) { return known; };
+  told.seconds = [&known](const QSize&) { return known; };
   PictureDialog dialog({}, {640, 480}, window.get(), PictureKind::view, told);
   const auto& pixels = *dialog.findChild<QLabel*>(QStringLiteral("picturePixels"));
   EXPECT_EQ(pixels.text(), QStringLiteral("640 × 480 pixels, the time to draw is being estimated"));
@@ -338,7 +349,7 @@ TEST_F(SavedPicture, isAsWideInPixelsAsAskedForAndKeepsItsShape) {
     QString promised;
     onceAsked<PictureDialog>([&](PictureDialog& dialog) {
       auto* size = dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"));
-      size->setCurrentIndex(size->findText(QStringLiteral("Width in pixels")));
+      size->setCurrentIndex(size->findText(QStringLiteral("Size in pixels")));
       auto* field = dialog.findChild<NumberField*>(QStringLiteral("pictureWidthPixels"));
       EXPECT_TRUE(field->isVisible());
       EXPECT_FALSE(dialog.findChild<NumberField*>(QStringLiteral("pictureWidth"))->isVisible());
@@ -360,6 +371,92 @@ TEST_F(SavedPicture, isAsWideInPixelsAsAskedForAndKeepsItsShape) {
   setLayout(CompareLayout::sideBySide);
   ASSERT_TRUE(rest());
   EXPECT_NEAR(save("two.png", QStringLiteral("701")).width(), 701, 1) << "two of one width";
+}
+
+TEST_F(SavedPicture, hasAShapeOfItsOwnOnceThatIsUnlocked) {
+  PictureDialog dialog({.size = PictureOptions::Size::pixels, .marks = {}}, {640, 480}, window.get());
+  dialog.show();
+  const auto& lock = *dialog.findChild<QToolButton*>(QStringLiteral("pictureShape"));
+  const auto& pixels = *dialog.findChild<QLabel*>(QStringLiteral("picturePixels"));
+  const auto& height = *dialog.findChild<NumberField*>(QStringLiteral("pictureHeightPixels"));
+  EXPECT_TRUE(lock.isChecked()) << "at first";
+  EXPECT_FALSE(height.isEnabled()) << "it follows";
+  EXPECT_EQ(height.number(), 1440.0) << "from 1920 pixels";
+  EXPECT_TRUE(height.toolTip().contains(QStringLiteral("16384"))) << height.toolTip().toStdString();
+  askForPixels(dialog, "512", "300");
+  EXPECT_TRUE(height.isEnabled());
+  EXPECT_EQ(pixels.text(), QStringLiteral("512 × 300 pixels"));
+  EXPECT_EQ(sizeInFile(dialog.options(), {640, 480}), QSize(512, 300));
+  EXPECT_EQ(sizeInFile(dialog.options(), {640, 480}, 2), QSize(512, 300));
+  askForPixels(dialog, "511", "8");
+  EXPECT_FALSE(height.refusal().isEmpty()) << "none that low is drawn";
+  EXPECT_EQ(pixels.text(), QStringLiteral("511 × 300 pixels"));
+  EXPECT_EQ(sizeInFile(dialog.options(), {640, 480}, 2), QSize(512, 300)) << "whole pixels of each";
+  QTest::mouseClick(const_cast<QToolButton*>(&lock), Qt::LeftButton);
+  EXPECT_EQ(pixels.text(), QStringLiteral("511 × 383 pixels"));
+  EXPECT_EQ(height.number(), 383.0);
+}
+
+// About the same middle, as high as on screen: what the command line draws of the scene in that size.
+TEST_F(SavedPicture, ofAnotherShapeIsWhatTheCommandLineDrawsInItsSize) {
+  const Camera camera = scene().camera;
+  onceAsked<PictureDialog>([](PictureDialog& dialog) {
+    askForPixels(dialog, "512", "512");
+    for (const char* mark : {"pictureNames", "pictureLetters", "pictureScale", "pictureWarning"})
+      dialog.findChild<QCheckBox*>(QLatin1String(mark))->setChecked(false);
+    dialog.findChild<QCheckBox*>(QStringLiteral("pictureMeasurements"))->setChecked(false);
+    QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
+  });
+  typeName(pathTo("square.png"));
+  action(QStringLiteral("Save &picture…"))->trigger();
+  const QImage square = written("square.png");
+  ASSERT_EQ(square.size(), QSize(512, 512));
+  const Scene inside = loadScene((folder.path() / "square.png").string(), {}, {}).scene;
+  EXPECT_EQ(inside.camera, camera) << "a scene that says its camera keeps it";
+  EXPECT_EQ(drawn(inside, {512, 512}), square);
+  bool isKept = false;
+  onceAsked<PictureDialog>([&isKept](PictureDialog& dialog) {
+    isKept = sizeInFile(dialog.options(), {640, 480}) == QSize(512, 512);
+    dialog.reject();
+  });
+  action(QStringLiteral("Save &picture…"))->trigger();
+  EXPECT_TRUE(isKept) << "with the other answers";
+}
+
+TEST_F(SavedPicture, ofTwoInAnotherShapeHasHalfOfItForEach) {
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  const QImage both = saved("both.png", {.size = PictureOptions::Size::pixels,
+                                         .widthPixels = 600,
+                                         .heightPixels = 200,
+                                         .keepsShape = false,
+                                         .marks = noMarks});
+  ASSERT_EQ(both.size(), QSize(600, 200));
+  for (const int side : {0, 1})
+    EXPECT_EQ(drawn(view().sceneOfRestingImage(side), {300, 200}), both.copy(300 * side, 0, 300, 200))
+        << side;
+}
+
+TEST_F(SavedPicture, ofAnotherShapeHasItsMarksAtItsOwnEdges) {
+  PictureOptions options{.size = PictureOptions::Size::pixels,
+                         .widthPixels = 400,
+                         .heightPixels = 400,
+                         .keepsShape = false,
+                         .marks = noMarks};
+  const QImage bare = saved("bare.png", options);
+  options.marks.warning = true;
+  const QImage warned = saved("warned.png", options);
+  ASSERT_EQ(warned.size(), QSize(400, 400));
+  QRect changed;
+  for (int y = 0; y < bare.height(); ++y)
+    for (int x = 0; x < bare.width(); ++x)
+      if (bare.pixel(x, y) != warned.pixel(x, y))
+        changed |= QRect(x, y, 1, 1);
+  ASSERT_FALSE(changed.isEmpty());
+  EXPECT_GT(changed.left(), 100);
+  EXPECT_GT(changed.right(), 350);
+  EXPECT_LT(changed.right(), 399) << "none of it is cut off";
+  EXPECT_GT(changed.top(), 300);
 }
 
 TEST_F(SavedPicture, saysWhereItsSlicesAreNotInTheFile) {
@@ -445,8 +542,13 @@ TEST(WrittenOptions, comeBackAsTheyWere) {
   options.widthPixels = 1234;
   EXPECT_EQ(readOptions(writtenOptions(options)), options);
   options.widthPixels = PictureOptions{}.widthPixels;
-  const QString withoutWidth = writtenOptions(options).section(QLatin1Char(' '), 0, -2);
-  EXPECT_EQ(readOptions(withoutWidth), options) << "as they were written before";
+  for (const int words : {-2, -3, -4}) { // as they were written before there were shape, height, width
+    const QString before = writtenOptions(options).section(QLatin1Char(' '), 0, words);
+    EXPECT_EQ(readOptions(before), options) << before.toStdString();
+  }
+  options.heightPixels = 512;
+  options.keepsShape = false;
+  EXPECT_EQ(readOptions(writtenOptions(options)), options);
   EXPECT_EQ(readOptions(QStringLiteral("what is this")), PictureOptions{});
 }
 
