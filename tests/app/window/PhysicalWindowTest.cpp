@@ -58,7 +58,7 @@ protected:
     QCoreApplication::processEvents();
     QTest::mouseClick(control, Qt::LeftButton);
   }
-  const SideState& lastSide() { return view().pictureState().sides.back(); }
+  SideState lastSide() { return view().pictureState().sides.back(); }
   [[nodiscard]] bool workEnds() {
     return test::waitUntil([this] { return accuracy().work() == AccuracyWork::none; });
   }
@@ -144,6 +144,7 @@ TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
 
 // Between two passes, of which each takes as long as all before it.
 TEST_F(PhysicalWindow, theErrorInTheStatusBarFallsWhileMorePathsAreFollowed) {
+  view().setRefinesAtRest(true);
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());
@@ -151,7 +152,7 @@ TEST_F(PhysicalWindow, theErrorInTheStatusBarFallsWhileMorePathsAreFollowed) {
   std::set<double> told; // within one pass
   int paths = 0;
   const auto hasFallen = [&] {
-    const SideState& side = lastSide();
+    const SideState side = lastSide();
     if (!side.onTheWay || !side.paths)
       return false;
     if (side.paths->paths != std::exchange(paths, side.paths->paths))

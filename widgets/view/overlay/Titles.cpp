@@ -158,7 +158,8 @@ QString sideTitle(const Comparison& comparison, int side) {
   return QStringLiteral("%1 · %2").arg(QString::fromStdString(name), title);
 }
 
-QStringList sideDetails(const Scene& scene, const SideState& state) {
+QStringList sideDetails(const Scene& scene, const SideState& told) {
+  const SideState state = asShown(told);
   QStringList parts;
   if (state.measuredLevels)
     parts << QObject::tr("within %1 levels").arg(promisedLevels(*state.measuredLevels));

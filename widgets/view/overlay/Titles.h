@@ -23,7 +23,7 @@ QString sideTitle(const Comparison& comparison, int side);
 
 /// The few numbers that matter for a side, the most important first: error and drawing time where they are
 /// known, then how it is lit: "SP 32" or "SP 1–64 · O 0–3". Of projections that are not lit it says so.
-QStringList sideDetails(const Scene& scene, const SideState& state);
+QStringList sideDetails(const Scene& scene, const SideState& told);
 
 /// A label and where it stands.
 struct PlacedLabel {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -336,13 +337,9 @@ QString engineText(const PictureState& state) {
   return drawsWithOpenGl(state.engine) ? QObject::tr("OpenGL") : QObject::tr("processor");
 }
 
-// A picture that gets more paths is told of as it is shown, which is better than the whole one before.
 PictureState asShown(PictureState state) {
   for (SideState& side : state.sides)
-    if (side.onTheWay) {
-      side.paths = side.onTheWay;
-      side.estimate = estimateOf(*side.paths);
-    }
+    side = asShown(std::move(side));
   return state;
 }
 

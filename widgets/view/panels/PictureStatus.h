@@ -31,7 +31,7 @@ struct PictureStatusText {
 };
 
 /// Of pictures in that state, of a scene.
-PictureStatusText pictureStatusText(const PictureState& state, const Scene& scene);
+PictureStatusText pictureStatusText(const PictureState& told, const Scene& scene);
 
 /// A step in units of the smallest voxel spacing: "1/16 voxel", "0.3 voxel", "2 voxels".
 QString stepText(double stepVoxels);

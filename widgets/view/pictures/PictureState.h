@@ -76,6 +76,16 @@ inline std::optional<ErrorEstimate> estimateOf(const PathFigures& paths) {
   return ErrorEstimate{*paths.p99_9Levels, *paths.rmsLevels, 1.0};
 }
 
+/// A side as it is told of: one that gets more paths as it stands on screen, where it is better than the
+/// whole picture before.
+inline SideState asShown(SideState side) {
+  if (!side.onTheWay)
+    return side;
+  side.paths = side.onTheWay;
+  side.estimate = estimateOf(*side.paths);
+  return side;
+}
+
 /// The quality with which a side at rest is drawn as it stands on screen, refined or not; `asked` is its
 /// scene's.
 inline Quality qualityShown(Quality asked, const SideState& side) {

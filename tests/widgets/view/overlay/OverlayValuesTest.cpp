@@ -78,6 +78,10 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   EXPECT_EQ(sideDetails(scene, state).first(), QStringLiteral("within 0.92 levels"))
       << "as the status bar says";
   state.chance.reset();
+  state.onTheWay = PathFigures{64, 0.1, 0.3};
+  EXPECT_EQ(sideDetails(scene, state).first(), QStringLiteral("within 0.3 levels"))
+      << "as it is shown by now";
+  state.onTheWay.reset();
   scene.shading.gradientSmoothing = 4.55;
   EXPECT_EQ(sideDetails(scene, state).last(),
             QStringLiteral("SP 1–64 · O 0–3 · normals smoothed by 4.55 mm"));
