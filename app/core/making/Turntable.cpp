@@ -112,9 +112,9 @@ std::string endingOf(const fs::path& path) {
 
 void makeFolderFor(const fs::path& folder) {
   if (const Message why = makeFolders(folder); !why.empty())
-    throw Error(Error::Kind::other, Message::tr("The folder %1 cannot be made (%2); choose another one.")
-                                        .arg(folder.string())
-                                        .arg(why));
+    throw Error(
+        Error::Kind::other,
+        Message::tr("The folder %1 cannot be made (%2); choose another one.").arg(folder.string()).arg(why));
 }
 
 } // namespace
