@@ -93,8 +93,9 @@ void EffectCosts::planPicture() {
 
 void EffectCosts::addWhatIsOff(const CostedDrawing& drawing) {
   assert(m_next == 0);
+  const SceneFacts facts = drawing.factsOf(m_scene);
   for (std::size_t row = 0; row < m_rows.size(); ++row)
-    if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row]);
+    if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row], facts);
         with && drawing.canDraw(*with)) {
       m_variants.push_back({row, *with, m_scene, m_rows[row].effects, true, {}, {}});
       const std::size_t last = m_variants.size() - 1;
