@@ -319,6 +319,36 @@ TEST_F(SessionWindow, aSignalToEndLeavesNothingWhereNothingIsUnsaved) {
   EXPECT_TRUE(UnsavedSessions(sessions()).kept().empty());
 }
 
+// Closing asks about a picture that is in no file; nobody is there to answer once the system ends.
+TEST_F(SessionWindow, aSignalToEndWhileClosingAsksKeepsAllThatClosingDoes) {
+  const auto isArrangementKept = [this] {
+    return !Settings(UserFolders::below(folder.path()).settings).windowGeometry().isEmpty();
+  };
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")) && rest());
+  dragAPoint();
+  PictureOptions options;
+  options.size = PictureOptions::Size::twice;
+  ASSERT_TRUE(rest());
+  saving().writePicture(pathTo("gone/picture.png"), options);
+  ASSERT_TRUE(test::waitUntil([this] { return !saving().unwritten().isEmpty(); }));
+  ASSERT_FALSE(isArrangementKept());
+  bool isAsked = false;
+  onceAsked<QMessageBox>([&](QMessageBox& box) {
+    isAsked = box.objectName() == QStringLiteral("stillDrawing");
+    window->endUnasked();
+    box.reject(); // as the end of the event loop does
+  });
+  window->close();
+  EXPECT_TRUE(isAsked);
+  EXPECT_FALSE(window->isVisible());
+  EXPECT_TRUE(isArrangementKept());
+  window = newWindow();
+  window->keepSessions();
+  EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr) << "it did not crash";
+  EXPECT_EQ(UnsavedSessions(sessions()).kept().size(), 1u);
+}
+
 TEST_F(SessionWindow, closingWithUnsavedChangesAsksNothingAndLosesNothing) {
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
