@@ -127,13 +127,16 @@ void SavingController::saveSession() {
   if (answer == ChangedFile::replaced)
     writeSession(file);
   else if (answer == ChangedFile::savedElsewhere)
-    saveSessionAs();
+    askForSession(freePathBeside(file));
 }
 
 void SavingController::saveSessionAs() {
-  const QString suggested = m_context.document.sessionFile().isEmpty()
-                                ? suggestedName(m_context.document) + QStringLiteral("-session.limn.json")
-                                : m_context.document.sessionFile();
+  askForSession(m_context.document.sessionFile().isEmpty()
+                    ? suggestedName(m_context.document) + QStringLiteral("-session.limn.json")
+                    : m_context.document.sessionFile());
+}
+
+void SavingController::askForSession(const QString& suggested) {
   const QString path = askWhereToSave(
       &m_context.window,
       {tr("Save the session"), suggested, {tr("Limn session (*.limn.json)"), tr("Any JSON file (*.json)")}},

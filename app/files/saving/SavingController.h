@@ -58,6 +58,7 @@ signals:
   void drawing(const QString& sentence);
 
 private:
+  void askForSession(const QString& suggested);
   struct Arrangement;
   struct PictureFile;
   struct Unwritten;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/EndSignals.h"
 #include "app/WindowHarness.h"
+#include "app/asking/FileDialogs.h"
 #include "support/FileBytes.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/presets/PresetBrowser.h"
@@ -212,6 +213,30 @@ TEST_F(SessionWindow, aSessionThatAnotherWindowSavedMeanwhileIsReplacedOnlyWhere
   fs::remove(file);
   save(); // nothing there is lost
   EXPECT_TRUE(fs::exists(file));
+}
+
+// Of what is saved beside it the name is another, or it would be asked whether to replace it once more.
+TEST_F(SessionWindow, besideASessionThatChangedMeanwhileAFreeNameIsSuggested) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  saving().writeSession(pathTo("mine.json"));
+  const fs::path file = folder.path() / "mine.json";
+  test::writeBytes(file, test::bytesOfFile(file) + "\n");
+  const auto suggested = [this] {
+    QString name;
+    answerChanged(QMessageBox::AcceptRole);
+    onceAsked<QFileDialog>([&name](QFileDialog& dialog) {
+      name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+      dialog.reject();
+    });
+    save();
+    return name;
+  };
+  EXPECT_EQ(suggested(), QStringLiteral("mine 2.json"));
+  test::writeBytes(folder.path() / "mine 2.json", "taken");
+  EXPECT_EQ(suggested(), QStringLiteral("mine 3.json"));
+  EXPECT_EQ(freePathBeside(pathTo("mine 2.json")), pathTo("mine 3.json"));
+  EXPECT_EQ(freePathBeside(pathTo("head.limn.json")), pathTo("head 2.limn.json"));
+  EXPECT_EQ(freePathBeside(pathTo("head 2024.json")), pathTo("head 2024 2.json"));
 }
 
 // What a crash left knows which state of its file it came from.
