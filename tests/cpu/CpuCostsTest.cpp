@@ -128,6 +128,34 @@ TEST(CpuCosts, ofShiftedSamplesAreNotToldWhereNoSampleIsLeftToShift) {
   EXPECT_FALSE(measured(renderer, scene).wouldCosts[static_cast<std::size_t>(jitter)]);
 }
 
+class WatchedCosts : public CpuCosts {
+public:
+  WatchedCosts(CpuRenderer& renderer, bool& isGone) : CpuCosts(renderer), m_isGone(isGone) {}
+  ~WatchedCosts() override { m_isGone = true; }
+
+private:
+  bool& m_isGone;
+};
+
+// What is measured stands as long as its picture; the voxels that light of its own was found in do not.
+TEST(CpuCosts, whatDrewGoesOnceAllIsMeasured) {
+  const Scene scene = foggyHead();
+  CpuRenderer renderer(1);
+  bool isGone = false;
+  const auto measurement =
+      measurementOf(std::make_unique<WatchedCosts>(renderer, isGone), scene, costSize, renderer.plan(scene));
+  while (!measurement->figures().isComplete) {
+    EXPECT_FALSE(isGone);
+    measurement->step();
+  }
+  EXPECT_TRUE(isGone);
+  const EffectFigures figures = measurement->figures();
+  EXPECT_FALSE(figures.method.empty());
+  EXPECT_FALSE(figures.costs.empty());
+  measurement->step();
+  EXPECT_EQ(measurement->figures().costs, figures.costs) << "there is nothing left to do";
+}
+
 // Counts the whole pictures that are asked for.
 class CountedCosts : public CpuCosts {
 public:
