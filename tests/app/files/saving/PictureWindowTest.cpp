@@ -287,7 +287,8 @@ TEST_F(SavedPicture, ofThoseThatCouldNotBeWrittenTheOldestGoWhereTheyHaveNoRoomA
   EXPECT_TRUE(test::waitUntil([&volume] { return volume.expired(); })) << "its volume is not kept";
 }
 
-// Of two sides each has its half of the way: what is told rises once, and through the middle.
+// What is told rises once, however often it is: that each side has its half of the way stands in
+// PictureProgress.
 TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
   setLayout(CompareLayout::sideBySide);
   ASSERT_TRUE(rest());
@@ -302,9 +303,8 @@ TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
   options.size = PictureOptions::Size::print;
   options.printCm = 40.0; // 4,724 pixels
   ASSERT_FALSE(saved("two.png", options).isNull());
+  EXPECT_FALSE(percents.empty()) << "the first that is known is told at once";
   EXPECT_TRUE(std::ranges::is_sorted(percents));
-  EXPECT_TRUE(std::ranges::any_of(percents, [](int percent) { return percent > 30 && percent < 70; }))
-      << "between the end of the first and the start of the second";
 }
 
 TEST_F(SavedPicture, isNotLostByQuittingUnasked) {
