@@ -186,9 +186,10 @@ void MainWindow::closeVolume() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!m_asks)
-    return end();
-  if (!m_files.mayQuit() || !m_files.safety().mayLeave()) {
+  const bool mayEnd = !m_asks || (m_files.mayQuit() && m_files.safety().mayLeave());
+  if (!m_asks) // or no longer: the system ended it while it was asked
+    return;
+  if (!mayEnd) {
     event->ignore();
     return;
   }
@@ -200,7 +201,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::endUnasked() {
   const bool isKept = !m_files.safety().keepUnsaved();
   m_asks = false;
-  close();
+  end();
+  close(); // does nothing within a question of closing, which then closes
   if (isKept)
     m_files.safety().end();
 }

@@ -199,6 +199,25 @@ QString withEnding(const QString& path, const QStringList& filters, const QStrin
          endingsOf(chosen.isEmpty() ? filters.value(0) : chosen).value(0);
 }
 
+QString freePathBeside(const QString& path) {
+  const QFileInfo file(path);
+  QString ending = endingAmong({QStringLiteral("limn.json"), file.suffix()}, path);
+  if (!ending.isEmpty())
+    ending.prepend(QLatin1Char('.'));
+  QString stem = file.fileName().chopped(ending.size());
+  int number = 2;
+  static const QRegularExpression numbered(QStringLiteral("^(.+) (\\d{1,2})$")); // not a year
+  if (const QRegularExpressionMatch match = numbered.match(stem); match.hasMatch()) {
+    stem = match.captured(1);
+    number = match.captured(2).toInt() + 1;
+  }
+  for (;; ++number) {
+    const QString name = stem + QLatin1Char(' ') + QString::number(number) + ending;
+    if (const QString free = file.dir().filePath(name); !QFileInfo::exists(free))
+      return free;
+  }
+}
+
 namespace {
 
 // Without a folder for pictures the home folder: an empty one would be that of the program.

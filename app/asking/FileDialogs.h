@@ -52,6 +52,10 @@ struct SaveQuestion {
 /// offer several, anything that looks like one (letters alone), which whoever writes may refuse.
 QString withEnding(const QString& path, const QStringList& filters, const QString& chosen);
 
+/// A path in the same folder at which nothing lies yet: "head.limn.json" → "head 2.limn.json", →
+/// "head 3.limn.json".
+QString freePathBeside(const QString& path);
+
 /// Asks where to save, from the folder where the last dialog ended, until the file is new or may be replaced.
 /// The path has its ending; empty where nobody wants to save.
 QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& settings);

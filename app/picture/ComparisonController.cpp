@@ -204,8 +204,9 @@ void ComparisonController::noteSlices() {
 
 bool ComparisonController::eventFilter(QObject* watched, QEvent* event) {
   const ViewOrder& order = m_context.view.order();
-  if (watched == &m_context.view && event->type() == QEvent::MouseButtonPress &&
-      order.comparison.layout != CompareLayout::single)
+  const CompareLayout layout = order.comparison.layout;
+  const bool hasSides = layout == CompareLayout::sideBySide || layout == CompareLayout::wipe;
+  if (watched == &m_context.view && event->type() == QEvent::MouseButtonPress && hasSides)
     m_workedIn = sideAt(order, static_cast<QMouseEvent*>(event)->position());
   if (watched == &m_context.view && event->type() == QEvent::Resize && !m_compared.isAsked &&
       layoutWithRoom() != m_context.view.compareLayout())
@@ -313,10 +314,13 @@ void ComparisonController::swapSides() {
   if (!m_compared.look) {
     const ShadingModel left = std::exchange(m_compared.left, m_compared.right.shown);
     m_compared.right.choose(left);
-    if (m_workedIn)
-      m_workedIn = 1 - *m_workedIn;
+    turnWorkedIn();
     show();
-    return note(before, text);
+    if (const ComparisonState after = m_compared; after != before)
+      m_context.session.undoStack().push(new ComparisonEdit(
+          text, [this, before, after] { showSwapped(before, after); },
+          [this, before, after] { showSwapped(after, before); }));
+    return;
   }
   const ComparedLook both = *comparedLook();
   const Scene scene = m_context.session.scene();
@@ -342,6 +346,17 @@ void ComparisonController::swapSides() {
   show();
   note(before, text);
   steps.endMacro();
+}
+
+// What was worked in goes along with its model, also on the way back.
+void ComparisonController::showSwapped(const ComparisonState& wanted, const ComparisonState& other) {
+  turnWorkedIn();
+  showCompared(wanted, other);
+}
+
+void ComparisonController::turnWorkedIn() {
+  if (m_workedIn)
+    m_workedIn = 1 - *m_workedIn;
 }
 
 void ComparisonController::takeSnapshot() {

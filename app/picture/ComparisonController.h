@@ -96,6 +96,9 @@ private:
   void note(const ComparisonState& before, const QString& text);
   /// Shows one of the two states between which a step leads; the layout where the step changed it.
   void showCompared(const ComparisonState& wanted, const ComparisonState& other);
+  /// The same of a step that swaps two models.
+  void showSwapped(const ComparisonState& wanted, const ComparisonState& other);
+  void turnWorkedIn(); ///< it is the other side
   void followModel(const Scene& scene);
   QString ownName() const; ///< of the preset in use; empty where there is none
   void showOneOfBoth(ShadingModel model);

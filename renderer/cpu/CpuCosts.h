@@ -13,6 +13,7 @@ public:
   explicit CpuCosts(CpuRenderer& renderer) : m_renderer(renderer) {}
 
   bool useLightOf(const Scene& scene) override;
+  SceneFacts factsOf(const Scene& scene) const override { return m_renderer.sceneFacts(scene); }
   bool canDraw(const Scene& scene) const override;
   void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override;
   Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override;

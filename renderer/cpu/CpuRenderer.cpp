@@ -61,9 +61,13 @@ CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace, Weights weights, To
 }
 
 EffectPlan CpuRenderer::plan(const Scene& scene, const std::function<bool()>& isCancelled) {
+  return requiredEffects(scene, sceneFacts(scene, isCancelled));
+}
+
+SceneFacts CpuRenderer::sceneFacts(const Scene& scene, const std::function<bool()>& isCancelled) {
   m_data.update(scene, isCancelled);
   m_limitation = stepLimitation(scene, mostSamples);
-  return requiredEffects(scene, m_data.facts(scene));
+  return m_data.facts(scene);
 }
 
 Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,

@@ -72,6 +72,9 @@ public:
   /// What the scene calls for and why. Reads the volume where it is not the one drawn last.
   EffectPlan plan(const Scene& scene, const std::function<bool()>& isCancelled = {});
 
+  /// On which that depends beside the scene's own numbers.
+  SceneFacts sceneFacts(const Scene& scene, const std::function<bool()>& isCancelled = {});
+
   /// Reads the scene's volume, on this renderer's threads; tells `effort` how far it is. Throws Cancelled.
   void makeReady(const Scene& scene, const Effort& effort) { m_data.makeReady(scene, effort); }
   double steepestPerMm() { return m_data.steepestPerMm(); }

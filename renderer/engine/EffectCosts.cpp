@@ -17,10 +17,17 @@ public:
     m_costs.addWhatIsOff(*m_drawing);
   }
 
-  void step() override { m_costs.step(*m_drawing); }
+  // What drew goes with the last step: it may hold the voxels once more, for light of its own.
+  void step() override {
+    if (!m_drawing || m_costs.step(*m_drawing))
+      return;
+    m_method = m_drawing->method();
+    m_drawing.reset();
+  }
 
   EffectFigures figures() const override {
-    EffectFigures figures{m_costs.isComplete(), m_costs.fraction(), {}, 0.0, m_drawing->method()};
+    EffectFigures figures{
+        m_costs.isComplete(), m_costs.fraction(), {}, 0.0, m_drawing ? m_drawing->method() : m_method};
     figures.isWaiting = m_costs.isWaiting();
     if (figures.isComplete) {
       figures.costs = m_costs.costs();
@@ -31,8 +38,9 @@ public:
   }
 
 private:
-  std::unique_ptr<CostedDrawing> m_drawing;
+  std::unique_ptr<CostedDrawing> m_drawing; // null once all is measured
   EffectCosts m_costs;
+  std::string m_method;
 };
 
 } // namespace
@@ -93,8 +101,9 @@ void EffectCosts::planPicture() {
 
 void EffectCosts::addWhatIsOff(const CostedDrawing& drawing) {
   assert(m_next == 0);
+  const SceneFacts facts = drawing.factsOf(m_scene);
   for (std::size_t row = 0; row < m_rows.size(); ++row)
-    if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row]);
+    if (const std::optional<Scene> with = withUsualEffect(m_scene, m_rows[row], facts);
         with && drawing.canDraw(*with)) {
       m_variants.push_back({row, *with, m_scene, m_rows[row].effects, true, {}, {}});
       const std::size_t last = m_variants.size() - 1;

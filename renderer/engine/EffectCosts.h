@@ -24,6 +24,9 @@ public:
   /// known.
   virtual bool useLightOf(const Scene& scene) = 0;
 
+  /// On which the effects of a scene depend beside its own numbers.
+  virtual SceneFacts factsOf(const Scene& scene) const = 0;
+
   /// Whether it draws such a scene at all.
   virtual bool canDraw(const Scene&) const { return true; }
 

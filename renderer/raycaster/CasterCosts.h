@@ -16,6 +16,7 @@ public:
   explicit CasterCosts(RayCaster& caster) : m_caster(caster) {}
 
   bool useLightOf(const Scene& scene) override;
+  SceneFacts factsOf(const Scene& scene) const override { return m_caster.sceneFacts(scene); }
   bool canDraw(const Scene& scene) const override;
   void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override;
   Image picture(const Scene& scene, EffectSet leftOut, const glm::ivec2& size) override;

@@ -54,6 +54,7 @@ struct RayCaster::Parts {
   std::optional<EffectSet> leftOut;
 
   Parts(const Decisions& chosen, const VolumeRoom& room);
+  SceneFacts facts(const Scene& scene);
   EffectPlan plan(const Scene& scene);
   void measure(const Scene& scene, EffectSet effects);
   EffectSet programFor(EffectSet needed, Content content) const;
@@ -89,7 +90,7 @@ void RayCaster::Parts::noteStepLimit(const Scene& scene) {
   stepLimitation = limn::stepLimitation(scene, sampleLimit(scene, textures));
 }
 
-EffectPlan RayCaster::Parts::plan(const Scene& scene) {
+SceneFacts RayCaster::Parts::facts(const Scene& scene) {
   requireDrawable(scene);
   requireLightOfShaders(scene);
   textures.update(scene);
@@ -98,7 +99,11 @@ EffectPlan RayCaster::Parts::plan(const Scene& scene) {
   facts.canSkipEmptySpace = skipsEmptySpace;
   if (scene.quality.ownWeights)
     facts.filterBits = filter.measured();
-  return requiredEffects(scene, facts);
+  return facts;
+}
+
+EffectPlan RayCaster::Parts::plan(const Scene& scene) {
+  return requiredEffects(scene, facts(scene));
 }
 
 void RayCaster::Parts::measure(const Scene& scene, EffectSet effects) {
@@ -260,6 +265,11 @@ std::vector<int> RayCaster::sampleCounts(const Scene& scene, const glm::ivec2& s
 EffectPlan RayCaster::plan(const Scene& scene) {
   const SavedState saved;
   return m_parts->plan(scene);
+}
+
+SceneFacts RayCaster::sceneFacts(const Scene& scene) {
+  const SavedState saved;
+  return m_parts->facts(scene);
 }
 
 double RayCaster::makeReady(const Scene& scene) {

@@ -66,6 +66,9 @@ public:
   /// What the scene calls for and why. Uploads the scene if it is not the one drawn last.
   EffectPlan plan(const Scene& scene);
 
+  /// On which that depends beside the scene's own numbers.
+  SceneFacts sceneFacts(const Scene& scene);
+
   /// Compiles one of the programs that the scene may soon want and has not yet: its own, of one with
   /// shadows that of its pictures while something moves, then for each of the `neighbours` of the scene one
   /// with every effect that has a neutral value, which can stand in when a slider leaves or crosses that

@@ -94,16 +94,18 @@ TEST(CpuCosts, whatIsOffIsToldWithWhatItWouldAddAndThePictureStays) {
   const Image before = renderer.render(scene, costSize);
   const double mb = renderer.memoryMb();
   const std::vector<EffectRow> rows = effectRows(scene, renderer.plan(scene));
+  const SceneFacts facts = renderer.sceneFacts(scene);
   const EffectFigures figures = measured(renderer, scene);
   ASSERT_EQ(figures.wouldCosts.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_FALSE(figures.costs[i] && figures.wouldCosts[i]) << rows[i].name;
-    EXPECT_EQ(figures.wouldCosts[i].has_value(), withUsualEffect(scene, rows[i]).has_value()) << rows[i].name;
+    EXPECT_EQ(figures.wouldCosts[i].has_value(), withUsualEffect(scene, rows[i], facts).has_value())
+        << rows[i].name;
     if (rows[i].name != "shadow" && rows[i].name != "occlusion")
       continue;
     ASSERT_TRUE(figures.wouldCosts[i]) << rows[i].name;
     EXPECT_GE(figures.wouldCosts[i]->brought.value().mostLevels, 1.0) << rows[i].name;
-    const Scene with = *withUsualEffect(scene, rows[i]);
+    const Scene with = *withUsualEffect(scene, rows[i], facts);
     const PictureChange change = changeBetween(CpuRenderer(1).render(with, costSize), before);
     EXPECT_NEAR(figures.wouldCosts[i]->brought->meanLevels, change.meanLevels, 0.05)
         << rows[i].name << ": against this picture, whatever its light has to do for it";
@@ -111,6 +113,47 @@ TEST(CpuCosts, whatIsOffIsToldWithWhatItWouldAddAndThePictureStays) {
   }
   EXPECT_EQ(renderer.render(scene, costSize), before);
   EXPECT_EQ(renderer.memoryMb(), mb) << "nothing of the other scenes stays";
+}
+
+// By the facts of the data, which have steps integrated where nobody chose.
+TEST(CpuCosts, ofShiftedSamplesAreNotToldWhereNoSampleIsLeftToShift) {
+  Scene scene = foggyHead();
+  scene.quality.jitter = false;
+  scene.quality.preintegrated = Preintegration::automatic;
+  scene.quality.stepVoxels = 8.0;
+  CpuRenderer renderer(1);
+  const std::vector<EffectRow> rows = effectRows(scene, renderer.plan(scene));
+  ASSERT_TRUE(renderer.plan(scene).effects.has(Effect::preintegration));
+  const auto jitter = std::ranges::find(rows, std::string("jitter"), &EffectRow::name) - rows.begin();
+  EXPECT_FALSE(measured(renderer, scene).wouldCosts[static_cast<std::size_t>(jitter)]);
+}
+
+class WatchedCosts : public CpuCosts {
+public:
+  WatchedCosts(CpuRenderer& renderer, bool& isGone) : CpuCosts(renderer), m_isGone(isGone) {}
+  ~WatchedCosts() override { m_isGone = true; }
+
+private:
+  bool& m_isGone;
+};
+
+// What is measured stands as long as its picture; the voxels that light of its own was found in do not.
+TEST(CpuCosts, whatDrewGoesOnceAllIsMeasured) {
+  const Scene scene = foggyHead();
+  CpuRenderer renderer(1);
+  bool isGone = false;
+  const auto measurement =
+      measurementOf(std::make_unique<WatchedCosts>(renderer, isGone), scene, costSize, renderer.plan(scene));
+  while (!measurement->figures().isComplete) {
+    EXPECT_FALSE(isGone);
+    measurement->step();
+  }
+  EXPECT_TRUE(isGone);
+  const EffectFigures figures = measurement->figures();
+  EXPECT_FALSE(figures.method.empty());
+  EXPECT_FALSE(figures.costs.empty());
+  measurement->step();
+  EXPECT_EQ(measurement->figures().costs, figures.costs) << "there is nothing left to do";
 }
 
 // Counts the whole pictures that are asked for.

@@ -142,6 +142,7 @@ TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
   const Image before = caster.render(scene, size);
   const FloatTarget target(size);
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
+  const SceneFacts facts = caster.sceneFacts(scene);
   CasterCosts drawing(caster);
   EffectCosts costs(scene, size, rows, 5);
   costs.addWhatIsOff(drawing);
@@ -151,7 +152,7 @@ TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(costs.costs()[i].has_value(), rows[i].isOn) << rows[i].name;
     const std::optional<EffectCost> wouldCost = costs.wouldCosts()[i];
-    EXPECT_EQ(wouldCost.has_value(), withUsualEffect(scene, rows[i]).has_value()) << rows[i].name;
+    EXPECT_EQ(wouldCost.has_value(), withUsualEffect(scene, rows[i], facts).has_value()) << rows[i].name;
     if (wouldCost && rows[i].effects.hasAny(travellingLight)) {
       EXPECT_GT(wouldCost->brought.value().mostLevels, 0.5) << rows[i].name;
     }

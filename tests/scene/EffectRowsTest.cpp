@@ -13,8 +13,10 @@
 namespace limn {
 namespace {
 
+const SceneFacts facts{.canSkipEmptySpace = true};
+
 std::vector<EffectRow> rowsOf(const Scene& scene) {
-  return effectRows(scene, requiredEffects(scene, {.canSkipEmptySpace = true}));
+  return effectRows(scene, requiredEffects(scene, facts));
 }
 
 // Why an effect is in no row.
@@ -181,19 +183,32 @@ TEST(UsualEffects, switchOnWhatIsOffWithTheScenesOwnNumbersOrUsualOnes) {
   Scene scene = test::roughPhantomScene();
   scene.shading.shadow = {};
   scene.shading.occlusion = {0.0, 7.0};
-  const std::optional<Scene> shadowed = withUsualEffect(scene, row(scene, "shadow"));
+  const std::optional<Scene> shadowed = withUsualEffect(scene, row(scene, "shadow"), facts);
   ASSERT_TRUE(shadowed);
   EXPECT_GT(shadowed->shading.shadow.strength, 0.0);
   EXPECT_TRUE(shadowed->shading.lightDirection) << "a light from the viewer casts none";
   EXPECT_TRUE(row(*shadowed, "shadow").isOn);
-  EXPECT_FALSE(withUsualEffect(*shadowed, row(*shadowed, "shadow"))) << "it is on";
-  const std::optional<Scene> hollows = withUsualEffect(scene, row(scene, "occlusion"));
+  EXPECT_FALSE(withUsualEffect(*shadowed, row(*shadowed, "shadow"), facts)) << "it is on";
+  const std::optional<Scene> hollows = withUsualEffect(scene, row(scene, "occlusion"), facts);
   ASSERT_TRUE(hollows);
   EXPECT_EQ(hollows->shading.occlusion.reachMm, 7.0) << "the scene's own";
-  EXPECT_FALSE(withUsualEffect(scene, row(scene, "smooth_normals"))) << "a copy of the volume";
-  EXPECT_FALSE(withUsualEffect(scene, row(scene, "region"))) << "nothing to cut is known";
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "smooth_normals"), facts)) << "a copy of the volume";
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "region"), facts)) << "nothing to cut is known";
   scene.shading.model = ShadingModel::none;
-  EXPECT_FALSE(withUsualEffect(scene, row(scene, "shadow"))) << "no light, no shadow";
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "shadow"), facts)) << "no light, no shadow";
+}
+
+// Where the program chooses to integrate within steps, shifted samples would show nothing.
+TEST(UsualEffects, areWhatTheFactsOfTheSceneLeaveToSee) {
+  Scene scene = test::roughPhantomScene();
+  scene.quality.jitter = false;
+  scene.quality.preintegrated = Preintegration::automatic;
+  const EffectRow jitter = row(scene, "jitter");
+  EXPECT_TRUE(withUsualEffect(scene, jitter, {.steepestPerMm = 0.0}));
+  SceneFacts steep;
+  steep.steepestPerMm = 1e6;
+  ASSERT_TRUE(requiredEffects(scene, steep).effects.has(Effect::preintegration));
+  EXPECT_FALSE(withUsualEffect(scene, jitter, steep));
 }
 
 } // namespace

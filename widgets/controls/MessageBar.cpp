@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -60,9 +61,10 @@ MessageBar::MessageBar(QWidget* parent)
       run();
   });
   connect(m_close, &QToolButton::clicked, this, [this] {
+    const std::function<void()> run = std::exchange(m_dismiss, nullptr); // it may have something else said
     hide();
-    if (m_dismiss)
-      m_dismiss();
+    if (run)
+      run();
   });
   m_end->setSingleShot(true);
   connect(m_end, &QTimer::timeout, this, [this] { hide(); });

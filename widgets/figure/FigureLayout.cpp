@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -68,31 +69,24 @@ std::vector<std::size_t> panelsWithCurve(const Figure& figure) {
   return panels;
 }
 
-bool shareCurve(const Figure& figure, const std::vector<std::size_t>& panels) {
+bool shareCurve(const Figure& figure, const FigureLabels& labels, const std::vector<std::size_t>& panels) {
   const Scene& first = figure.panels[panels.front()].scene;
   return std::ranges::all_of(panels, [&](std::size_t panel) {
     const Scene& scene = figure.panels[panel].scene;
     return scene.transferFunction == first.transferFunction &&
            scene.volume->info().unit == first.volume->info().unit && scene.projection == first.projection &&
-           scene.isovalue == first.isovalue &&
-           drawnLabelCurves(figure, panel) == drawnLabelCurves(figure, panels.front());
+           scene.isovalue == first.isovalue && labels[panel].curves == labels[panels.front()].curves;
   });
 }
 
-// The labels of each panel that are told, if they are.
-std::vector<std::vector<LabelRow>> labelsOfPanels(const Figure& figure) {
-  std::vector<std::vector<LabelRow>> rows(figure.panels.size());
-  if (figure.settings.shows(FigureMark::labels))
-    std::ranges::transform(figure.panels, rows.begin(), labelRows);
-  return rows;
-}
-
 // Told once where all that have some have the same.
-void addLabels(Furniture& furniture, const Figure& figure, const FigureLayout& layout) {
+void addLabels(Furniture& furniture, const FigureLayout& layout) {
   const double cell = (layout.size.width() - furniture.besidePictures()) / furniture.columns;
   const double gap = std::round(legendGap * layout.textPixels);
-  std::vector<std::vector<LabelRow>> all = labelsOfPanels(figure);
-  std::erase_if(all, [](const std::vector<LabelRow>& rows) { return rows.empty(); });
+  std::vector<std::vector<LabelRow>> all;
+  for (const PanelLabels& labels : layout.labels)
+    if (!labels.rows.empty())
+      all.push_back(labels.rows);
   if (all.empty())
     return;
   const bool isShared = std::ranges::all_of(all, [&](const auto& rows) { return rows == all.front(); });
@@ -104,7 +98,7 @@ void addLabels(Furniture& furniture, const Figure& figure, const FigureLayout& l
 }
 
 double heightOfNotes(const Figure& figure, const FigureLayout& layout, double width) {
-  const QString notes = notesOf(figure);
+  const QString notes = notesOf(figure, layout.labels);
   if (notes.isEmpty())
     return 0.0;
   const QFontMetricsF metrics(figureFont(layout, noteScale));
@@ -126,8 +120,8 @@ Furniture furnitureOf(const Figure& figure, const FigureLayout& layout) {
   const std::vector<std::size_t> curves = panelsWithCurve(figure);
   const double legend = std::round((legendGap + legendHeight) * text);
   if (!curves.empty())
-    (shareCurve(figure, curves) ? furniture.sharedLegend : furniture.ownLegend) = legend;
-  addLabels(furniture, figure, layout);
+    (shareCurve(figure, layout.labels, curves) ? furniture.sharedLegend : furniture.ownLegend) = legend;
+  addLabels(furniture, layout);
   const double notes = heightOfNotes(figure, layout, layout.size.width() - 2.0 * furniture.margin);
   if (notes > 0.0)
     furniture.notes = notes + std::round(notesGap * text);
@@ -151,11 +145,10 @@ void placeLegends(FigureLayout& layout, const Figure& figure, const Furniture& f
     }
 }
 
-void placeLabels(FigureLayout& layout, const Figure& figure, const Furniture& furniture, double top) {
+void placeLabels(FigureLayout& layout, const Furniture& furniture, double top) {
   const double gap = std::round(legendGap * layout.textPixels);
-  const std::vector<std::vector<LabelRow>> rows = labelsOfPanels(figure);
-  for (std::size_t panel = 0; panel < rows.size(); ++panel) {
-    if (rows[panel].empty())
+  for (std::size_t panel = 0; panel < layout.labels.size(); ++panel) {
+    if (layout.labels[panel].rows.empty())
       continue;
     if (furniture.sharedLabels > 0.0) {
       layout.labelLegends.push_back(
@@ -199,8 +192,13 @@ QFont figureFont(const FigureLayout& layout, double scale) {
 }
 
 FigureLayout figureLayout(const Figure& figure) {
+  return figureLayout(figure, figureLabels(figure));
+}
+
+FigureLayout figureLayout(const Figure& figure, FigureLabels labels) {
   const FigureSettings& settings = figure.settings;
   FigureLayout layout;
+  layout.labels = std::move(labels);
   layout.size.setWidth(pixelsOf(settings, settings.width, QObject::tr("wide")));
   const auto count = static_cast<int>(figure.panels.size());
   const int columns = count == 4 ? 2 : count;
@@ -226,9 +224,9 @@ FigureLayout figureLayout(const Figure& figure) {
     layout.size.setHeight(pixelsOf(inPixels, needed, QObject::tr("high")));
   }
   placePictures(layout, figure, furniture, {width, height});
-  const double labels = layout.size.height() - furniture.margin - furniture.notes - furniture.sharedLabels;
-  placeLegends(layout, figure, furniture, labels - furniture.sharedLegend);
-  placeLabels(layout, figure, furniture, labels);
+  const double bottom = layout.size.height() - furniture.margin - furniture.notes - furniture.sharedLabels;
+  placeLegends(layout, figure, furniture, bottom - furniture.sharedLegend);
+  placeLabels(layout, furniture, bottom);
   if (furniture.notes > 0.0)
     layout.notes = QRectF(furniture.margin, layout.size.height() - furniture.margin - furniture.notes,
                           layout.size.width() - 2.0 * furniture.margin, furniture.notes)

@@ -6,6 +6,7 @@
 #include "scene/view/Measurement.h"
 #include "scene/view/PlaneSettings.h"
 
+#include <QColor>
 #include <QFont>
 #include <QRectF>
 #include <QSize>
@@ -51,6 +52,29 @@ struct Figure {
   bool operator==(const Figure&) const = default;
 };
 
+/// A label in a legend. The row that says how many more there are has no colour.
+struct LabelRow {
+  std::optional<QColor> color;
+  QString text;
+  bool operator==(const LabelRow&) const = default;
+};
+
+/// The curve of a label in a legend.
+struct LabelCurve {
+  QColor color; ///< of its row
+  TransferFunction function;
+  bool operator==(const LabelCurve&) const = default;
+};
+
+/// What is told of the labels of a panel (LabelLegend). Looking at its voxels takes time: it is found once.
+struct PanelLabels {
+  std::vector<LabelRow> rows;
+  std::vector<LabelCurve> curves; ///< of their own, of those that have a row, in the same order
+  std::size_t undrawn = 0;        ///< so many more of them are drawn nowhere
+  bool operator==(const PanelLabels&) const = default;
+};
+using FigureLabels = std::vector<PanelLabels>; ///< of each panel
+
 /// Where a curve stands that explains colours, or a list of labels.
 struct LegendPlace {
   QRectF place;
@@ -68,7 +92,8 @@ struct FigureLayout {
   std::vector<LegendPlace> legends;
   /// The same of the labels that have curves of their own.
   std::vector<LegendPlace> labelLegends;
-  QRectF notes; ///< empty where nothing is said
+  QRectF notes;        ///< empty where nothing is said
+  FigureLabels labels; ///< that it was laid out for
 
   QSize pictureSize() const { return pictures.front().size(); }
 };
@@ -76,6 +101,8 @@ struct FigureLayout {
 /// Lays a figure out: one to three panels in a row, four in two rows. Throws Error (usage) where it is
 /// smaller or larger than a figure can be, or its marks leave no room for pictures.
 FigureLayout figureLayout(const Figure& figure);
+/// The same where its labels are known (figureLabels).
+FigureLayout figureLayout(const Figure& figure, FigureLabels labels);
 
 /// The font of a figure's text, `scale` times as large as the body's: the same in pixels and in vectors.
 QFont figureFont(const FigureLayout& layout, double scale = 1.0);

@@ -128,10 +128,10 @@ ValueRange rangeOf(const TransferFunction& function, const Volume& volume) {
 }
 
 // That of a panel's curves together. Of a label's curve that is one value for all there is nothing to see.
-ValueRange ownRange(const Figure& figure, std::size_t panel) {
+ValueRange ownRange(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
   const Scene& scene = figure.panels[panel].scene;
   ValueRange range = rangeOf(scene.transferFunction, *scene.volume);
-  for (const LabelCurve& curve : drawnLabelCurves(figure, panel))
+  for (const LabelCurve& curve : layout.labels[panel].curves)
     if (curve.function.points.size() > 1) {
       const ValueRange its = rangeOf(curve.function, *scene.volume);
       range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
@@ -290,7 +290,8 @@ void paintHeading(QPainter& painter, const Figure& figure, const FigureLayout& l
 void paintNotes(QPainter& painter, const Figure& figure, const FigureLayout& layout) {
   painter.setFont(figureFont(layout, noteScale));
   painter.setPen(colorsOn(figure.settings.page).quiet);
-  painter.drawText(layout.notes, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, notesOf(figure));
+  painter.drawText(layout.notes, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                   notesOf(figure, layout.labels));
 }
 
 // Paints opacity over value, the colours below it, and an axis in the volume's unit; over the scene's curve
@@ -341,10 +342,10 @@ void paintPictureMarks(QPainter& painter, const PictureMarks& marks, const Figur
 
 ValueRange legendRange(const Figure& figure, const FigureLayout& layout, std::size_t panel) {
   const std::string& unit = figure.panels[panel].scene.volume->info().unit;
-  ValueRange range = ownRange(figure, panel);
+  ValueRange range = ownRange(figure, layout, panel);
   for (const LegendPlace& legend : layout.legends)
     if (figure.panels[legend.panel].scene.volume->info().unit == unit) {
-      const ValueRange its = ownRange(figure, legend.panel);
+      const ValueRange its = ownRange(figure, layout, legend.panel);
       range = {std::min(range.lowest, its.lowest), std::max(range.highest, its.highest)};
     }
   return range;
@@ -395,13 +396,12 @@ void paintMarks(QPainter& painter, const Figure& figure, const FigureLayout& lay
     paintPictureMarks(painter, pictureMarks(figure, layout, i), layout);
   }
   for (const LegendPlace& legend : layout.legends)
-    paintLegend(painter, legend.place, figure.panels[legend.panel].scene,
-                drawnLabelCurves(figure, legend.panel), legendRange(figure, layout, legend.panel),
-                figureFont(layout, noteScale), colorsOn(figure.settings.page));
+    paintLegend(painter, legend.place, figure.panels[legend.panel].scene, layout.labels[legend.panel].curves,
+                legendRange(figure, layout, legend.panel), figureFont(layout, noteScale),
+                colorsOn(figure.settings.page));
   for (const LegendPlace& labels : layout.labelLegends) {
     const FigureColors colors = colorsOn(figure.settings.page);
-    paintLabelRows(painter, labels.place, labelRows(figure.panels[labels.panel]), layout, colors.text,
-                   colors.line);
+    paintLabelRows(painter, labels.place, layout.labels[labels.panel].rows, layout, colors.text, colors.line);
   }
   if (!layout.notes.isEmpty())
     paintNotes(painter, figure, layout);

@@ -17,14 +17,14 @@ namespace limn {
 namespace {
 
 // "a, b" where a note does not hold for every panel; empty where it does.
-template <class Holds>
-QString lettersWhere(const Figure& figure, const Holds& holds) {
+template <class Panels, class Holds>
+QString lettersWhere(const Panels& panels, const Holds& holds) {
   QStringList letters;
-  for (std::size_t i = 0; i < figure.panels.size(); ++i)
-    if (holds(figure.panels[i]))
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (holds(panels[i]))
       letters << panelLetter(i);
-  return letters.size() == static_cast<qsizetype>(figure.panels.size()) ? QString()
-                                                                        : letters.join(QStringLiteral(", "));
+  return letters.size() == static_cast<qsizetype>(panels.size()) ? QString()
+                                                                 : letters.join(QStringLiteral(", "));
 }
 
 // One error for all panels is told once.
@@ -67,16 +67,15 @@ QStringList remarksOn(const FigurePanel& panel) {
 }
 
 // Whose the curves are where labels have some of their own.
-QStringList curvesOn(const FigurePanel& panel) {
-  if (labelCurves(panel).empty())
-    return {};
-  return {QObject::tr(
-      "Labels in colour have curves of their own, in these colours; the other curve is of the rest")};
-}
-
-QStringList curvesNotDrawnOn(const FigurePanel& panel) {
-  return labelCurves(panel).empty() ? QStringList()
-                                    : QStringList{QObject::tr("Labels have curves of their own")};
+QStringList curvesOn(const PanelLabels& labels) {
+  if (labels.curves.empty())
+    return labels.undrawn == 0 ? QStringList() : QStringList{QObject::tr("Labels have curves of their own")};
+  if (labels.undrawn == 0)
+    return {QObject::tr(
+        "Curves in colour are of the labels listed in these colours; the other curve is of the rest")};
+  return {QObject::tr("Curves in colour are of the labels listed in these colours, those of %1 more are not "
+                      "drawn, and the other curve is of the rest")
+              .arg(labels.undrawn)};
 }
 
 // Of physical light its paths and what they differ by.
@@ -95,12 +94,15 @@ QStringList pathsOn(const FigurePanel& panel) {
 }
 
 // Of each panel, once for those of which the same is said.
-QStringList notesOn(const Figure& figure, QStringList (*textsOn)(const FigurePanel& panel)) {
+template <class Panels, class TextsOn>
+QStringList notesOn(const Panels& panels, const TextsOn& textsOn) {
+  std::vector<QStringList> all(panels.size());
+  std::ranges::transform(panels, all.begin(), textsOn);
   QStringList notes;
-  for (const FigurePanel& panel : figure.panels)
-    for (const QString& text : textsOn(panel)) {
+  for (const QStringList& texts : all)
+    for (const QString& text : texts) {
       const QString where =
-          lettersWhere(figure, [&](const FigurePanel& other) { return textsOn(other).contains(text); });
+          lettersWhere(all, [&](const QStringList& others) { return others.contains(text); });
       const QString note =
           where.isEmpty() ? QObject::tr("%1.").arg(text) : QObject::tr("%1 (%2).").arg(text, where);
       if (!notes.contains(note))
@@ -167,16 +169,20 @@ bool hasCurve(const FigurePanel& panel) {
 }
 
 QString notesOf(const Figure& figure) {
+  return notesOf(figure, figureLabels(figure));
+}
+
+QString notesOf(const Figure& figure, const FigureLabels& labels) {
   const FigureSettings& settings = figure.settings;
   QStringList notes;
   if (settings.shows(FigureMark::accuracy))
-    notes << accuracyNote(figure) << notesOn(figure, pathsOn);
+    notes << accuracyNote(figure) << notesOn(figure.panels, pathsOn);
   if (settings.shows(FigureMark::curve))
-    notes << notesOn(figure, settings.shows(FigureMark::labels) ? curvesOn : curvesNotDrawnOn);
+    notes << notesOn(labels, curvesOn);
   if (settings.shows(FigureMark::region))
-    notes << notesOn(figure, remarksOn);
+    notes << notesOn(figure.panels, remarksOn);
   if (settings.shows(FigureMark::scaleBar) && std::ranges::any_of(figure.panels, isInPerspective)) {
-    const QString where = lettersWhere(figure, isInPerspective);
+    const QString where = lettersWhere(figure.panels, isInPerspective);
     notes << (where.isEmpty()
                   ? QObject::tr("Scale at the depth of the turning point (perspective).")
                   : QObject::tr("Scale at the depth of the turning point (perspective: %1).").arg(where));

@@ -39,5 +39,7 @@ bool hasCurve(const FigurePanel& panel);
 /// What is said below the pictures, as the figure's marks ask: accuracy, whose curves are drawn, hidden
 /// parts, at which depth scale bars hold, and that it is not for diagnosis. Empty where nothing is.
 QString notesOf(const Figure& figure);
+/// The same where its labels are known (figureLabels).
+QString notesOf(const Figure& figure, const FigureLabels& labels);
 
 } // namespace limn

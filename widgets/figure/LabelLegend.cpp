@@ -69,39 +69,37 @@ double widthOfText(const QString& text, const FigureLayout& layout) {
 
 } // namespace
 
-std::vector<LabelRow> labelRows(const FigurePanel& panel) {
-  const std::vector<std::size_t> places = labelsShown(panel);
-  std::vector<LabelRow> rows;
-  for (const std::size_t place : places) {
-    if (rows.size() == mostLabelRows)
-      break;
-    const Label& label = panel.scene.keep.labels->labels()[place];
-    const bool hasOutline = panel.plane && !panel.planes.isTinted;
-    rows.push_back(
-        {toQColor(hasOutline ? label.color : shownColor(*panel.scene.volume, panel.scene.keep, place)),
-         QString::fromStdString(label.name)});
-  }
-  if (places.size() > rows.size())
-    rows.push_back({std::nullopt, QObject::tr("and %1 more").arg(places.size() - rows.size())});
-  return rows;
-}
-
-std::vector<LabelCurve> labelCurves(const FigurePanel& panel) {
+PanelLabels panelLabels(const FigurePanel& panel) {
   const Region& keep = panel.scene.keep;
-  std::vector<LabelCurve> curves;
-  if (panel.plane && !panel.planes.isTinted)
-    return curves;
-  std::vector<std::size_t> places = labelsShown(panel);
-  places.resize(std::min(places.size(), mostLabelRows));
-  for (const std::size_t place : places)
-    if (const std::size_t look = lookOfLabel(keep, place); look > 0)
-      curves.push_back({toQColor(shownColor(*panel.scene.volume, keep, place)), keep.looks[look - 1]});
-  return curves;
+  const bool hasOutline = panel.plane && !panel.planes.isTinted;
+  const std::vector<std::size_t> places = labelsShown(panel);
+  PanelLabels labels;
+  for (const std::size_t place : places) {
+    const std::size_t look = hasOutline ? 0 : lookOfLabel(keep, place);
+    if (labels.rows.size() == mostLabelRows) {
+      labels.undrawn += look > 0 ? 1 : 0;
+      continue;
+    }
+    const Label& label = keep.labels->labels()[place];
+    const QColor color = toQColor(hasOutline ? label.color : shownColor(*panel.scene.volume, keep, place));
+    labels.rows.push_back({color, QString::fromStdString(label.name)});
+    if (look > 0)
+      labels.curves.push_back({color, keep.looks[look - 1]});
+  }
+  if (places.size() > labels.rows.size())
+    labels.rows.push_back({std::nullopt, QObject::tr("and %1 more").arg(places.size() - labels.rows.size())});
+  return labels;
 }
 
-std::vector<LabelCurve> drawnLabelCurves(const Figure& figure, std::size_t panel) {
-  return figure.settings.shows(FigureMark::labels) ? labelCurves(figure.panels[panel])
-                                                   : std::vector<LabelCurve>();
+FigureLabels figureLabels(const Figure& figure) {
+  const bool areNamed = figure.settings.shows(FigureMark::labels);
+  FigureLabels all(figure.panels.size());
+  if (areNamed || figure.settings.shows(FigureMark::curve))
+    std::ranges::transform(figure.panels, all.begin(), panelLabels);
+  if (!areNamed)
+    for (PanelLabels& labels : all)
+      labels = {{}, {}, labels.undrawn + labels.curves.size()};
+  return all;
 }
 
 LabelColumns labelColumns(const std::vector<LabelRow>& rows, double width, double textPixels) {

@@ -4,6 +4,7 @@
 #include "scene/basics/Error.h"
 #include "widgets/figure/FigureLayout.h"
 #include "widgets/figure/FigurePainting.h"
+#include "widgets/figure/LabelLegend.h"
 
 #include <QFontInfo>
 #include <QPainter>
@@ -35,6 +36,8 @@ FigurePreview::FigurePreview(QWidget* parent) : QWidget(parent) {
 }
 
 void FigurePreview::setFigure(const Figure& figure) {
+  if (figure.panels != m_figure.panels || figure.settings.marks != m_figure.settings.marks)
+    m_labels = figureLabels(figure);
   m_figure = figure;
   update();
 }
@@ -56,7 +59,7 @@ std::optional<Figure> FigurePreview::asShown() const {
   if (m_figure.panels.empty())
     return std::nullopt;
   try {
-    const QSize full = figureLayout(m_figure).size;
+    const QSize full = figureLayout(m_figure, m_labels).size;
     const QSizeF room = QSizeF(width() - 2 * aroundPage, height() - 2 * aroundPage) * devicePixelRatioF();
     Figure shown = m_figure;
     // Rounding may add some pixels to the height.
@@ -64,7 +67,7 @@ std::optional<Figure> FigurePreview::asShown() const {
     shown.settings =
         scaledBy(m_figure.settings,
                  std::min({1.0, room.width() / full.width(), (room.height() - rounding) / full.height()}));
-    figureLayout(shown);
+    figureLayout(shown, m_labels);
     return shown;
   } catch (const Error&) {
     return std::nullopt;
@@ -75,7 +78,7 @@ void FigurePreview::paintEvent(QPaintEvent*) {
   const std::optional<Figure> shown = asShown();
   if (!shown)
     return;
-  const FigureLayout layout = figureLayout(*shown);
+  const FigureLayout layout = figureLayout(*shown, m_labels);
   QPainter painter(this);
   const double ratio = devicePixelRatioF();
   painter.scale(1.0 / ratio, 1.0 / ratio);

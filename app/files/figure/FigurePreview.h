@@ -48,6 +48,7 @@ private:
   void paintAwaiting(QPainter& painter, const FigureLayout& layout) const;
 
   Figure m_figure;
+  FigureLabels m_labels; ///< of it
   std::vector<QImage> m_pictures;
   QString m_awaiting;
 };

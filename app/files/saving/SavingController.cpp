@@ -127,13 +127,16 @@ void SavingController::saveSession() {
   if (answer == ChangedFile::replaced)
     writeSession(file);
   else if (answer == ChangedFile::savedElsewhere)
-    saveSessionAs();
+    askForSession(freePathBeside(file));
 }
 
 void SavingController::saveSessionAs() {
-  const QString suggested = m_context.document.sessionFile().isEmpty()
-                                ? suggestedName(m_context.document) + QStringLiteral("-session.limn.json")
-                                : m_context.document.sessionFile();
+  askForSession(m_context.document.sessionFile().isEmpty()
+                    ? suggestedName(m_context.document) + QStringLiteral("-session.limn.json")
+                    : m_context.document.sessionFile());
+}
+
+void SavingController::askForSession(const QString& suggested) {
   const QString path = askWhereToSave(
       &m_context.window,
       {tr("Save the session"), suggested, {tr("Limn session (*.limn.json)"), tr("Any JSON file (*.json)")}},
@@ -178,29 +181,42 @@ void SavingController::writeScene(const QString& path) {
   m_context.notes.attempt([&] { writeFileAtomically(target, sceneToJson(document)); }, path);
 }
 
-/// A picture on its way into a file: all that is known of it before it is drawn.
-struct SavingController::PictureFile {
-  std::string path;
-  PictureOptions options;
+/// How drawn sides become the picture that is saved.
+struct SavingController::Arrangement {
   CompareLayout layout = CompareLayout::single;
   double wipe = 0.5;
   glm::dvec3 background{0.0};
+  SavedMarks marks;
+  OverlaySource overlay;
+
+  Image of(const std::vector<Image>& sides) const;
+};
+
+Image SavingController::Arrangement::of(const std::vector<Image>& sides) const {
+  Image image = sides.size() == 2 ? comparedPicture(sides[0], sides[1], layout, wipe, background) : sides[0];
+  if (!marks.any())
+    return image;
+  return withMarks(image, savedMarksImage(overlay, marks, {image.size.x, image.size.y}));
+}
+
+/// A picture on its way into a file: all that the file tells beside its pixels. It holds no volume, because
+/// it may be kept for long.
+struct SavingController::PictureFile {
+  std::string path;
+  PictureOptions options;
+  glm::dvec3 background{0.0};
   double dotsPerInch = 0.0; ///< 0: nothing is said
   std::string description;
-  OverlaySource overlay;
   QString exactness{}; ///< of paths, once it is drawn
 
   /// Throws Error.
-  void write(const std::vector<Image>& sides) const;
+  void write(const Image& image) const;
 };
 
 // The picture at rest as it is written without marks on the ground of the screen: the bits of the command
 // line.
-void SavingController::PictureFile::write(const std::vector<Image>& sides) const {
+void SavingController::PictureFile::write(const Image& image) const {
   const bool isTransparent = options.ground == PictureOptions::Ground::transparent;
-  Image image = sides.size() == 2 ? comparedPicture(sides[0], sides[1], layout, wipe, background) : sides[0];
-  if (options.marks.any())
-    image = withMarks(image, savedMarksImage(overlay, options.marks, {image.size.x, image.size.y}));
   const bool saysMore = isTransparent || dotsPerInch > 0.0;
   if (!saysMore || !takesBytes(path))
     return writeImage(path, image, background, description);
@@ -235,8 +251,10 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   Scene scene = scenes.at(static_cast<std::size_t>(view.ownSide()));
   nameSources(scene.keep, [this](const std::string& labels) { return labelsInPicture(labels); });
   scene.image.background = groundOf(options.ground, m_context.document.scene().image.background);
-  PictureFile file{path.toStdString(),     options, layout, view.wipePosition(),
-                   scene.image.background, 0.0,     {},     {view.order(), shown}};
+  const glm::dvec3 background = scene.image.background;
+  const Arrangement arrangement{
+      layout, view.wipePosition(), background, options.marks, {view.order(), shown}};
+  PictureFile file{path.toStdString(), options, background, 0.0, {}};
   if (options.size == PictureOptions::Size::print)
     file.dotsPerInch = printDotsPerInch;
   else if (!isOnScreen) // on paper it is as large as on screen
@@ -246,21 +264,21 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   document.sides = sidesOf(view.order().comparison);
   file.description = sceneToJson(document, isOnScreen ? accuracyOf(shown) : std::nullopt);
   if (isOnScreen) {
-    if (m_context.notes.attempt([&] { file.write(sides); }, path))
+    if (m_context.notes.attempt([&] { file.write(arrangement.of(sides)); }, path))
       sayGround(path, options);
     return;
   }
-  drawPicture(file, scenes, {size.width() / beside, size.height()});
+  drawPicture(file, arrangement, scenes, {size.width() / beside, size.height()});
 }
 
-void SavingController::drawPicture(const PictureFile& file, const std::vector<Scene>& scenes,
-                                   const glm::ivec2& size) {
+void SavingController::drawPicture(const PictureFile& file, const Arrangement& arrangement,
+                                   const std::vector<Scene>& scenes, const glm::ivec2& size) {
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
-  const int columns = file.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
+  const int columns = arrangement.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
   m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name, QString::number(columns), QString::number(size.y));
   m_left.begin(scenes.size());
   emit drawing(m_drawn);
-  m_drawing.start([this, file, scenes, size,
+  m_drawing.start([this, file, arrangement, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
     MakingOptions told = order;
     told.effort = effort; // each of two sides has its half of it
@@ -271,31 +289,35 @@ void SavingController::drawPicture(const PictureFile& file, const std::vector<Sc
           picture.paths ? QLatin1Char(' ') + translated(sentenceOf(*picture.paths)) : QString();
       sides[index] = std::move(picture.image);
     });
-    return written(drawn, std::make_shared<const std::vector<Image>>(std::move(sides)), nullptr);
+    return written(drawn, std::make_shared<const Image>(arrangement.of(sides)), nullptr);
   });
 }
 
 /// A drawn picture that could not be written, and why.
 struct SavingController::Unwritten {
   PictureFile file;
-  std::shared_ptr<const std::vector<Image>> sides;
+  std::shared_ptr<const Image> image;
   QString sentence;
+
+  std::size_t bytes() const { return image->pixels.size() * sizeof(glm::vec4); }
+  QString name() const { return QFileInfo(QString::fromStdString(file.path)).fileName(); }
 };
 
 // Seconds of a large one.
 BackgroundWork::Deliver SavingController::written(const PictureFile& file,
-                                                  const std::shared_ptr<const std::vector<Image>>& sides,
+                                                  const std::shared_ptr<const Image>& image,
                                                   const std::shared_ptr<const Unwritten>& offered) {
   try {
     m_isWriting = true;
-    file.write(*sides);
+    file.write(*image);
     m_isWriting = false;
   } catch (const Error& error) {
     m_isWriting = false;
-    return [this, file, sides, offered, failure = error.sentence()] {
+    return [this, file, image, offered, failure = error.sentence()] {
       emit drawing({});
       std::erase(m_unwritten, offered);
-      m_unwritten.push_back(std::make_shared<const Unwritten>(file, sides, translated(failure)));
+      m_unwritten.push_back(std::make_shared<const Unwritten>(file, image, translated(failure)));
+      giveUpOldest();
       offerElsewhere();
     };
   }
@@ -309,6 +331,23 @@ BackgroundWork::Deliver SavingController::written(const PictureFile& file,
       m_context.messages.show(MessageBar::Kind::note, exactness);
     sayGround(path, options);
   };
+}
+
+// The latest are kept, as many as fit: however many fail, the memory is not filled with them.
+void SavingController::giveUpOldest() {
+  std::size_t bytes = 0;
+  auto first = m_unwritten.end();
+  while (first != m_unwritten.begin() && (bytes == 0 || bytes + (*std::prev(first))->bytes() <= m_mostKept))
+    bytes += (*--first)->bytes();
+  QStringList names;
+  for (auto one = m_unwritten.begin(); one != first; ++one)
+    names << (*one)->name();
+  m_unwritten.erase(m_unwritten.begin(), first);
+  if (!names.isEmpty())
+    m_context.messages.show(MessageBar::Kind::warning,
+                            tr("Lost, because the memory kept for pictures that could not be written is full "
+                               "of later ones: %1.")
+                                .arg(names.join(QStringLiteral(", "))));
 }
 
 // What took long to draw is kept until it is written or its offer is dismissed, whatever else is said. The
@@ -339,13 +378,13 @@ void SavingController::saveElsewhere(const std::shared_ptr<const Unwritten>& off
   PictureFile other = offered->file;
   other.path = path.toStdString();
   emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
-  m_drawing.start([this, other, offered](const Effort&) { return written(other, offered->sides, offered); });
+  m_drawing.start([this, other, offered](const Effort&) { return written(other, offered->image, offered); });
 }
 
 QStringList SavingController::unwritten() const {
   QStringList names;
   for (auto one = m_unwritten.rbegin(); one != m_unwritten.rend(); ++one)
-    names << QFileInfo(QString::fromStdString((*one)->file.path)).fileName();
+    names << (*one)->name();
   return names;
 }
 

@@ -44,6 +44,10 @@ public:
   /// The names of pictures that were drawn and are in no file yet, the one that failed last first.
   QStringList unwritten() const;
 
+  /// Of those the latest are kept whose pixels take so many bytes together, at first 1 GiB; the latest in any
+  /// case.
+  void setMostKept(std::size_t bytes) { m_mostKept = bytes; }
+
   /// How a picture that may travel calls the volume and a file of labels: without folders.
   std::string volumeInPicture() const;
   std::string labelsInPicture(const std::string& labels) const;
@@ -54,14 +58,18 @@ signals:
   void drawing(const QString& sentence);
 
 private:
+  void askForSession(const QString& suggested);
+  struct Arrangement;
   struct PictureFile;
   struct Unwritten;
-  void drawPicture(const PictureFile& file, const std::vector<Scene>& scenes, const glm::ivec2& size);
+  void drawPicture(const PictureFile& file, const Arrangement& arrangement, const std::vector<Scene>& scenes,
+                   const glm::ivec2& size);
   /// Writes a drawn picture, on the thread of work, and returns how that is told. One that is `offered` could
   /// not be written before.
-  BackgroundWork::Deliver written(const PictureFile& file,
-                                  const std::shared_ptr<const std::vector<Image>>& sides,
+  BackgroundWork::Deliver written(const PictureFile& file, const std::shared_ptr<const Image>& image,
                                   const std::shared_ptr<const Unwritten>& offered);
+  /// Keeps no more of what could not be written than has room, and says what is lost.
+  void giveUpOldest();
   /// Says of the picture that failed last that it could not be written, and offers to save it elsewhere.
   void offerElsewhere();
   void saveElsewhere(const std::shared_ptr<const Unwritten>& offered);
@@ -78,6 +86,7 @@ private:
   QString m_drawn;                      ///< what is said of it
   TimeLeft m_left;                      ///< of it
   std::vector<std::shared_ptr<const Unwritten>> m_unwritten; ///< until saved or dismissed, the latest last
+  std::size_t m_mostKept = std::size_t{1} << 30;             ///< of them, bytes
 };
 
 } // namespace limn

@@ -264,16 +264,21 @@ std::vector<OpenMask> masksIn(const Region& region, const PatientLabel& patient)
   return masks;
 }
 
+const Message placingLabels = Message::tr("Placing labels");
+
 // How many voxels of a label are the background of another map.
-std::size_t voxelsLost(const LabelMap& before, std::size_t place, const LabelMap& after) {
+std::size_t voxelsLost(const LabelMap& before, std::size_t place, const LabelMap& after,
+                       const Progress& progress) {
   const VoxelBox& box = before.boxAround(place);
   std::size_t lost = 0;
-  for (int z = box.lower.z; z < box.upper.z; ++z)
+  for (int z = box.lower.z; z < box.upper.z; ++z) {
+    reportOrStop(progress, 1.0 * (z - box.lower.z) / (box.upper.z - box.lower.z), placingLabels);
     for (int y = box.lower.y; y < box.upper.y; ++y)
       for (int x = box.lower.x; x < box.upper.x; ++x) {
         const std::size_t voxel = voxelOffset(before.dims(), x, y, z);
         lost += before.placeAt(voxel) == place && after.placeAt(voxel) == 0;
       }
+  }
   return lost;
 }
 
@@ -297,14 +302,14 @@ public:
   void addOpen(const Effort& effort) { add(m_stay, m_open, effort); }
   void addOpened(const Region& opened, const Effort& effort) { add(m_come, opened, effort); }
 
-  Segmentation finished() {
+  Segmentation finished(const Progress& progress) {
     Region region = regionOf(*m_masks, m_files.front().string());
     region.weights = m_weights;
     for (std::size_t n = 1; n < m_files.size(); ++n)
       region.moreSources.push_back(m_files[n].string());
     region.isOfFile = m_files.size() == 1;
     const Message overlap = overlapIn(*m_masks, Order::asChosen);
-    return {withLooks(region, m_looks), overlap.followedBy(" ", leftToNobody(*region.labels))};
+    return {withLooks(region, m_looks), overlap.followedBy(" ", leftToNobody(*region.labels, progress))};
   }
 
 private:
@@ -340,13 +345,16 @@ private:
 
   // A mask that is opened once more may be smaller now. Whether others have what it had before is known to
   // their files alone.
-  Message leftToNobody(const LabelMap& joined) const {
+  Message leftToNobody(const LabelMap& joined, const Progress& progress) const {
     Message left;
-    for (const OpenMask& mask : m_had) {
+    const auto count = static_cast<double>(m_had.size());
+    for (std::size_t n = 0; n < m_had.size(); ++n) {
+      const OpenMask& mask = m_had[n];
       const bool isOpenedAgain = std::ranges::find(m_come, mask.source, &OpenMask::source) != m_come.end();
       if (!isOpenedAgain || m_stay.empty() || mask.place == 0)
         continue;
-      const std::size_t voxels = voxelsLost(*m_open.labels, mask.place, joined);
+      const std::size_t voxels = 
+          voxelsLost(*m_open.labels, mask.place, joined, part(progress, n / count, (n + 1) / count));
       const Message lost =
           voxels == 1 ? Message::tr("%1 voxel that %2 had before belongs to no mask now; open a mask "
                                     "that has it, too, once more.")
@@ -379,11 +387,10 @@ private:
 
 Segmentation joinedMasks(const Region& open, const Region& opened, const Grid& grid, const Progress& progress,
                          const PatientLabel& patient, std::shared_ptr<Room> room) {
-  const Message placing = Message::tr("Placing labels");
   MaskJoin join(open, opened, grid, patient, std::move(room));
-  join.addOpen(effortOf(part(progress, 0.0, 0.5), placing));
-  join.addOpened(opened, effortOf(part(progress, 0.5, 1.0), placing));
-  return join.finished();
+  join.addOpen(effortOf(part(progress, 0.0, 0.4), placingLabels));
+  join.addOpened(opened, effortOf(part(progress, 0.4, 0.8), placingLabels));
+  return join.finished(part(progress, 0.8, 1.0));
 }
 
 } // namespace limn

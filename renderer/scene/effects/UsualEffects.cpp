@@ -49,13 +49,13 @@ const std::map<std::string, SwitchOn>& switches() {
 
 } // namespace
 
-std::optional<Scene> withUsualEffect(const Scene& scene, const EffectRow& row) {
+std::optional<Scene> withUsualEffect(const Scene& scene, const EffectRow& row, const SceneFacts& facts) {
   const auto found = switches().find(row.name);
   if (row.isOn || !scene.volume || found == switches().end())
     return std::nullopt;
   Scene with = scene;
   found->second(with);
-  if (!requiredEffects(with, {}).effects.hasAny(row.effects))
+  if (!requiredEffects(with, facts).effects.hasAny(row.effects))
     return std::nullopt;
   return with;
 }

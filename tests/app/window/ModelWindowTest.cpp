@@ -289,6 +289,34 @@ TEST_F(ModelWindow, onePictureShowsTheModelOfTheSideThatWasWorkedInAndThePairCom
   EXPECT_EQ(shown(), pair);
 }
 
+// A swap takes the side along that was worked in, and so does the way back.
+TEST_F(ModelWindow, theSideThatWasWorkedInIsTheSameAfterASwapThatIsUndone) {
+  window->resize(1380, 800);
+  QCoreApplication::processEvents();
+  const Models pair{ShadingModel::classic, ShadingModel::enhanced};
+  ASSERT_EQ(shown(), pair);
+  const QPointF right = view().logicalRect(1).center();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), right.toPoint()));
+  window->findChild<QAction*>(QStringLiteral("swapSides"))->trigger();
+  undo().undo();
+  ASSERT_EQ(shown(), pair);
+  clickTool(QStringLiteral("Single"));
+  EXPECT_EQ(shown(), Models{ShadingModel::enhanced}) << "that of the right";
+}
+
+// The difference of two models is a picture of both.
+TEST_F(ModelWindow, aPressInTheDifferenceIsWorkInNeitherSide) {
+  window->resize(1380, 800);
+  QCoreApplication::processEvents();
+  const QPointF right = view().logicalRect(1).center();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), right.toPoint()));
+  clickTool(QStringLiteral("Difference"));
+  const QPoint middle = view().rect().center();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, view().mapTo(window.get(), middle));
+  clickTool(QStringLiteral("Single"));
+  EXPECT_EQ(shown(), Models{ShadingModel::enhanced}) << "that of the right";
+}
+
 TEST_F(ModelWindow, onePictureOfTwoLooksKeepsTheModelOfTheRightOne) {
   window->resize(1380, 800);
   QCoreApplication::processEvents();

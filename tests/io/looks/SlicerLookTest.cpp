@@ -234,24 +234,25 @@ TEST(SlicerLook, aLookOfLimnKeepsItsCurveAndSaysWhatItLoses) {
 // Whoever saw enhanced, robust or physical pictures is told so first, by every format of other programs.
 TEST(SlicerLook, aModelThatOtherProgramsLackIsToldFirstByEveryFormat) {
   Preset preset;
-  preset.transferFunction = {1.0, {{0, {0, 0, 0}, 0}, {255, {1, 1, 1}, 1}}};
   preset.shading = Shading{};
   const LookTarget target{0.0, 255.0, 1.0};
-  for (const char* file : {"a.vp", "a.vp.json", "a.xml", "a.plist", "a.paraview.json", "a.weasis.json",
-                           "a.itf", "a.clut", "a.niivue.json", "a.1dt"}) {
-    const auto told = [&](ShadingModel model) {
-      preset.shading->model = model;
-      return lookAs(file, preset, target).changes;
-    };
-    for (const ShadingModel model : {ShadingModel::enhanced, ShadingModel::robust}) {
-      const std::string first = told(model).front().english();
-      for (const std::string& words : {std::string("shading model ") + nameOf(model),
-                                       std::string("exponent range, opacity range and gradient reference")})
-        EXPECT_NE(first.find(words), std::string::npos) << file << ": " << first;
+  for (const double unitDistanceMm : {1.0, 0.5}) // of another one more is told
+    for (const char* file : {"a.vp", "a.vp.json", "a.xml", "a.plist", "a.paraview.json", "a.weasis.json",
+                             "a.itf", "a.clut", "a.niivue.json", "a.1dt"}) {
+      preset.transferFunction = {unitDistanceMm, {{0, {0, 0, 0}, 0}, {255, {1, 1, 1}, 0.9}}};
+      const auto told = [&](ShadingModel model) {
+        preset.shading->model = model;
+        return lookAs(file, preset, target).changes;
+      };
+      for (const ShadingModel model : {ShadingModel::enhanced, ShadingModel::robust}) {
+        const std::string first = told(model).front().english();
+        for (const std::string& words : {std::string("shading model ") + nameOf(model),
+                                         std::string("exponent range, opacity range and gradient reference")})
+          EXPECT_NE(first.find(words), std::string::npos) << file << ": " << first;
+      }
+      EXPECT_TRUE(told(ShadingModel::physical).front().english().starts_with("Physical light")) << file;
+      EXPECT_FALSE(isTold(told(ShadingModel::classic), "shading model")) << file;
     }
-    EXPECT_TRUE(told(ShadingModel::physical).front().english().starts_with("Physical light")) << file;
-    EXPECT_FALSE(isTold(told(ShadingModel::classic), "shading model")) << file;
-  }
 }
 
 // The classic presets of Slicer, whose numbers a shared file has as facts.

@@ -382,32 +382,32 @@ Region turnsWithLooks(int labels) {
 TEST(LabelLegend, namesTheLabelsThatAreShownByCurvesOfTheirOwn) {
   Figure figure = figureOf(1);
   FigurePanel& panel = figure.panels.front();
-  EXPECT_TRUE(labelRows(panel).empty());
+  EXPECT_TRUE(panelLabels(panel).rows.empty());
   panel.scene.keep = turnsWithLooks(6);
   panel.scene.keep.weights[2] = 0.0;
   panel.scene.keep.lookOf[4] = 0;
-  std::vector<LabelRow> rows = labelRows(panel);
+  std::vector<LabelRow> rows = panelLabels(panel).rows;
   ASSERT_EQ(rows.size(), 3u) << "not the hidden one, nor that with the scene's curve";
   EXPECT_EQ(rows[0], (LabelRow{QColor(1, 0, 255), QStringLiteral("organ 1")}));
   EXPECT_EQ(rows[2], (LabelRow{QColor(5, 0, 255), QStringLiteral("organ 5")}));
   panel.scene.projection = Projection::mip;
-  EXPECT_TRUE(labelRows(panel).empty()) << "which takes the scene's curve";
+  EXPECT_TRUE(panelLabels(panel).rows.empty()) << "which takes the scene's curve";
   panel.plane = PatientPlane::axial;
-  rows = labelRows(panel);
+  rows = panelLabels(panel).rows;
   ASSERT_EQ(rows.size(), 4u) << "a slice outlines them, whoever's curve they have";
   EXPECT_EQ(rows[0], (LabelRow{QColor(255, 255, 255), QStringLiteral("organ 1")})) << "in their own colours";
   panel.planes.outlinesRegion = false;
-  EXPECT_TRUE(labelRows(panel).empty()) << "plain grey";
+  EXPECT_TRUE(panelLabels(panel).rows.empty()) << "plain grey";
   panel.planes.isTinted = true;
-  EXPECT_EQ(labelRows(panel).size(), 3u);
+  EXPECT_EQ(panelLabels(panel).rows.size(), 3u);
 }
 
 TEST(LabelLegend, endsAfterTwelveWithHowManyMoreThereAre) {
   Figure figure = figureOf(1);
   figure.panels.front().scene.keep = turnsWithLooks(13);
-  EXPECT_EQ(labelRows(figure.panels.front()).size(), 12u);
+  EXPECT_EQ(panelLabels(figure.panels.front()).rows.size(), 12u);
   figure.panels.front().scene.keep = turnsWithLooks(30);
-  const std::vector<LabelRow> rows = labelRows(figure.panels.front());
+  const std::vector<LabelRow> rows = panelLabels(figure.panels.front()).rows;
   ASSERT_EQ(rows.size(), 13u);
   EXPECT_EQ(rows[11].text, QStringLiteral("organ 12"));
   EXPECT_EQ(rows.back(), (LabelRow{std::nullopt, QStringLiteral("and 17 more")}));
@@ -416,12 +416,12 @@ TEST(LabelLegend, endsAfterTwelveWithHowManyMoreThereAre) {
 TEST(LabelLegend, theCurvesOfLabelsAreDrawnInTheirColoursAndTold) {
   Figure figure = figureOf(1);
   FigurePanel& panel = figure.panels.front();
-  EXPECT_TRUE(drawnLabelCurves(figure, 0).empty());
+  EXPECT_TRUE(figureLabels(figure).front().curves.empty());
   EXPECT_FALSE(notesOf(figure).contains(QStringLiteral("curves of their own")));
   const TransferFunction rising{1.0, {{-500.0, {0, 1, 0}, 0.0}, {2000.0, {0, 1, 0}, 1.0}}};
   panel.scene.keep = withLooks(turnsWithLooks(4), {{2, rising}});
   panel.scene.keep.weights[3] = 0.25;
-  const std::vector<LabelCurve> curves = drawnLabelCurves(figure, 0);
+  const std::vector<LabelCurve> curves = figureLabels(figure).front().curves;
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_EQ(curves.front(), (LabelCurve{QColor(0, 255, 0), rising}));
   const FigureLayout layout = figureLayout(figure);
@@ -437,8 +437,50 @@ TEST(LabelLegend, theCurvesOfLabelsAreDrawnInTheirColoursAndTold) {
   EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("the other curve is of the rest")));
   EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("1 label hidden or faded: organ 3.")));
   hide(figure, FigureMark::labels);
-  EXPECT_TRUE(drawnLabelCurves(figure, 0).empty()) << "nothing would name them";
+  EXPECT_TRUE(figureLabels(figure).front().curves.empty()) << "nothing would name them";
   EXPECT_TRUE(notesOf(figure).contains(QStringLiteral("Labels have curves of their own.")));
+}
+
+TEST(LabelLegend, whatIsSaidOfTheCurvesHoldsWhereOnlySomeAreDrawn) {
+  Figure figure = figureOf(1);
+  FigurePanel& panel = figure.panels.front();
+  const auto says = [&figure](const char* text) { return notesOf(figure).contains(QLatin1String(text)); };
+  panel.scene.keep = turnsWithLooks(13);
+  EXPECT_TRUE(says("Curves in colour are of the labels listed in these colours; the other curve is of the "
+                   "rest."));
+  panel.scene.keep = turnsWithLooks(30);
+  EXPECT_EQ(figureLabels(figure).front().curves.size(), 12u);
+  EXPECT_TRUE(says("those of 17 more are not drawn, and the other curve is of the rest."));
+  // A tinted slice lists all that it outlines, also those that the scene's curve is of.
+  panel.plane = PatientPlane::axial;
+  panel.planes.isTinted = true;
+  panel.scene.keep = turnsWithLooks(6);
+  panel.scene.keep.lookOf[4] = 0;
+  const PanelLabels labels = panelLabels(panel);
+  EXPECT_EQ(labels.rows.size(), 5u);
+  EXPECT_EQ(labels.curves.size(), 4u);
+  EXPECT_TRUE(says("Curves in colour are of the labels listed in these colours; the other curve is of the "
+                   "rest."));
+}
+
+// Looking at voxels takes time: whoever has found the labels of a figure has them laid out and painted.
+TEST(LabelLegend, labelsThatAreKnownAreNotLookedForAgain) {
+  Figure figure = figureOf(1);
+  figure.panels.front().scene.keep = turnsWithLooks(4);
+  const FigureLabels labels = figureLabels(figure);
+  const FigureLayout found = figureLayout(figure);
+  EXPECT_EQ(found.labels, labels);
+  const FigureLayout known = figureLayout(figure, labels);
+  EXPECT_EQ(figureImage(figure, known, {}), figureImage(figure, found, {}));
+  const FigureLayout none = figureLayout(figure, FigureLabels(1));
+  EXPECT_TRUE(none.labelLegends.empty());
+  Figure withoutLabels = figure;
+  withoutLabels.panels.front().scene.keep = {};
+  hide(figure, FigureMark::region);
+  hide(withoutLabels, FigureMark::region);
+  const FigureLayout plain = figureLayout(withoutLabels);
+  EXPECT_EQ(figureImage(figure, figureLayout(figure, FigureLabels(1)), {}),
+            figureImage(withoutLabels, plain, {}));
 }
 
 TEST(LabelLegend, aColourIsTheMeanOfWhatTheCurveShowsOfTheVoxels) {
@@ -492,7 +534,7 @@ TEST(LabelLegend, standsBelowThePicturesOnceWhereAllHaveTheSame) {
       }
       // Every label's colour is on the page, in a square of its legend; beside it only its curve has it.
       const QImage drawn = figureImage(figure, layout, {});
-      for (const LabelRow& row : labelRows(figure.panels.front())) {
+      for (const LabelRow& row : panelLabels(figure.panels.front()).rows) {
         int found = 0;
         for (int y = 0; y < drawn.height(); ++y)
           for (int x = 0; x < drawn.width(); ++x)

@@ -355,11 +355,11 @@ const NamedLight& nearestLight(const HeadLight& light, std::vector<Message>& cha
 
 WrittenLook writeOsirixPlist(const Preset& preset, const std::optional<LookTarget>&) {
   WrittenLook written;
+  const HeadLight light = headLightOf(preset.shading, Reflection::phong, written.changes);
   TransferFunction function = overOneMillimetre(preset.transferFunction, written.changes);
   if (function.points.empty())
     function.points = {{}}; // as transparent
   const std::vector<ControlPoint> points = drawnOut(function);
-  const HeadLight light = headLightOf(preset.shading, Reflection::phong, written.changes);
   if (preset.gradientOpacity)
     tell(written.changes, Message::tr("Its gradient opacity was left out: such files have none."));
   const bool isMip = preset.projection == Projection::mip;

@@ -219,6 +219,7 @@ std::vector<ReadLook> readParaViewJson(std::string_view text, const std::string&
 
 WrittenLook writeParaViewJson(const Preset& preset, const std::optional<LookTarget>&) {
   WrittenLook written;
+  tellLostModel(preset.shading, written.changes);
   TransferFunction function = overOneMillimetre(preset.transferFunction, written.changes);
   if (function.points.empty())
     function.points = {{}}; // as transparent
@@ -231,7 +232,6 @@ WrittenLook writeParaViewJson(const Preset& preset, const std::optional<LookTarg
     for (const double number : {point.value, point.opacity})
       straight.push_back(number);
   }
-  tellLostModel(preset.shading, written.changes);
   if (preset.shading)
     tell(written.changes, Message::tr("Its light was left out: such files hold curves alone."));
   if (preset.gradientOpacity)

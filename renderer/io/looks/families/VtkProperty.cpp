@@ -167,6 +167,8 @@ VtkProperty vtkPropertyOf(const Preset& preset, bool holdsUnitDistance,
                           const std::optional<LookTarget>& target, std::vector<Message>& changes) {
   VtkProperty property;
   property.name = preset.name;
+  property.light =
+      headLightOf(preset.shading, Reflection::phong, changes); // first, what was lost of the model
   TransferFunction function = preset.transferFunction;
   if (holdsUnitDistance)
     property.unitDistanceMm = function.unitDistanceMm;
@@ -180,7 +182,6 @@ VtkProperty vtkPropertyOf(const Preset& preset, bool holdsUnitDistance,
   }
   for (const GradientOpacityPoint& point : gradientOpacityForVtk(preset.gradientOpacity, target, changes))
     property.gradientOpacity.push_back({{point.gradient, glm::dvec3(1.0), point.opacity}});
-  property.light = headLightOf(preset.shading, Reflection::phong, changes);
   tellLostParts(preset, changes);
   return property;
 }

@@ -387,10 +387,10 @@ ordered_json weasisPoints(const std::vector<ControlPoint>& points, const HeadLig
 
 WrittenLook writeWeasisJson(const Preset& preset, const std::optional<LookTarget>&) {
   WrittenLook written;
+  const HeadLight light = headLightOf(preset.shading, Reflection::blinn, written.changes);
   TransferFunction function = overOneMillimetre(preset.transferFunction, written.changes);
   if (function.points.empty())
     function.points = {{}}; // as transparent
-  const HeadLight light = headLightOf(preset.shading, Reflection::blinn, written.changes);
   if (preset.gradientOpacity)
     tell(written.changes, Message::tr("Its gradient opacity was left out: Weasis has none."));
   tellLostParts(preset, written.changes);

@@ -123,5 +123,23 @@ TEST(PictureProgress, neverGoesBack) {
   EXPECT_EQ(told.back(), 1.0);
 }
 
+// As a picture of two sides is saved: the first ends, and the second begins, in the middle of the way.
+TEST(PictureProgress, eachOfTwoHasItsHalf) {
+  const Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
+  std::vector<double> told;
+  MakingOptions order;
+  order.engine = Engine::cpu;
+  order.effort.threads = 2;
+  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  constexpr glm::ivec2 severalStrips{16, 400};
+  std::vector<double> atTheEnd;
+  makeEach({scene, scene}, severalStrips, order,
+           [&](std::size_t, const MadePicture&) { atTheEnd.push_back(told.back()); });
+  EXPECT_EQ(atTheEnd, (std::vector<double>{0.5, 1.0}));
+  const auto isOfTheFirst = [](double fraction) { return fraction < 0.5; };
+  EXPECT_TRUE(std::ranges::is_partitioned(told, isOfTheFirst));
+  EXPECT_GE(std::ranges::count_if(told, isOfTheFirst), 2) << "strips of the first";
+}
+
 } // namespace
 } // namespace limn

@@ -243,6 +243,26 @@ TEST_F(LabelledScene, aMaskThatIsSmallerThanBeforeTellsWhatItLeavesToNobody) {
   EXPECT_EQ(opened(smaller.region, {"a.nrrd"}, volume).region.labels->placeAt(2), 2u) << "which helps";
 }
 
+// Of a large mask looking for that takes as long as placing it.
+TEST_F(LabelledScene, lookingForWhatAMaskLeavesToNobodyIsCancelledToo) {
+  write("a.nrrd", "0 7 7 0 0 0 0 0");
+  write("b.nrrd", "0 0 1 0 0 0 1 1");
+  const LoadedScene loaded = loadScene(scene("s.json", R"({"labels": "a.nrrd"})"), {}, {});
+  const Volume& volume = *loaded.scene.volume;
+  const Region both = opened(loaded.scene.keep, {"b.nrrd"}, volume).region;
+  const Segmentation again = readBeside({folder.path() / "b.nrrd"}, volume);
+  constexpr double allArePlaced = 0.8;
+  double done = 0.0;
+  Progress progress;
+  progress.report = [&done](double fraction, const Message&) {
+    EXPECT_GE(fraction, done);
+    done = fraction;
+  };
+  progress.isCancelled = [&done] { return done > allArePlaced + 0.01; };
+  EXPECT_THROW(openedBeside(both, again, volume, progress), Cancelled);
+  EXPECT_LT(done, 1.0);
+}
+
 // A segment of 3D Slicer keeps its name and colour among others, and when a scene reads it again.
 TEST_F(LabelledScene, aSegmentThatItsFileDescribesKeepsItsNameAmongMasks) {
   std::ofstream(folder.path() / "a.seg.nrrd")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/EndSignals.h"
 #include "app/WindowHarness.h"
+#include "app/asking/FileDialogs.h"
 #include "support/FileBytes.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/presets/PresetBrowser.h"
@@ -214,6 +215,30 @@ TEST_F(SessionWindow, aSessionThatAnotherWindowSavedMeanwhileIsReplacedOnlyWhere
   EXPECT_TRUE(fs::exists(file));
 }
 
+// Of what is saved beside it the name is another, or it would be asked whether to replace it once more.
+TEST_F(SessionWindow, besideASessionThatChangedMeanwhileAFreeNameIsSuggested) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  saving().writeSession(pathTo("mine.json"));
+  const fs::path file = folder.path() / "mine.json";
+  test::writeBytes(file, test::bytesOfFile(file) + "\n");
+  const auto suggested = [this] {
+    QString name;
+    answerChanged(QMessageBox::AcceptRole);
+    onceAsked<QFileDialog>([&name](QFileDialog& dialog) {
+      name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+      dialog.reject();
+    });
+    save();
+    return name;
+  };
+  EXPECT_EQ(suggested(), QStringLiteral("mine 2.json"));
+  test::writeBytes(folder.path() / "mine 2.json", "taken");
+  EXPECT_EQ(suggested(), QStringLiteral("mine 3.json"));
+  EXPECT_EQ(freePathBeside(pathTo("mine 2.json")), pathTo("mine 3.json"));
+  EXPECT_EQ(freePathBeside(pathTo("head.limn.json")), pathTo("head 2.limn.json"));
+  EXPECT_EQ(freePathBeside(pathTo("head 2024.json")), pathTo("head 2024 2.json"));
+}
+
 // What a crash left knows which state of its file it came from.
 TEST_F(SessionWindow, whatIsRestoredAsksBeforeItReplacesAFileThatWasSavedMeanwhile) {
   window->keepSessions();
@@ -317,6 +342,36 @@ TEST_F(SessionWindow, aSignalToEndLeavesNothingWhereNothingIsUnsaved) {
   window->keepSessions();
   EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr);
   EXPECT_TRUE(UnsavedSessions(sessions()).kept().empty());
+}
+
+// Closing asks about a picture that is in no file; nobody is there to answer once the system ends.
+TEST_F(SessionWindow, aSignalToEndWhileClosingAsksKeepsAllThatClosingDoes) {
+  const auto isArrangementKept = [this] {
+    return !Settings(UserFolders::below(folder.path()).settings).windowGeometry().isEmpty();
+  };
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")) && rest());
+  dragAPoint();
+  PictureOptions options;
+  options.size = PictureOptions::Size::twice;
+  ASSERT_TRUE(rest());
+  saving().writePicture(pathTo("gone/picture.png"), options);
+  ASSERT_TRUE(test::waitUntil([this] { return !saving().unwritten().isEmpty(); }));
+  ASSERT_FALSE(isArrangementKept());
+  bool isAsked = false;
+  onceAsked<QMessageBox>([&](QMessageBox& box) {
+    isAsked = box.objectName() == QStringLiteral("stillDrawing");
+    window->endUnasked();
+    box.reject(); // as the end of the event loop does
+  });
+  window->close();
+  EXPECT_TRUE(isAsked);
+  EXPECT_FALSE(window->isVisible());
+  EXPECT_TRUE(isArrangementKept());
+  window = newWindow();
+  window->keepSessions();
+  EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr) << "it did not crash";
+  EXPECT_EQ(UnsavedSessions(sessions()).kept().size(), 1u);
 }
 
 TEST_F(SessionWindow, closingWithUnsavedChangesAsksNothingAndLosesNothing) {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/MessageBar.h"
+
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+namespace limn {
+namespace {
+
+void dismiss(const MessageBar& bar) {
+  for (QToolButton* button : bar.findChildren<QToolButton*>())
+    if (button->text() == QStringLiteral("Dismiss"))
+      return QTest::mouseClick(button, Qt::LeftButton);
+  FAIL() << "no button to dismiss it";
+}
+
+// What is done on dismissal may say the next thing in the same bar, and still needs what it holds afterwards.
+TEST(MessageBar, whatIsDoneOnDismissalMaySaySomethingElse) {
+  MessageBar bar;
+  auto held = std::make_shared<int>(1);
+  const std::weak_ptr<int> watched = held;
+  bool isHeld = false;
+  auto sayNext = [&bar, &watched, &isHeld, held = std::move(held)] {
+    const std::weak_ptr<int>& seen = watched;
+    bool& told = isHeld;
+    bar.show(MessageBar::Kind::error, QStringLiteral("second"));
+    told = !seen.expired();
+  };
+  bar.show(MessageBar::Kind::error, QStringLiteral("first"), {}, {}, {{}, std::move(sayNext)});
+  dismiss(bar);
+  EXPECT_TRUE(bar.isVisible());
+  EXPECT_EQ(bar.sentence(), QStringLiteral("second"));
+  EXPECT_TRUE(isHeld) << "as long as it runs";
+  dismiss(bar);
+  EXPECT_FALSE(bar.isVisible());
+}
+
+// It runs once, and what it holds goes with it.
+TEST(MessageBar, whatIsDoneOnDismissalIsDoneOnce) {
+  MessageBar bar;
+  int runs = 0;
+  bar.show(MessageBar::Kind::error, QStringLiteral("first"), {}, {}, {{}, [&runs] { ++runs; }});
+  dismiss(bar);
+  bar.show(MessageBar::Kind::error, QStringLiteral("second"));
+  dismiss(bar);
+  EXPECT_EQ(runs, 1);
+}
+
+} // namespace
+} // namespace limn
