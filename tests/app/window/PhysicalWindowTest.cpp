@@ -139,6 +139,7 @@ TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
 }
 
 TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
+  window->resize(800, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());
@@ -222,6 +223,7 @@ TEST_F(PhysicalWindow, aSavedPictureHasThePathsThatThePanelPromises) {
 }
 
 TEST_F(PhysicalWindow, whatSavedPicturesAloneHaveLeavesScreenAndPresetAsTheyAre) {
+  window->resize(800, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());
