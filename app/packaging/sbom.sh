@@ -35,40 +35,56 @@ libraries() {
 
 headers() { ninja -C "$build" -t deps | sed -n 's/^ *\(\/usr\/include\/[^ ]*\)$/\1/p' | sort -u; }
 
-# The licences that the package's own copyright file names, where a machine can read it.
+# For each package of the list, its name and the licences that its copyright file names, where a machine can read it.
 licences_of() {
-  local file=/usr/share/doc/${1%:*}/copyright
-  [ -r "$file" ] || { echo "none is named"; return; }
-  if grep -q '^Format:' "$file"; then
-    sed -n 's/^License: *//p' "$file" | sed '/^$/d' | LC_ALL=C sort -u | paste -sd ';' | sed 's/;/; /g'
-  else
-    echo "as told in prose in $file"
-  fi
+  local package file
+  for package in "$@"; do
+    file=/usr/share/doc/${package%:*}/copyright
+    [ -r "$file" ] && printf '%s\n' "$file"
+  done | LC_ALL=C xargs awk '
+    FNR == 1 { split(FILENAME, parts, "/"); name = parts[5]; print name "\t" }
+    /^Format:/ { print name "\tFormat:" }
+    sub("^License:[ \t]*", "") && $0 != "" { print name "\t" $0 }' | LC_ALL=C sort -u | LC_ALL=C awk -F '\t' '
+    function tell() {
+      if (name != "")
+        print name "\t" (isForMachines ? licences : "as told in prose in /usr/share/doc/" name "/copyright")
+    }
+    $2 == "" { tell(); name = $1; licences = ""; isForMachines = 0; next }
+    $2 == "Format:" { isForMachines = 1; next }
+    { licences = licences (licences == "" ? "" : "; ") $2 }
+    END { tell() }'
 }
 
-describe() { # PACKAGE RELATION
-  local name=${1%:*} id
-  id=SPDXRef-$(printf '%s' "$name" | tr -c 'A-Za-z0-9.' '-')
-  cat <<TEXT
+# Version and licences by package. Each program is asked once of all packages: one process for each takes a minute.
+declare -A version_of licence_of relation_of
+learn() {
+  local package value
+  while read -r package value; do version_of[$package]=$value; done < <(
+    dpkg-query -W -f='${binary:Package} ${Version}\n' "$@")
+  while IFS=$'\t' read -r package value; do licence_of[$package]=$value; done < <(licences_of "$@")
+}
 
-PackageName: $name
-SPDXID: $id
-PackageVersion: $(dpkg-query -W -f='${Version}' "$1")
-PackageSupplier: Organization: Debian
-PackageDownloadLocation: NOASSERTION
-FilesAnalyzed: false
-PackageLicenseConcluded: NOASSERTION
-PackageLicenseDeclared: NOASSERTION
-PackageLicenseComments: <text>Licences in its copyright file: $(licences_of "$1")</text>
-PackageCopyrightText: NOASSERTION
-ExternalRef: PACKAGE-MANAGER purl pkg:deb/debian/${name//+/%2B}@$(dpkg-query -W -f='${Version}' "$1" | sed 's/+/%2B/g; s/:/%3A/g')
-Relationship: $([ "$2" = linked ] && echo "SPDXRef-limn DYNAMIC_LINK $id" || echo "$id BUILD_DEPENDENCY_OF SPDXRef-limn")
-TEXT
+describe() { # PACKAGE
+  local name=${1%:*} version=${version_of[$1]:-} id purl relation
+  id=SPDXRef-${name//[^A-Za-z0-9.]/-}
+  purl=${version//+/%2B}
+  relation="$id BUILD_DEPENDENCY_OF SPDXRef-limn"
+  [ "${relation_of[$1]}" = linked ] && relation="SPDXRef-limn DYNAMIC_LINK $id"
+  printf '%s\n' "" "PackageName: $name" "SPDXID: $id" "PackageVersion: $version" \
+    "PackageSupplier: Organization: Debian" "PackageDownloadLocation: NOASSERTION" "FilesAnalyzed: false" \
+    "PackageLicenseConcluded: NOASSERTION" "PackageLicenseDeclared: NOASSERTION" \
+    "PackageLicenseComments: <text>Licences in its copyright file: ${licence_of[$name]:-none is named}</text>" \
+    "PackageCopyrightText: NOASSERTION" \
+    "ExternalRef: PACKAGE-MANAGER purl pkg:deb/debian/${name//+/%2B}@${purl//:/%3A}" "Relationship: $relation"
 }
 
 linked=$(libraries | packages_of)
 made_of=$(headers | packages_of | LC_ALL=C comm -13 <(printf '%s\n' "$linked") -)
-list=$(for package in $linked $made_of; do describe "$package" "$(grep -qxF "$package" <<<"$linked" && echo linked || echo built)"; done)
+for package in $made_of; do relation_of[$package]=built; done
+for package in $linked; do relation_of[$package]=linked; done
+# shellcheck disable=SC2086
+learn $linked $made_of
+list=$(for package in $linked $made_of; do describe "$package"; done)
 
 cat <<TEXT
 SPDXVersion: SPDX-2.3

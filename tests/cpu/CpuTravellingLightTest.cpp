@@ -33,9 +33,9 @@ using test::withoutTravel;
 
 constexpr glm::ivec2 travelPicture{20, 18};
 
-ImageError fromReference(const Scene& scene, const glm::ivec2& size) {
+ImageError errorFrom(const Image& reference, const Scene& scene) {
   CpuRenderer renderer;
-  return imageError(renderer.render(scene, size), toImage(renderReference(scene, size)));
+  return imageError(renderer.render(scene, reference.size), reference);
 }
 
 TEST(CpuTravellingLight, foundForEachSampleItIsTheReferences) {
@@ -43,10 +43,10 @@ TEST(CpuTravellingLight, foundForEachSampleItIsTheReferences) {
     Scene scene = shadowedHead(8.0);
     one.apply(scene);
     scene.quality.light = LightDetail::sampled;
-    const ImageError error = fromReference(scene, travelPicture);
-    const double travel = imageError(toImage(renderReference(scene, travelPicture)),
-                                     toImage(renderReference(withoutTravel(scene), travelPicture)))
-                              .p99_9;
+    const Image reference = toImage(renderReference(scene, travelPicture));
+    const ImageError error = errorFrom(reference, scene);
+    const double travel =
+        imageError(reference, toImage(renderReference(withoutTravel(scene), travelPicture))).p99_9;
     std::cout << one.what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean
               << " levels, of " << travel << " that light on its way makes\n";
     // What a tolerance of one level asks for. Of a surface a ray has one sample, to which light comes or does
@@ -62,7 +62,7 @@ TEST(CpuTravellingLight, aToleranceHasItFoundForEachSample) {
   Scene scene = shadowedHead(8.0);
   scene.quality.toleranceLevels = 1.0;
   scene.quality.fineness = 4.75;
-  const ImageError error = fromReference(scene, travelPicture);
+  const ImageError error = errorFrom(toImage(renderReference(scene, travelPicture)), scene);
   EXPECT_LE(error.p99_9, 1.0);
   EXPECT_LE(error.mean, 0.1);
 }

@@ -168,6 +168,7 @@ TEST_F(PhysicalWindow, theErrorInTheStatusBarFallsWhileMorePathsAreFollowed) {
 }
 
 TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
+  window->resize(800, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());
@@ -251,6 +252,7 @@ TEST_F(PhysicalWindow, aSavedPictureHasThePathsThatThePanelPromises) {
 }
 
 TEST_F(PhysicalWindow, whatSavedPicturesAloneHaveLeavesScreenAndPresetAsTheyAre) {
+  window->resize(800, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());

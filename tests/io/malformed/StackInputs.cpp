@@ -4,6 +4,7 @@
 #include "PictureBytes.h"
 
 #include "io/ImageFile.h"
+#include "io/openimageio/PictureLibrary.h"
 
 #include <algorithm>
 
@@ -122,6 +123,7 @@ void addJpeg(Corpus& corpus, const std::string& flaw, const std::string& good, c
 } // namespace
 
 void addPngInputs(Corpus& corpus) {
+  pictureLibrary(); // or each attempt's process would load its two hundred libraries anew
   corpus.add("sound", pngStack(corpus), {correct});
   const std::string good = goodPng(2);
   for (std::size_t length = 1; length < good.size(); length += 2)

@@ -312,7 +312,7 @@ TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
   PictureOptions options;
   options.marks = noMarks;
   options.size = PictureOptions::Size::print;
-  options.printCm = 40.0; // 4,724 pixels
+  options.printCm = 20.0; // 2,362 pixels: seconds, of which is told many times
   ASSERT_FALSE(saved("two.png", options).isNull());
   EXPECT_FALSE(percents.empty()) << "the first that is known is told at once";
   EXPECT_TRUE(std::ranges::is_sorted(percents));
