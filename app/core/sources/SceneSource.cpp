@@ -264,14 +264,30 @@ bool isOfAnotherVolume(const SceneDocument& document, const SourceOptions& optio
   return options.volume->filename() != meant;
 }
 
-void takeMeasurements(LoadedScene& loaded, const SceneDocument& document, const SourceOptions& options) {
-  if (!isOfAnotherVolume(document, options))
+bool isOnAnotherGrid(const std::optional<VolumeTraits>& own, const Volume& shown) {
+  return own && own->voxels != shown.grid().dims;
+}
+
+// Labels on another grid mean nothing, and reading them would say so instead of which volume this is.
+void leaveLabelsOut(LoadedScene& loaded, KeptPart& keep) {
+  if (keep.kind != Region::Kind::labels)
+    return;
+  KeptPart left;
+  left.cuts = keep.cuts;
+  keep = left;
+  loaded.notes.push_back(Message::tr("The labels were left out: they are of another volume."));
+}
+
+void takeMeasurements(LoadedScene& loaded, const SceneDocument& document) {
+  if (!loaded.isOfAnotherVolume)
     loaded.measurements = document.measurements;
   else if (!document.measurements.empty())
     loaded.notes.push_back(Message::tr("The measurements were left out: they are of another volume."));
 }
 
-LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
+// `own` is what is known of the document's own volume.
+LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress,
+                         const std::optional<VolumeTraits>& own = {}) {
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
   loaded.views = std::move(document.views);
@@ -286,8 +302,12 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.read = options.read;
   if (options.wantsVolumeAlone)
     return loaded;
+  const bool isElsewhere = isOnAnotherGrid(own, *opened.volume);
+  loaded.isOfAnotherVolume = isElsewhere || isOfAnotherVolume(document, options);
+  if (isElsewhere)
+    leaveLabelsOut(loaded, document.keep);
   keepPart(loaded, document.keep, options, progress);
-  takeMeasurements(loaded, document, options);
+  takeMeasurements(loaded, document);
   if (!document.hasCamera)
     loaded.scene.camera = defaultCamera(opened.volume->grid());
   if (!document.hasTransferFunction) {
@@ -307,7 +327,7 @@ LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progr
     options.read.series = session.series;
   if (!options.read.spacingMm)
     options.read.spacingMm = session.spacingMm;
-  LoadedScene loaded = loadDocument(session.scene, options, progress);
+  LoadedScene loaded = loadDocument(session.scene, options, progress, session.traits);
   if (isOtherSeries && !loaded.measurements.empty()) {
     loaded.measurements.clear();
     loaded.notes.push_back(Message::tr("The measurements were left out: they are of another series."));
@@ -448,6 +468,34 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   return loaded;
 }
 
+// How another volume than a session's is told from its own.
+static Message otherVolume(const std::optional<VolumeTraits>& own, const Volume& shown) {
+  const glm::ivec3& now = shown.grid().dims;
+  if (!own)
+    return Message::tr("This is another volume than the session's.");
+  if (own->voxels == now)
+    return Message::tr("This may be another volume than the session's: its file has another name.");
+  return Message::tr("This is another volume than the session's: %1 × %2 × %3 voxels in place of "
+                     "%4 × %5 × %6.")
+      .arg(now.x)
+      .arg(now.y)
+      .arg(now.z)
+      .arg(own->voxels.x)
+      .arg(own->voxels.y)
+      .arg(own->voxels.z);
+}
+
+// Before all else that is said: the rest is judged by it.
+static void noteOtherVolume(LoadedScene& loaded) {
+  const std::optional<VolumeTraits>& own = loaded.session->traits;
+  const Volume& shown = *loaded.scene.volume;
+  if (own && !(own->isHounsfield && looksLikeHounsfield(shown)))
+    loaded.notes.insert(loaded.notes.begin(),
+                        Message::tr("The session's values may mean other tissue here: not both volumes are in "
+                                    "Hounsfield units."));
+  loaded.notes.insert(loaded.notes.begin(), otherVolume(own, shown));
+}
+
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded = loadUnframed(source, options, progress);
   if (options.wantsVolumeAlone)
@@ -461,6 +509,8 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   else if (!loaded.hasOwnCamera && !options.bringsView)
     loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,
                                        effortOf(progress, Message::tr("Finding what is visible")));
+  if (loaded.session && loaded.isOfAnotherVolume)
+    noteOtherVolume(loaded);
   return loaded;
 }
 

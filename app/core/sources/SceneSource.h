@@ -84,6 +84,9 @@ struct LoadedScene {
   std::shared_ptr<const DicomFolder> dicom;
   std::optional<SessionDocument> session; ///< where the source is one
   std::string sessionDigest{};            ///< then of the file as it was read (digestOf)
+  bool isOfAnotherVolume = false; ///< than the file that named one was saved with
+  /// A session file that holds what is not shown: saving leaves it as it is.
+  bool sparesSession() const { return session && isOfAnotherVolume; }
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
   std::optional<ShownSides> sides; ///< where it is a picture that tells them

@@ -137,6 +137,40 @@ TEST_F(OpeningWindow, aPictureOfTheSampleHeadReopens) {
   EXPECT_EQ(window->sessionDocument().scene.volume, installedSampleHead()->string());
 }
 
+TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
+  const QString volume = smallVolume("a");
+  ASSERT_TRUE(open(volume));
+  session().setMeasurements({{Measurement::Kind::mark, std::nullopt, {{1, 1, 1}}, "1"}}, {});
+  const QString file = pathTo("own.limn.json");
+  saving().writeSession(file);
+  const std::string saved = readTextFile(file.toStdString());
+  fs::remove(volume.toStdString());
+  const QString other = pathTo("other.nrrd");
+  test::writeBytes(other.toStdString(),
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 3 2 2\nspace: left-posterior-superior\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: ascii\n\n"
+                   "0 1 2 3 4 5 6 7 8 9 10 11\n");
+  SourceOptions options;
+  options.volume = other.toStdString();
+  window->openSource(file, options);
+  ASSERT_TRUE(rest());
+  EXPECT_TRUE(messages().sentence().startsWith(QStringLiteral("This is another volume than the session's: "
+                                                              "3 × 2 × 2 voxels in place of 2 × 2 × 2")))
+      << messages().sentence().toStdString();
+  QString suggested;
+  onceAsked<QFileDialog>([&suggested](QFileDialog& dialog) {
+    suggested = dialog.selectedFiles().value(0);
+    QTest::keyClick(dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
+  });
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(suggested, pathTo("own-2.limn.json"));
+  EXPECT_EQ(readTextFile(file.toStdString()), saved);
+  ASSERT_TRUE(fs::exists(suggested.toStdString()));
+  // From then on that one is the session's own file.
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(readTextFile(file.toStdString()), saved);
+}
+
 TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   const QString volume = smallVolume("a");
