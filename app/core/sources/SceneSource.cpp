@@ -232,16 +232,25 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   throw VolumeMissing(document.volume);
 }
 
-// Where a scene's label map is now: as the scene says, referred to, or beside the volume.
+// Where a scene's label map is now: as told, as the scene says, referred to, or beside the volume or others.
 std::string labelsOf(const std::string& written, const std::string& volume, const SourceOptions& options) {
   std::error_code unknown;
   const fs::path name = fs::path(written).filename();
+  if (const auto told = options.labels.find(written); told != options.labels.end())
+    return told->second.string();
   if (written.empty() || fs::exists(written, unknown))
     return written;
   if (const auto referred = options.references.find(name.string()); referred != options.references.end())
     return referred->second.string();
   const fs::path beside = fs::path(volume).parent_path() / name;
-  return fs::exists(beside, unknown) ? beside.string() : written;
+  if (fs::exists(beside, unknown))
+    return beside.string();
+  for (const auto& [said, told] : options.labels)
+    if (const fs::path other = told.parent_path() / name; fs::exists(other, unknown))
+      return other.string();
+  throw LabelsMissing(written, Message::tr("The labels %1 are not where they are expected (%2).")
+                                   .arg(name.string())
+                                   .arg(written));
 }
 
 void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
@@ -269,13 +278,16 @@ bool isOnAnotherGrid(const std::optional<VolumeTraits>& own, const Volume& shown
 }
 
 // Labels on another grid mean nothing, and reading them would say so instead of which volume this is.
-void leaveLabelsOut(LoadedScene& loaded, KeptPart& keep) {
+void leaveLabelsOut(LoadedScene& loaded, KeptPart& keep, bool areOfAnother) {
   if (keep.kind != Region::Kind::labels)
     return;
   KeptPart left;
   left.cuts = keep.cuts;
   keep = left;
-  loaded.notes.push_back(Message::tr("The labels were left out: they are of another volume."));
+  loaded.lacksLabels = true;
+  loaded.notes.push_back(areOfAnother
+                             ? Message::tr("The labels were left out: they are of another volume.")
+                             : Message::tr("The labels were left out, as you asked; the file keeps them."));
 }
 
 void takeMeasurements(LoadedScene& loaded, const SceneDocument& document) {
@@ -304,8 +316,8 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
     return loaded;
   const bool isElsewhere = isOnAnotherGrid(own, *opened.volume);
   loaded.isOfAnotherVolume = isElsewhere || isOfAnotherVolume(document, options);
-  if (isElsewhere)
-    leaveLabelsOut(loaded, document.keep);
+  if (isElsewhere || options.leavesLabelsOut)
+    leaveLabelsOut(loaded, document.keep, isElsewhere);
   keepPart(loaded, document.keep, options, progress);
   takeMeasurements(loaded, document);
   if (!document.hasCamera)

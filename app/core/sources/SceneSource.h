@@ -35,6 +35,18 @@ private:
   std::filesystem::path m_expected;
 };
 
+/// A scene, session or picture was read, but a file of its labels is not where it says.
+class LabelsMissing : public Error {
+public:
+  explicit LabelsMissing(const std::filesystem::path& expected, const Message& sentence)
+      : Error(Error::Kind::input, sentence), m_expected(expected) {}
+
+  const std::filesystem::path& expected() const { return m_expected; }
+
+private:
+  std::filesystem::path m_expected;
+};
+
 /// A folder holds several series, none was chosen, and the options ask for that to be told.
 class SeveralSeries : public Error {
 public:
@@ -54,6 +66,10 @@ struct SourceOptions {
   /// Replaces the volume that a scene or picture names; where its view looks past this one, what is visible
   /// is framed, and `notes` say so.
   std::optional<std::filesystem::path> volume;
+  /// Where files of a scene's labels are that lie elsewhere than the scene says, by what it says; others of
+  /// its labels are looked for beside them.
+  std::map<std::string, std::filesystem::path> labels{};
+  bool leavesLabelsOut = false; ///< of a scene, which is shown without them
   /// Where else a scene's volume may be: files and folders opened before. The one of the same name is taken;
   /// of several none, because they may be of several patients.
   std::vector<std::filesystem::path> knownVolumes;
@@ -85,8 +101,9 @@ struct LoadedScene {
   std::optional<SessionDocument> session; ///< where the source is one
   std::string sessionDigest{};            ///< then of the file as it was read (digestOf)
   bool isOfAnotherVolume = false; ///< than the file that named one was saved with
+  bool lacksLabels = false;       ///< that the file has: somebody asked for it without them
   /// A session file that holds what is not shown: saving leaves it as it is.
-  bool sparesSession() const { return session && isOfAnotherVolume; }
+  bool sparesSession() const { return session && (isOfAnotherVolume || lacksLabels); }
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
   std::optional<ShownSides> sides; ///< where it is a picture that tells them

@@ -155,6 +155,11 @@ void VolumeLoader::start(const QString& source, const SourceOptions& options, st
         emit failed(source, sentence);
         emit volumeMissing(source, QString::fromStdString(expected));
       };
+    } catch (const LabelsMissing& error) {
+      return [this, source, sentence = translated(error), expected = error.expected().string()] {
+        emit failed(source, sentence);
+        emit labelsMissing(source, QString::fromStdString(expected));
+      };
     }
   });
 }
@@ -233,6 +238,15 @@ void OpeningController::connectLoader() {
             m_context.messages.show(MessageBar::Kind::error, m_failure, {},
                                     {tr("Locate volume…"), [this, source] { locateVolume(source); }});
           });
+  connect(&m_loader, &VolumeLoader::labelsMissing, this,
+          [this](const QString& source, const QString& expected) {
+            m_failure = tr("The labels of %1 are not where it expects them: %2.")
+                            .arg(QFileInfo(source).fileName(), expected);
+            m_context.messages.show(
+                MessageBar::Kind::error, m_failure, {},
+                {tr("Locate labels…"), [this, source, expected] { locateLabels(source, expected); }},
+                {tr("Open without labels"), [this, source] { openWithoutLabels(source); }});
+          });
 }
 
 void OpeningController::connectEmptyPanel() {
@@ -300,6 +314,26 @@ void OpeningController::locateVolume(const QString& scene) {
   Request request = m_requested;
   request.source = scene;
   request.options.volume = path.toStdString();
+  start(request, tr("Opening the volume"));
+}
+
+void OpeningController::locateLabels(const QString& scene, const QString& expected) {
+  const QString path =
+      askWhatToOpen(&m_context.window,
+                    {.title = tr("Where are the labels %1?").arg(QFileInfo(expected).fileName())},
+                    m_context.settings);
+  if (path.isEmpty())
+    return;
+  Request request = m_requested;
+  request.source = scene;
+  request.options.labels[expected.toStdString()] = path.toStdString();
+  start(request, tr("Opening the volume"));
+}
+
+void OpeningController::openWithoutLabels(const QString& scene) {
+  Request request = m_requested;
+  request.source = scene;
+  request.options.leavesLabelsOut = true;
   start(request, tr("Opening the volume"));
 }
 

@@ -171,6 +171,48 @@ TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
   EXPECT_EQ(readTextFile(file.toStdString()), saved);
 }
 
+TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWithoutThem) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
+  typeName(labels);
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  const QString file = pathTo("labelled.limn.json");
+  saving().writeSession(file);
+  const std::string saved = readTextFile(file.toStdString());
+  fs::create_directories(folder.path() / "moved");
+  fs::rename(labels.toStdString(), folder.path() / "moved" / "renamed.nrrd");
+  const auto choose = [this](const char* answer) {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == QString::fromUtf8(answer))
+        return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << "no button " << answer << " beside: " << messages().sentence().toStdString();
+  };
+  const auto isLoaded = [this] { return !window->loader().isLoading(); };
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(file));
+  EXPECT_TRUE(messages().sentence().contains(labels)) << messages().sentence().toStdString();
+  typeName(pathTo("moved/renamed.nrrd"));
+  choose("Locate labels…");
+  ASSERT_TRUE(test::waitUntil(isLoaded));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(file));
+  choose("Open without labels");
+  ASSERT_TRUE(test::waitUntil(isLoaded));
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::all);
+  QString suggested;
+  onceAsked<QFileDialog>([&suggested](QFileDialog& dialog) {
+    suggested = dialog.selectedFiles().value(0);
+    dialog.reject();
+  });
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(suggested, pathTo("labelled-2.limn.json"));
+  EXPECT_EQ(readTextFile(file.toStdString()), saved);
+}
+
 TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   const QString volume = smallVolume("a");
