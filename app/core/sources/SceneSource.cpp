@@ -208,8 +208,20 @@ Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
       .arg(held);
 }
 
+// Each sentence is whole, because its words agree differently in other languages.
+Message missingVolume(NamedBy by) {
+  if (by == NamedBy::session)
+    return Message::tr("The session's volume %1 is not where the session expects it (%2); say where it is "
+                       "(--volume PATH).");
+  if (by == NamedBy::picture)
+    return Message::tr("The volume %1 of this picture is not where the picture expects it (%2); say where "
+                       "it is (--volume PATH).");
+  return Message::tr("The scene's volume %1 is not where the scene expects it (%2); say where it is "
+                     "(--volume PATH).");
+}
+
 // Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
-std::string volumeOf(const SceneDocument& document, const SourceOptions& options) {
+std::string volumeOf(const SceneDocument& document, const SourceOptions& options, NamedBy by) {
   if (options.volume)
     return options.volume->string();
   if (fs::exists(document.volume))
@@ -229,7 +241,7 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
       found.insert(known);
   if (found.size() == 1)
     return found.begin()->string();
-  throw VolumeMissing(document.volume);
+  throw VolumeMissing(document.volume, by, missingVolume(by).arg(name).arg(document.volume));
 }
 
 // Where a scene's label map is now: as told, as the scene says, referred to, or beside the volume or others.
@@ -299,13 +311,13 @@ void takeMeasurements(LoadedScene& loaded, const SceneDocument& document) {
 
 // `own` is what is known of the document's own volume.
 LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress,
-                         const std::optional<VolumeTraits>& own = {}) {
+                         NamedBy by, const std::optional<VolumeTraits>& own = {}) {
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
   loaded.views = std::move(document.views);
   loaded.sides = document.sides;
   loaded.scene = std::move(document.scene);
-  const std::string source = volumeOf(document, options);
+  const std::string source = volumeOf(document, options, by);
   const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);
   loaded.scene.volume =
       document.orientation.empty() ? opened.volume : orientedByHand(*opened.volume, document.orientation);
@@ -339,7 +351,7 @@ LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progr
     options.read.series = session.series;
   if (!options.read.spacingMm)
     options.read.spacingMm = session.spacingMm;
-  LoadedScene loaded = loadDocument(session.scene, options, progress, session.traits);
+  LoadedScene loaded = loadDocument(session.scene, options, progress, NamedBy::session, session.traits);
   if (isOtherSeries && !loaded.measurements.empty()) {
     loaded.measurements.clear();
     loaded.notes.push_back(Message::tr("The measurements were left out: they are of another series."));
@@ -360,7 +372,7 @@ LoadedScene loadLook(const fs::path& path, SourceOptions options, const Progress
   const OpenedVolume opened = openVolume(options.volume->string(), options, progress, changes);
   options.opened.emplace(opened.path, opened.volume);
   const SceneDocument document = sceneOf(placed.look, opened.volume->grid(), changes);
-  LoadedScene loaded = loadDocument(document, options, progress);
+  LoadedScene loaded = loadDocument(document, options, progress, NamedBy::look);
   loaded.dicom = opened.dicom;
   loaded.notes.insert(loaded.notes.begin(), changes.begin(), changes.end());
   return loaded;
@@ -404,13 +416,13 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   named.asksForSeries = false;
   if (const std::optional<std::string> text = sceneText(source))
     return looksLikeSession(*text) ? loadSession(source, named, progress)
-                                   : loadDocument(readSceneFile(source), named, progress);
+                                   : loadDocument(readSceneFile(source), named, progress, NamedBy::scene);
   if (isDicomLookFile(source))
     return loadLook(source, named, progress);
   if (auto document = sceneInPicture(source))
-    return loadDocument(std::move(*document), named, progress);
+    return loadDocument(std::move(*document), named, progress, NamedBy::picture);
   if (auto figure = figureIn(source)) {
-    LoadedScene first = loadDocument(figure->panels.front().scene, named, progress);
+    LoadedScene first = loadDocument(figure->panels.front().scene, named, progress, NamedBy::picture);
     first.beside = besideFirst(*figure);
     if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty()) {
       first.notes.insert(first.notes.begin(), remark);
@@ -469,7 +481,8 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   SourceOptions more = options;
   for (const FigurePanelDocument& panel : figure->panels) {
     loaded.panels.push_back(
-        {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
+        {panel.name, panel.plane, panel.planes,
+         loadDocument(panel.scene, more, progress, NamedBy::picture)});
     LoadedScene& scene = loaded.panels.back().scene;
     if (!panel.plane && mayLookPast(scene, options)) // slices look from nowhere
       frameWhatIsPassed(scene, progress);

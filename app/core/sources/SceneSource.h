@@ -16,23 +16,22 @@
 
 namespace limn {
 
-/// A scene or picture was read, but its volume is not where it says.
+/// What names a volume and says how it is shown.
+enum class NamedBy { scene, session, picture, look };
+
+/// A scene, session, picture or look was read, but its volume is not where it says.
 class VolumeMissing : public Error {
 public:
   /// `expected` is where the file or folder should be.
-  explicit VolumeMissing(const std::filesystem::path& expected)
-      : Error(Error::Kind::input, Message::tr("The scene's volume %1 is not where the scene expects it (%2); "
-                                              "say where it is (--volume PATH).")
-                                      .arg(expected.filename().string())
-                                      .arg(expected.string())),
-        m_expected(expected) {}
-  VolumeMissing(const std::filesystem::path& expected, const Message& sentence)
-      : Error(Error::Kind::input, sentence), m_expected(expected) {}
+  VolumeMissing(const std::filesystem::path& expected, NamedBy by, const Message& sentence)
+      : Error(Error::Kind::input, sentence), m_expected(expected), m_by(by) {}
 
   const std::filesystem::path& expected() const { return m_expected; }
+  NamedBy by() const { return m_by; }
 
 private:
   std::filesystem::path m_expected;
+  NamedBy m_by;
 };
 
 /// A scene, session or picture was read, but a file of its labels is not where it says.

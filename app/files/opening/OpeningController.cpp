@@ -74,6 +74,21 @@ QTreeWidgetItem* rowOf(const SeriesSummary& series) {
   return row;
 }
 
+QString missingVolumeText(NamedBy by, const QString& expected) {
+  switch (by) {
+  case NamedBy::look:
+    return OpeningController::tr("The series that this look belongs to is not beside it.");
+  case NamedBy::session:
+    return OpeningController::tr("The session's volume is not where the session expects it: %1.")
+        .arg(expected);
+  case NamedBy::picture:
+    return OpeningController::tr("The volume of this picture is not where the picture expects it: %1.")
+        .arg(expected);
+  default:
+    return OpeningController::tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+  }
+}
+
 } // namespace
 
 SeriesDialog::SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent)
@@ -151,9 +166,10 @@ void VolumeLoader::start(const QString& source, const SourceOptions& options, st
     } catch (const SeveralSeries& several) {
       return [this, source, dicom = several.dicom()] { emit seriesFound(source, dicom); };
     } catch (const VolumeMissing& error) {
-      return [this, source, sentence = translated(error), expected = error.expected().string()] {
+      return [this, source, sentence = translated(error), expected = error.expected().string(),
+              by = error.by()] {
         emit failed(source, sentence);
-        emit volumeMissing(source, QString::fromStdString(expected));
+        emit volumeMissing(source, QString::fromStdString(expected), by);
       };
     } catch (const LabelsMissing& error) {
       return [this, source, sentence = translated(error), expected = error.expected().string()] {
@@ -231,10 +247,8 @@ void OpeningController::connectLoader() {
     m_failure = sentence;
   });
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
-          [this](const QString& source, const QString& expected) {
-            m_failure = isDicomLookFile(source.toStdString())
-                            ? tr("The series that this look belongs to is not beside it.")
-                            : tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+          [this](const QString& source, const QString& expected, NamedBy by) {
+            m_failure = missingVolumeText(by, expected);
             m_context.messages.show(MessageBar::Kind::error, m_failure, {},
                                     {tr("Locate volume…"), [this, source] { locateVolume(source); }});
           });

@@ -57,7 +57,7 @@ signals:
   void seriesFound(const QString& source, const std::shared_ptr<const limn::DicomFolder>& dicom);
   void failed(const QString& source, const QString& sentence);
   /// Beside failed: the scene could be read, its volume was not found where it is expected.
-  void volumeMissing(const QString& source, const QString& expected);
+  void volumeMissing(const QString& source, const QString& expected, limn::NamedBy by);
   /// Beside failed: the same of a file of labels.
   void labelsMissing(const QString& source, const QString& expected);
   void cancelled();

@@ -121,7 +121,7 @@ TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {
   ASSERT_TRUE(open(smallVolume("b", "0 1 2 3 4 5 6 7"))); // of another patient
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(picture));
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("not where the scene expects it")))
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("not where the picture expects it")))
       << messages().sentence().toStdString();
 }
 
@@ -145,6 +145,10 @@ TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
   saving().writeSession(file);
   const std::string saved = readTextFile(file.toStdString());
   fs::remove(volume.toStdString());
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(file));
+  EXPECT_TRUE(messages().sentence().startsWith(QStringLiteral("The session's volume is not where the session")))
+      << messages().sentence().toStdString();
   const QString other = pathTo("other.nrrd");
   test::writeBytes(other.toStdString(),
                    "NRRD0004\ntype: short\ndimension: 3\nsizes: 3 2 2\nspace: left-posterior-superior\n"
