@@ -260,9 +260,9 @@ std::string labelsOf(const std::string& written, const std::string& volume, cons
   for (const auto& [said, told] : options.labels)
     if (const fs::path other = told.parent_path() / name; fs::exists(other, unknown))
       return other.string();
-  throw LabelsMissing(written, Message::tr("The labels %1 are not where they are expected (%2).")
-                                   .arg(name.string())
-                                   .arg(written));
+  throw LabelsMissing(
+      written,
+      Message::tr("The labels %1 are not where they are expected (%2).").arg(name.string()).arg(written));
 }
 
 void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
@@ -481,8 +481,7 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   SourceOptions more = options;
   for (const FigurePanelDocument& panel : figure->panels) {
     loaded.panels.push_back(
-        {panel.name, panel.plane, panel.planes,
-         loadDocument(panel.scene, more, progress, NamedBy::picture)});
+        {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress, NamedBy::picture)});
     LoadedScene& scene = loaded.panels.back().scene;
     if (!panel.plane && mayLookPast(scene, options)) // slices look from nowhere
       frameWhatIsPassed(scene, progress);
@@ -515,9 +514,10 @@ static void noteOtherVolume(LoadedScene& loaded) {
   const std::optional<VolumeTraits>& own = loaded.session->traits;
   const Volume& shown = *loaded.scene.volume;
   if (own && !(own->isHounsfield && looksLikeHounsfield(shown)))
-    loaded.notes.insert(loaded.notes.begin(),
-                        Message::tr("The session's values may mean other tissue here: not both volumes are in "
-                                    "Hounsfield units."));
+    loaded.notes.insert(
+        loaded.notes.begin(),
+        Message::tr("The session's values may mean other tissue here: not both volumes are in "
+                    "Hounsfield units."));
   loaded.notes.insert(loaded.notes.begin(), otherVolume(own, shown));
 }
 

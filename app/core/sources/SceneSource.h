@@ -99,8 +99,8 @@ struct LoadedScene {
   std::shared_ptr<const DicomFolder> dicom;
   std::optional<SessionDocument> session; ///< where the source is one
   std::string sessionDigest{};            ///< then of the file as it was read (digestOf)
-  bool isOfAnotherVolume = false; ///< than the file that named one was saved with
-  bool lacksLabels = false;       ///< that the file has: somebody asked for it without them
+  bool isOfAnotherVolume = false;         ///< than the file that named one was saved with
+  bool lacksLabels = false;               ///< that the file has: somebody asked for it without them
   /// A session file that holds what is not shown: saving leaves it as it is.
   bool sparesSession() const { return session && (isOfAnotherVolume || lacksLabels); }
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.

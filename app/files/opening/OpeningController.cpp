@@ -332,10 +332,9 @@ void OpeningController::locateVolume(const QString& scene) {
 }
 
 void OpeningController::locateLabels(const QString& scene, const QString& expected) {
-  const QString path =
-      askWhatToOpen(&m_context.window,
-                    {.title = tr("Where are the labels %1?").arg(QFileInfo(expected).fileName())},
-                    m_context.settings);
+  const QString path = askWhatToOpen(
+      &m_context.window, {.title = tr("Where are the labels %1?").arg(QFileInfo(expected).fileName())},
+      m_context.settings);
   if (path.isEmpty())
     return;
   Request request = m_requested;

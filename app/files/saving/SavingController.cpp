@@ -64,9 +64,8 @@ std::optional<ShownSides> sidesOf(const Comparison& shown) {
 // A name that is free beside a session file: "head-2.limn.json" beside "head.limn.json".
 QString freeNameBeside(const QString& file) {
   const QFileInfo info(file);
-  const QString ending = info.fileName().endsWith(QStringLiteral(".limn.json"))
-                             ? QStringLiteral(".limn.json")
-                             : QStringLiteral(".json");
+  const QString ending = info.fileName().endsWith(QStringLiteral(".limn.json")) ? QStringLiteral(".limn.json")
+                                                                                : QStringLiteral(".json");
   QString base = info.fileName();
   if (base.endsWith(ending))
     base.chop(ending.size());
@@ -156,12 +155,11 @@ void SavingController::saveSession() {
 }
 
 void SavingController::saveSessionAs() {
-  const QString path = askWhereToSave(
-      &m_context.window,
-      {tr("Save the session"),
-       suggestedSession(m_context.document),
-       {tr("Limn session (*.limn.json)"), tr("Any JSON file (*.json)")}},
-      m_context.settings);
+  const QString path = askWhereToSave(&m_context.window,
+                                      {tr("Save the session"),
+                                       suggestedSession(m_context.document),
+                                       {tr("Limn session (*.limn.json)"), tr("Any JSON file (*.json)")}},
+                                      m_context.settings);
   if (!path.isEmpty())
     writeSession(path);
 }

@@ -31,9 +31,9 @@ struct VolumeTraits {
 struct SessionDocument {
   enum class Panel { none, properties, effects, accuracy };
 
-  SceneDocument scene;                 ///< `scene.scene.volume` is empty
-  std::optional<int> series;           ///< of the volume's folder, as DicomFolder numbers them
-  std::optional<glm::dvec3> spacingMm; ///< given by the user, > 0
+  SceneDocument scene;                  ///< `scene.scene.volume` is empty
+  std::optional<int> series;            ///< of the volume's folder, as DicomFolder numbers them
+  std::optional<glm::dvec3> spacingMm;  ///< given by the user, > 0
   std::optional<VolumeTraits> traits{}; ///< of the volume; absent in a file that does not tell them
 
   CompareLayout layout = CompareLayout::sideBySide;

@@ -147,7 +147,8 @@ TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
   fs::remove(volume.toStdString());
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(file));
-  EXPECT_TRUE(messages().sentence().startsWith(QStringLiteral("The session's volume is not where the session")))
+  EXPECT_TRUE(
+      messages().sentence().startsWith(QStringLiteral("The session's volume is not where the session")))
       << messages().sentence().toStdString();
   const QString other = pathTo("other.nrrd");
   test::writeBytes(other.toStdString(),
