@@ -4,6 +4,7 @@
 #include "app/document/DocumentText.h"
 #include "io/scenefile/SessionFile.h"
 #include "scene/basics/Error.h"
+#include "scene/presets/PresetFit.h"
 
 #include <QFileInfo>
 
@@ -24,9 +25,12 @@ void OpenDocument::open(const LoadedScene& loaded, const Request& request, const
   m_request.options.read = loaded.read;
   m_request.options.dicom = loaded.dicom;
   m_sessionFile.clear();
-  if (loaded.session)
-    m_sessionFile =
+  m_sparedSession.clear();
+  if (loaded.session) {
+    const QString file =
         request.isUnsavedSession ? QString::fromStdString(loaded.session->savedAs) : request.source;
+    (loaded.sparesSession() ? m_sparedSession : m_sessionFile) = file;
+  }
   m_sessionDigest = loaded.sessionDigest;
   if (request.isUnsavedSession && loaded.session)
     m_sessionDigest = loaded.session->savedDigest;
@@ -41,6 +45,7 @@ void OpenDocument::open(const LoadedScene& loaded, const Request& request, const
 
 void OpenDocument::close() {
   m_sessionFile.clear();
+  m_sparedSession.clear();
   m_sessionDigest.clear();
   m_request.options.dicom.reset();
   m_session.open({});
@@ -74,6 +79,8 @@ SessionDocument OpenDocument::described() const {
   session.scene.hasTransferFunction = true;
   session.series = m_request.options.read.series;
   session.spacingMm = m_request.options.read.spacingMm;
+  if (const auto& volume = scene().volume)
+    session.traits = {volume->grid().dims, looksLikeHounsfield(*volume)};
   const PresetInUse preset = presetInUse();
   if (preset.isModified)
     session.changedPreset = m_session.preset();
@@ -94,6 +101,7 @@ bool OpenDocument::sessionFileWasChanged() const {
 
 void OpenDocument::settleIn(const QString& file, const SessionDocument& now, const std::string& digest) {
   m_sessionFile = QFileInfo(file).absoluteFilePath();
+  m_sparedSession.clear();
   m_sessionDigest = digest;
   m_session.undoStack().setClean();
   m_settled = now;

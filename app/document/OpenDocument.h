@@ -33,6 +33,10 @@ public:
   /// The session file that it was read from or saved to; empty where there is none.
   const QString& sessionFile() const { return m_sessionFile; }
 
+  /// The session file that it was read from without being all of it; it is not to be saved over. Empty where
+  /// there is none.
+  const QString& sparedSession() const { return m_sparedSession; }
+
   /// Whether somebody else has changed that file since it was read or written here. One that has gone has
   /// nothing to lose.
   bool sessionFileWasChanged() const;
@@ -72,6 +76,7 @@ private:
   Session& m_session;
   Request m_request;
   QString m_sessionFile;
+  QString m_sparedSession;
   std::string m_sessionDigest; ///< of that file as it was read or written last; empty: not known
   Histogram m_histogram;
   SessionDocument m_settled;

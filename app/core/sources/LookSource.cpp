@@ -56,7 +56,7 @@ PlacedLook placedLook(const fs::path& file, const SourceOptions& options, const 
     } catch (const Error&) { // it does not hold the images, or cannot be read
     }
   throw VolumeMissing(
-      places.front(),
+      places.front(), NamedBy::look,
       Message::tr("The series that the look %1 belongs to is not beside it; say where it is (--volume PATH).")
           .arg(name));
 }

@@ -208,8 +208,20 @@ Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
       .arg(held);
 }
 
+// Each sentence is whole, because its words agree differently in other languages.
+Message missingVolume(NamedBy by) {
+  if (by == NamedBy::session)
+    return Message::tr("The session's volume %1 is not where the session expects it (%2); say where it is "
+                       "(--volume PATH).");
+  if (by == NamedBy::picture)
+    return Message::tr("The volume %1 of this picture is not where the picture expects it (%2); say where "
+                       "it is (--volume PATH).");
+  return Message::tr("The scene's volume %1 is not where the scene expects it (%2); say where it is "
+                     "(--volume PATH).");
+}
+
 // Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
-std::string volumeOf(const SceneDocument& document, const SourceOptions& options) {
+std::string volumeOf(const SceneDocument& document, const SourceOptions& options, NamedBy by) {
   if (options.volume)
     return options.volume->string();
   if (fs::exists(document.volume))
@@ -229,19 +241,28 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
       found.insert(known);
   if (found.size() == 1)
     return found.begin()->string();
-  throw VolumeMissing(document.volume);
+  throw VolumeMissing(document.volume, by, missingVolume(by).arg(name).arg(document.volume));
 }
 
-// Where a scene's label map is now: as the scene says, referred to, or beside the volume.
+// Where a scene's label map is now: as told, as the scene says, referred to, or beside the volume or others.
 std::string labelsOf(const std::string& written, const std::string& volume, const SourceOptions& options) {
   std::error_code unknown;
   const fs::path name = fs::path(written).filename();
+  if (const auto told = options.labels.find(written); told != options.labels.end())
+    return told->second.string();
   if (written.empty() || fs::exists(written, unknown))
     return written;
   if (const auto referred = options.references.find(name.string()); referred != options.references.end())
     return referred->second.string();
   const fs::path beside = fs::path(volume).parent_path() / name;
-  return fs::exists(beside, unknown) ? beside.string() : written;
+  if (fs::exists(beside, unknown))
+    return beside.string();
+  for (const auto& [said, told] : options.labels)
+    if (const fs::path other = told.parent_path() / name; fs::exists(other, unknown))
+      return other.string();
+  throw LabelsMissing(
+      written,
+      Message::tr("The labels %1 are not where they are expected (%2).").arg(name.string()).arg(written));
 }
 
 void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
@@ -264,20 +285,39 @@ bool isOfAnotherVolume(const SceneDocument& document, const SourceOptions& optio
   return options.volume->filename() != meant;
 }
 
-void takeMeasurements(LoadedScene& loaded, const SceneDocument& document, const SourceOptions& options) {
-  if (!isOfAnotherVolume(document, options))
+bool isOnAnotherGrid(const std::optional<VolumeTraits>& own, const Volume& shown) {
+  return own && own->voxels != shown.grid().dims;
+}
+
+// Labels on another grid mean nothing, and reading them would say so instead of which volume this is.
+void leaveLabelsOut(LoadedScene& loaded, KeptPart& keep, bool areOfAnother) {
+  if (keep.kind != Region::Kind::labels)
+    return;
+  KeptPart left;
+  left.cuts = keep.cuts;
+  keep = left;
+  loaded.lacksLabels = true;
+  loaded.notes.push_back(areOfAnother
+                             ? Message::tr("The labels were left out: they are of another volume.")
+                             : Message::tr("The labels were left out, as you asked; the file keeps them."));
+}
+
+void takeMeasurements(LoadedScene& loaded, const SceneDocument& document) {
+  if (!loaded.isOfAnotherVolume)
     loaded.measurements = document.measurements;
   else if (!document.measurements.empty())
     loaded.notes.push_back(Message::tr("The measurements were left out: they are of another volume."));
 }
 
-LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
+// `own` is what is known of the document's own volume.
+LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress,
+                         NamedBy by, const std::optional<VolumeTraits>& own = {}) {
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
   loaded.views = std::move(document.views);
   loaded.sides = document.sides;
   loaded.scene = std::move(document.scene);
-  const std::string source = volumeOf(document, options);
+  const std::string source = volumeOf(document, options, by);
   const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);
   loaded.scene.volume =
       document.orientation.empty() ? opened.volume : orientedByHand(*opened.volume, document.orientation);
@@ -286,8 +326,12 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.read = options.read;
   if (options.wantsVolumeAlone)
     return loaded;
+  const bool isElsewhere = isOnAnotherGrid(own, *opened.volume);
+  loaded.isOfAnotherVolume = isElsewhere || isOfAnotherVolume(document, options);
+  if (isElsewhere || options.leavesLabelsOut)
+    leaveLabelsOut(loaded, document.keep, isElsewhere);
   keepPart(loaded, document.keep, options, progress);
-  takeMeasurements(loaded, document, options);
+  takeMeasurements(loaded, document);
   if (!document.hasCamera)
     loaded.scene.camera = defaultCamera(opened.volume->grid());
   if (!document.hasTransferFunction) {
@@ -307,7 +351,7 @@ LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progr
     options.read.series = session.series;
   if (!options.read.spacingMm)
     options.read.spacingMm = session.spacingMm;
-  LoadedScene loaded = loadDocument(session.scene, options, progress);
+  LoadedScene loaded = loadDocument(session.scene, options, progress, NamedBy::session, session.traits);
   if (isOtherSeries && !loaded.measurements.empty()) {
     loaded.measurements.clear();
     loaded.notes.push_back(Message::tr("The measurements were left out: they are of another series."));
@@ -328,7 +372,7 @@ LoadedScene loadLook(const fs::path& path, SourceOptions options, const Progress
   const OpenedVolume opened = openVolume(options.volume->string(), options, progress, changes);
   options.opened.emplace(opened.path, opened.volume);
   const SceneDocument document = sceneOf(placed.look, opened.volume->grid(), changes);
-  LoadedScene loaded = loadDocument(document, options, progress);
+  LoadedScene loaded = loadDocument(document, options, progress, NamedBy::look);
   loaded.dicom = opened.dicom;
   loaded.notes.insert(loaded.notes.begin(), changes.begin(), changes.end());
   return loaded;
@@ -372,13 +416,13 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   named.asksForSeries = false;
   if (const std::optional<std::string> text = sceneText(source))
     return looksLikeSession(*text) ? loadSession(source, named, progress)
-                                   : loadDocument(readSceneFile(source), named, progress);
+                                   : loadDocument(readSceneFile(source), named, progress, NamedBy::scene);
   if (isDicomLookFile(source))
     return loadLook(source, named, progress);
   if (auto document = sceneInPicture(source))
-    return loadDocument(std::move(*document), named, progress);
+    return loadDocument(std::move(*document), named, progress, NamedBy::picture);
   if (auto figure = figureIn(source)) {
-    LoadedScene first = loadDocument(figure->panels.front().scene, named, progress);
+    LoadedScene first = loadDocument(figure->panels.front().scene, named, progress, NamedBy::picture);
     first.beside = besideFirst(*figure);
     if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty()) {
       first.notes.insert(first.notes.begin(), remark);
@@ -437,7 +481,7 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
   SourceOptions more = options;
   for (const FigurePanelDocument& panel : figure->panels) {
     loaded.panels.push_back(
-        {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
+        {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress, NamedBy::picture)});
     LoadedScene& scene = loaded.panels.back().scene;
     if (!panel.plane && mayLookPast(scene, options)) // slices look from nowhere
       frameWhatIsPassed(scene, progress);
@@ -446,6 +490,35 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
       more.opened.emplace(scene.volumePath, scene.scene.volume);
   }
   return loaded;
+}
+
+// How another volume than a session's is told from its own.
+static Message otherVolume(const std::optional<VolumeTraits>& own, const Volume& shown) {
+  const glm::ivec3& now = shown.grid().dims;
+  if (!own)
+    return Message::tr("This is another volume than the session's.");
+  if (own->voxels == now)
+    return Message::tr("This may be another volume than the session's: its file has another name.");
+  return Message::tr("This is another volume than the session's: %1 × %2 × %3 voxels in place of "
+                     "%4 × %5 × %6.")
+      .arg(now.x)
+      .arg(now.y)
+      .arg(now.z)
+      .arg(own->voxels.x)
+      .arg(own->voxels.y)
+      .arg(own->voxels.z);
+}
+
+// Before all else that is said: the rest is judged by it.
+static void noteOtherVolume(LoadedScene& loaded) {
+  const std::optional<VolumeTraits>& own = loaded.session->traits;
+  const Volume& shown = *loaded.scene.volume;
+  if (own && !(own->isHounsfield && looksLikeHounsfield(shown)))
+    loaded.notes.insert(
+        loaded.notes.begin(),
+        Message::tr("The session's values may mean other tissue here: not both volumes are in "
+                    "Hounsfield units."));
+  loaded.notes.insert(loaded.notes.begin(), otherVolume(own, shown));
 }
 
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
@@ -461,6 +534,8 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   else if (!loaded.hasOwnCamera && !options.bringsView)
     loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,
                                        effortOf(progress, Message::tr("Finding what is visible")));
+  if (loaded.session && loaded.isOfAnotherVolume)
+    noteOtherVolume(loaded);
   return loaded;
 }
 

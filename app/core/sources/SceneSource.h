@@ -16,17 +16,28 @@
 
 namespace limn {
 
-/// A scene or picture was read, but its volume is not where it says.
+/// What names a volume and says how it is shown.
+enum class NamedBy { scene, session, picture, look };
+
+/// A scene, session, picture or look was read, but its volume is not where it says.
 class VolumeMissing : public Error {
 public:
   /// `expected` is where the file or folder should be.
-  explicit VolumeMissing(const std::filesystem::path& expected)
-      : Error(Error::Kind::input, Message::tr("The scene's volume %1 is not where the scene expects it (%2); "
-                                              "say where it is (--volume PATH).")
-                                      .arg(expected.filename().string())
-                                      .arg(expected.string())),
-        m_expected(expected) {}
-  VolumeMissing(const std::filesystem::path& expected, const Message& sentence)
+  VolumeMissing(const std::filesystem::path& expected, NamedBy by, const Message& sentence)
+      : Error(Error::Kind::input, sentence), m_expected(expected), m_by(by) {}
+
+  const std::filesystem::path& expected() const { return m_expected; }
+  NamedBy by() const { return m_by; }
+
+private:
+  std::filesystem::path m_expected;
+  NamedBy m_by;
+};
+
+/// A scene, session or picture was read, but a file of its labels is not where it says.
+class LabelsMissing : public Error {
+public:
+  explicit LabelsMissing(const std::filesystem::path& expected, const Message& sentence)
       : Error(Error::Kind::input, sentence), m_expected(expected) {}
 
   const std::filesystem::path& expected() const { return m_expected; }
@@ -54,6 +65,10 @@ struct SourceOptions {
   /// Replaces the volume that a scene or picture names; where its view looks past this one, what is visible
   /// is framed, and `notes` say so.
   std::optional<std::filesystem::path> volume;
+  /// Where files of a scene's labels are that lie elsewhere than the scene says, by what it says; others of
+  /// its labels are looked for beside them.
+  std::map<std::string, std::filesystem::path> labels{};
+  bool leavesLabelsOut = false; ///< of a scene, which is shown without them
   /// Where else a scene's volume may be: files and folders opened before. The one of the same name is taken;
   /// of several none, because they may be of several patients.
   std::vector<std::filesystem::path> knownVolumes;
@@ -84,6 +99,10 @@ struct LoadedScene {
   std::shared_ptr<const DicomFolder> dicom;
   std::optional<SessionDocument> session; ///< where the source is one
   std::string sessionDigest{};            ///< then of the file as it was read (digestOf)
+  bool isOfAnotherVolume = false;         ///< than the file that named one was saved with
+  bool lacksLabels = false;               ///< that the file has: somebody asked for it without them
+  /// A session file that holds what is not shown: saving leaves it as it is.
+  bool sparesSession() const { return session && (isOfAnotherVolume || lacksLabels); }
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
   std::optional<ShownSides> sides; ///< where it is a picture that tells them

@@ -74,6 +74,21 @@ QTreeWidgetItem* rowOf(const SeriesSummary& series) {
   return row;
 }
 
+QString missingVolumeText(NamedBy by, const QString& expected) {
+  switch (by) {
+  case NamedBy::look:
+    return OpeningController::tr("The series that this look belongs to is not beside it.");
+  case NamedBy::session:
+    return OpeningController::tr("The session's volume is not where the session expects it: %1.")
+        .arg(expected);
+  case NamedBy::picture:
+    return OpeningController::tr("The volume of this picture is not where the picture expects it: %1.")
+        .arg(expected);
+  default:
+    return OpeningController::tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+  }
+}
+
 } // namespace
 
 SeriesDialog::SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent)
@@ -151,9 +166,15 @@ void VolumeLoader::start(const QString& source, const SourceOptions& options, st
     } catch (const SeveralSeries& several) {
       return [this, source, dicom = several.dicom()] { emit seriesFound(source, dicom); };
     } catch (const VolumeMissing& error) {
+      return [this, source, sentence = translated(error), expected = error.expected().string(),
+              by = error.by()] {
+        emit failed(source, sentence);
+        emit volumeMissing(source, QString::fromStdString(expected), by);
+      };
+    } catch (const LabelsMissing& error) {
       return [this, source, sentence = translated(error), expected = error.expected().string()] {
         emit failed(source, sentence);
-        emit volumeMissing(source, QString::fromStdString(expected));
+        emit labelsMissing(source, QString::fromStdString(expected));
       };
     }
   });
@@ -226,12 +247,19 @@ void OpeningController::connectLoader() {
     m_failure = sentence;
   });
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
-          [this](const QString& source, const QString& expected) {
-            m_failure = isDicomLookFile(source.toStdString())
-                            ? tr("The series that this look belongs to is not beside it.")
-                            : tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+          [this](const QString& source, const QString& expected, NamedBy by) {
+            m_failure = missingVolumeText(by, expected);
             m_context.messages.show(MessageBar::Kind::error, m_failure, {},
                                     {tr("Locate volume…"), [this, source] { locateVolume(source); }});
+          });
+  connect(&m_loader, &VolumeLoader::labelsMissing, this,
+          [this](const QString& source, const QString& expected) {
+            m_failure = tr("The labels of %1 are not where it expects them: %2.")
+                            .arg(QFileInfo(source).fileName(), expected);
+            m_context.messages.show(
+                MessageBar::Kind::error, m_failure, {},
+                {tr("Locate labels…"), [this, source, expected] { locateLabels(source, expected); }},
+                {tr("Open without labels"), [this, source] { openWithoutLabels(source); }});
           });
 }
 
@@ -300,6 +328,25 @@ void OpeningController::locateVolume(const QString& scene) {
   Request request = m_requested;
   request.source = scene;
   request.options.volume = path.toStdString();
+  start(request, tr("Opening the volume"));
+}
+
+void OpeningController::locateLabels(const QString& scene, const QString& expected) {
+  const QString path = askWhatToOpen(
+      &m_context.window, {.title = tr("Where are the labels %1?").arg(QFileInfo(expected).fileName())},
+      m_context.settings);
+  if (path.isEmpty())
+    return;
+  Request request = m_requested;
+  request.source = scene;
+  request.options.labels[expected.toStdString()] = path.toStdString();
+  start(request, tr("Opening the volume"));
+}
+
+void OpeningController::openWithoutLabels(const QString& scene) {
+  Request request = m_requested;
+  request.source = scene;
+  request.options.leavesLabelsOut = true;
   start(request, tr("Opening the volume"));
 }
 

@@ -57,7 +57,9 @@ signals:
   void seriesFound(const QString& source, const std::shared_ptr<const limn::DicomFolder>& dicom);
   void failed(const QString& source, const QString& sentence);
   /// Beside failed: the scene could be read, its volume was not found where it is expected.
-  void volumeMissing(const QString& source, const QString& expected);
+  void volumeMissing(const QString& source, const QString& expected, limn::NamedBy by);
+  /// Beside failed: the same of a file of labels.
+  void labelsMissing(const QString& source, const QString& expected);
   void cancelled();
 
 private:
@@ -115,6 +117,8 @@ private:
   void openRecent(int number);
   void start(const Request& request, const QString& what);
   void locateVolume(const QString& scene);
+  void locateLabels(const QString& scene, const QString& expected);
+  void openWithoutLabels(const QString& scene);
   void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
   void readWithSpacing(const Request& shown, const QString& entered);
   void refreshRecent();

@@ -15,6 +15,7 @@
 #include <QStatusBar>
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -31,6 +32,18 @@ bool showsNothing(const TransferFunction& function, const Histogram& histogram) 
       return false;
   }
   return true;
+}
+
+// Whether fitting has moved a curve by more than rounding does.
+bool liesElsewhere(const TransferFunction& fitted, const TransferFunction& saved) {
+  constexpr double least = 1e-3; // of what the saved one spans
+  const auto &now = fitted.points, &then = saved.points;
+  if (then.empty() || now.size() != then.size())
+    return now.size() != then.size();
+  const double tolerance = least * (then.back().value - then.front().value);
+  return !std::ranges::equal(now, then, [tolerance](const ControlPoint& a, const ControlPoint& b) {
+    return std::abs(a.value - b.value) <= tolerance;
+  });
 }
 
 // The values that a curve is for, where nothing else tells: it begins in the background, becomes visible
@@ -225,6 +238,8 @@ void PresetController::use(const QString& name) {
     isBuiltIn(name) ? sayHowItWasFitted(known) : offerToFit(known);
   else if (showsNothing(preset->transferFunction, m_context.document.histogram()))
     offerWhereNothingShows(known);
+  else if (!isBuiltIn(name) && liesElsewhere(preset->transferFunction, known.transferFunction))
+    offerAsSaved(known);
 }
 
 void PresetController::preview(const QString& name) {
@@ -300,6 +315,15 @@ void PresetController::sayHowItWasFitted(const Preset& preset) {
                number(hounsfieldLandmarks.object), number(to.brightest),
                number(hounsfieldLandmarks.brightest)),
       {tr("Use it as it is"), leaveIt});
+}
+
+void PresetController::offerAsSaved(const Preset& preset) {
+  const QString name = presetWords(QString::fromStdString(preset.name));
+  const auto takeAsSaved = [this, preset, name, volume = m_context.session.scene().volume] {
+    if (m_context.session.scene().volume == volume)
+      show(preset, tr("use preset %1").arg(name));
+  };
+  say(tr("\"%1\" was fitted to this volume's values.").arg(name), {tr("Use as saved"), takeAsSaved});
 }
 
 void PresetController::offerToFit(const Preset& preset) {

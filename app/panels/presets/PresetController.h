@@ -87,6 +87,8 @@ private:
   void offerToFit(const Preset& preset);
   void offerWhereNothingShows(const Preset& preset);
   void sayHowItWasFitted(const Preset& preset);
+  /// Says that one's own preset was fitted, and offers its own values.
+  void offerAsSaved(const Preset& preset);
   void say(const QString& sentence, const MessageBar::Action& action = {});
   const Preset* find(const QString& name) const;
   std::optional<Preset> fitted(const QString& name) const;

@@ -92,11 +92,31 @@ Json openingJson(const CutOpening& opening) {
           {"crop_before", {{"lower", {lower.x, lower.y, lower.z}}, {"upper", {upper.x, upper.y, upper.z}}}}};
 }
 
+VolumeTraits readTraits(JsonFields fields) {
+  constexpr int mostVoxels = 1 << 20; // along one axis
+  VolumeTraits traits;
+  fields.integer("x", traits.voxels.x, 1, mostVoxels);
+  fields.integer("y", traits.voxels.y, 1, mostVoxels);
+  fields.integer("z", traits.voxels.z, 1, mostVoxels);
+  fields.boolean("hounsfield", traits.isHounsfield);
+  fields.finish();
+  return traits;
+}
+
+Json traitsJson(const VolumeTraits& traits) {
+  return {{"x", traits.voxels.x},
+          {"y", traits.voxels.y},
+          {"z", traits.voxels.z},
+          {"hounsfield", traits.isHounsfield}};
+}
+
 void readVolumeOptions(JsonFields& fields, SessionDocument& session) {
   if (fields.has("series"))
     fields.integer("series", session.series.emplace(), 1, 100000);
   if (fields.has("spacing_mm"))
     fields.vector("spacing_mm", session.spacingMm.emplace(), positive);
+  if (fields.has("volume_traits"))
+    session.traits = readTraits(fields.object("volume_traits"));
 }
 
 } // namespace
@@ -157,6 +177,8 @@ std::string sessionToJson(const SessionDocument& session) {
     json["series"] = *session.series;
   if (const auto& spacing = session.spacingMm)
     json["spacing_mm"] = {spacing->x, spacing->y, spacing->z};
+  if (session.traits)
+    json["volume_traits"] = traitsJson(*session.traits);
   json["compare"] = {{"layout", nameOf(session.layout)},
                      {"layout_is_asked", session.layoutIsAsked},
                      {"left", nameOf(session.leftModel)},

@@ -20,13 +20,21 @@ struct CutOpening {
   bool operator==(const CutOpening&) const = default;
 };
 
+/// By what a volume is told from another one without naming anybody.
+struct VolumeTraits {
+  glm::ivec3 voxels{0};
+  bool isHounsfield = false; ///< its values are Hounsfield units
+  bool operator==(const VolumeTraits&) const = default;
+};
+
 /// A session file as read: the scene, how its volume is read, and what the window showed beside it.
 struct SessionDocument {
   enum class Panel { none, properties, effects, accuracy };
 
-  SceneDocument scene;                 ///< `scene.scene.volume` is empty
-  std::optional<int> series;           ///< of the volume's folder, as DicomFolder numbers them
-  std::optional<glm::dvec3> spacingMm; ///< given by the user, > 0
+  SceneDocument scene;                  ///< `scene.scene.volume` is empty
+  std::optional<int> series;            ///< of the volume's folder, as DicomFolder numbers them
+  std::optional<glm::dvec3> spacingMm;  ///< given by the user, > 0
+  std::optional<VolumeTraits> traits{}; ///< of the volume; absent in a file that does not tell them
 
   CompareLayout layout = CompareLayout::sideBySide;
   bool layoutIsAsked = true; ///< for by somebody: two pictures stay two where they have little room

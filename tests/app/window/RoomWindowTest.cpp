@@ -467,6 +467,26 @@ TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
   EXPECT_TRUE(own()->landmarks.has_value());
 }
 
+TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
+  Preset mine;
+  mine.name = "mylook";
+  mine.modality = "MR";
+  mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
+  mine.transferFunction = {
+      1.0, {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
+  PresetStore(UserFolders::below(folder.path()).presets).save(mine);
+  writeBallWithoutUnit(folder.path() / "ball.nrrd");
+  ASSERT_TRUE(open(pathTo("ball.nrrd")));
+  auto& presets = *window->findChild<PresetController*>();
+  presets.refresh();
+  presets.use(QStringLiteral("mylook"));
+  EXPECT_NE(scene().transferFunction, mine.transferFunction) << "fitting is what happens unasked";
+  ASSERT_TRUE(messages().isVisible());
+  EXPECT_EQ(messages().sentence(), QStringLiteral("\"mylook\" was fitted to this volume's values."));
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_EQ(scene().transferFunction, mine.transferFunction);
+}
+
 TEST_F(Looks, aPresetThatShowsNothingOffersToFitItAtOnce) {
   Preset far;
   far.name = "Far";

@@ -191,7 +191,9 @@ std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
   if (source.geometry.layout != CompareLayout::difference)
     return std::nullopt;
   const std::vector<PlacedLabel> labels = labelsOf(source);
-  const std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
+  std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
+  for (const HiddenNote& hidden : hiddenNotesOf(source, 0))
+    plates.push_back(hidden.note.plate);
   DifferenceTitle title;
   title.label.label.title = QObject::tr("%2 minus %1, ×%3")
                                 .arg(sideTitle(source.comparison, 0), sideTitle(source.comparison, 1))

@@ -129,6 +129,34 @@ TEST(SceneSource, whatWasMeasuredStaysWithItsVolumeAndItsSeries) {
   EXPECT_EQ(loadScene(path.string(), options, {}).measurements, session.scene.measurements);
 }
 
+TEST(SceneSource, anotherVolumeThanTheSessionsIsSaidFirstAndItsLabelsAreLeftOut) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json";
+  SessionDocument session = sessionOfPhantom();
+  const LoadedScene own = loadScene("phantom:8", {}, {});
+  session.traits = {own.scene.volume->grid().dims, true};
+  session.scene.keep.kind = Region::Kind::labels;
+  session.scene.keep.labels = "labels.nrrd";
+  std::ofstream(path) << sessionToJson(session);
+  EXPECT_EQ(readSessionFile(path).traits, session.traits);
+  SourceOptions options;
+  options.volume = "phantom:10";
+  const LoadedScene other = loadScene(path.string(), options, {});
+  EXPECT_TRUE(other.sparesSession());
+  EXPECT_EQ(other.scene.keep.kind, Region::Kind::all);
+  const glm::ivec3 now = other.scene.volume->grid().dims, then = session.traits->voxels;
+  ASSERT_NE(now, then);
+  const auto size = [](const glm::ivec3& dims) {
+    return std::to_string(dims.x) + " × " + std::to_string(dims.y) + " × " + std::to_string(dims.z);
+  };
+  ASSERT_FALSE(other.notes.empty());
+  EXPECT_EQ(other.notes.front().english(), "This is another volume than the session's: " + size(now) +
+                                               " voxels in place of " + size(then) + ".");
+  EXPECT_TRUE(std::ranges::any_of(other.notes, [](const Message& note) {
+    return note.english() == "The labels were left out: they are of another volume.";
+  }));
+}
+
 // As another scanner puts the patient's head a metre away.
 TEST(SceneSource, aViewThatLooksPastTheVolumeOfAnotherPatientIsFittedToIt) {
   const test::TemporaryFolder folder;
@@ -143,8 +171,8 @@ TEST(SceneSource, aViewThatLooksPastTheVolumeOfAnotherPatientIsFittedToIt) {
   camera.target = {0, 0, 0};
   std::ofstream(path) << sessionToJson(session);
   const auto saysThatItIsFitted = [](const LoadedScene& loaded) {
-    return !loaded.notes.empty() &&
-           loaded.notes.front().english().starts_with("The saved view looks past this volume");
+    return loaded.notes.size() > 1 && loaded.notes[0].english().starts_with("This is another volume") &&
+           loaded.notes[1].english().starts_with("The saved view looks past this volume");
   };
   SourceOptions options;
   options.volume = volume;

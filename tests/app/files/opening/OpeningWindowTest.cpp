@@ -121,7 +121,7 @@ TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {
   ASSERT_TRUE(open(smallVolume("b", "0 1 2 3 4 5 6 7"))); // of another patient
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(picture));
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("not where the scene expects it")))
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("not where the picture expects it")))
       << messages().sentence().toStdString();
 }
 
@@ -135,6 +135,87 @@ TEST_F(OpeningWindow, aPictureOfTheSampleHeadReopens) {
   ASSERT_TRUE(open(picture));
   EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
   EXPECT_EQ(window->sessionDocument().scene.volume, installedSampleHead()->string());
+}
+
+TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
+  const QString volume = smallVolume("a");
+  ASSERT_TRUE(open(volume));
+  session().setMeasurements({{Measurement::Kind::mark, std::nullopt, {{1, 1, 1}}, "1"}}, {});
+  const QString file = pathTo("own.limn.json");
+  saving().writeSession(file);
+  const std::string saved = readTextFile(file.toStdString());
+  fs::remove(volume.toStdString());
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(file));
+  EXPECT_TRUE(
+      messages().sentence().startsWith(QStringLiteral("The session's volume is not where the session")))
+      << messages().sentence().toStdString();
+  const QString other = pathTo("other.nrrd");
+  test::writeBytes(other.toStdString(),
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 3 2 2\nspace: left-posterior-superior\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: ascii\n\n"
+                   "0 1 2 3 4 5 6 7 8 9 10 11\n");
+  SourceOptions options;
+  options.volume = other.toStdString();
+  window->openSource(file, options);
+  ASSERT_TRUE(rest());
+  EXPECT_TRUE(messages().sentence().startsWith(QStringLiteral("This is another volume than the session's: "
+                                                              "3 × 2 × 2 voxels in place of 2 × 2 × 2")))
+      << messages().sentence().toStdString();
+  QString suggested;
+  onceAsked<QFileDialog>([&suggested](QFileDialog& dialog) {
+    suggested = dialog.selectedFiles().value(0);
+    QTest::keyClick(dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
+  });
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(suggested, pathTo("own-2.limn.json"));
+  EXPECT_EQ(readTextFile(file.toStdString()), saved);
+  ASSERT_TRUE(fs::exists(suggested.toStdString()));
+  // From then on that one is the session's own file.
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(readTextFile(file.toStdString()), saved);
+}
+
+TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWithoutThem) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
+  typeName(labels);
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  const QString file = pathTo("labelled.limn.json");
+  saving().writeSession(file);
+  const std::string saved = readTextFile(file.toStdString());
+  fs::create_directories(folder.path() / "moved");
+  fs::rename(labels.toStdString(), folder.path() / "moved" / "renamed.nrrd");
+  const auto choose = [this](const char* answer) {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == QString::fromUtf8(answer))
+        return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << "no button " << answer << " beside: " << messages().sentence().toStdString();
+  };
+  const auto isLoaded = [this] { return !window->loader().isLoading(); };
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(file));
+  EXPECT_TRUE(messages().sentence().contains(labels)) << messages().sentence().toStdString();
+  typeName(pathTo("moved/renamed.nrrd"));
+  choose("Locate labels…");
+  ASSERT_TRUE(test::waitUntil(isLoaded));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(file));
+  choose("Open without labels");
+  ASSERT_TRUE(test::waitUntil(isLoaded));
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::all);
+  QString suggested;
+  onceAsked<QFileDialog>([&suggested](QFileDialog& dialog) {
+    suggested = dialog.selectedFiles().value(0);
+    dialog.reject();
+  });
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(suggested, pathTo("labelled-2.limn.json"));
+  EXPECT_EQ(readTextFile(file.toStdString()), saved);
 }
 
 TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {

@@ -42,6 +42,22 @@ protected:
   PictureState state;
 };
 
+TEST_F(HiddenNotes, areNotPrintedOverByTheTitleOfADifference) {
+  keepBody();
+  comparison.layout = CompareLayout::difference;
+  for (const int width : {360, 420, 500, 700}) { // as narrow as beside slices, too
+    OverlaySource narrow = source();
+    narrow.geometry.size = {width, 400};
+    const std::optional<DifferenceTitle> title = differenceTitleOf(narrow);
+    ASSERT_TRUE(title);
+    ASSERT_FALSE(hiddenNotesOf(narrow).empty());
+    for (const HiddenNote& hidden : hiddenNotesOf(narrow)) {
+      EXPECT_FALSE(hidden.note.plate.intersects(title->label.plate)) << width;
+      EXPECT_FALSE(hidden.note.plate.intersects(title->note.plate)) << width;
+    }
+  }
+}
+
 TEST_F(HiddenNotes, areAbsentWhereNothingIsHidden) {
   EXPECT_TRUE(hiddenNotesOf(source()).empty());
   EXPECT_FALSE(hiddenNoteAt(source(), {30.0, 50.0}));
