@@ -61,6 +61,12 @@ TEST_F(DialogsWindow, thatALanguageComesWithTheNextStartIsSaidBesideTheChoice) {
   ASSERT_NE(said(), nullptr);
   QCoreApplication::processEvents(); // lays it out
   EXPECT_LT(said()->y() - language->geometry().bottom(), 30) << "right below";
+  EXPECT_GE(said()->height(), said()->heightForWidth(said()->width()));
+  for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
+    const QRect place(button->mapTo(dialog, QPoint()), button->size());
+    EXPECT_TRUE(dialog->rect().contains(place)) << button->text().toStdString();
+    EXPECT_GE(button->height(), button->sizeHint().height()) << button->text().toStdString();
+  }
 }
 
 TEST_F(DialogsWindow, whatWasOpenedBeforeIsForgottenFromTheSettings) {
