@@ -94,6 +94,14 @@ constexpr std::array shownNumbers{
     ShownNumber{[](Scene& scene) { return &scene.shading.physical.sky.above; }},
     ShownNumber{[](Scene& scene) { return &scene.shading.physical.sky.below; }},
     ShownNumber{[](Scene& scene) { return &scene.shading.physical.exposureEv; }},
+    ShownNumber{[](Scene& scene) {
+      auto* until = std::get_if<UntilLevels>(&scene.shading.physical.until);
+      return until ? &until->levels : nullptr;
+    }},
+    ShownNumber{[](Scene& scene) {
+      auto* until = std::get_if<UntilSeconds>(&scene.shading.physical.until);
+      return until ? &until->seconds : nullptr;
+    }},
     ShownNumber{[](Scene& scene) { return &scene.fog.densityPerMm; }},
     ShownNumber{[](Scene& scene) { return &scene.fog.startMm; }},
     ShownNumber{[](Scene& scene) { return &scene.fog.endMm; }},
