@@ -13,6 +13,7 @@ namespace limn {
 struct Gesture {
   std::uint64_t id = 0;
   QString text;
+  bool isWhole = false; ///< the text tells what became of it, so that no numbers follow
 };
 
 /// An id no other gesture of this program run has.

@@ -19,16 +19,23 @@
 namespace limn {
 namespace {
 
+constexpr std::size_t mostOfColumn = 32; // longer names have a line of their own before the rest
+
 void listPresets() {
   const PresetStore::Contents own = PresetStore::ofThisUser().read();
   std::size_t width = 0;
   for (const std::vector<Preset>& presets : {builtInPresets(), own.presets})
     for (const Preset& preset : presets)
-      width = std::max(width, preset.name.size());
+      if (preset.name.size() <= mostOfColumn)
+        width = std::max(width, preset.name.size());
   const auto list = [width](const std::vector<Preset>& presets, const char* whose) {
-    for (const Preset& preset : presets)
-      std::printf("%-*s %-4s %-8s  %s\n", static_cast<int>(width), preset.name.c_str(),
+    for (const Preset& preset : presets) {
+      const bool isLong = preset.name.size() > width;
+      if (isLong)
+        std::printf("%s\n", preset.name.c_str());
+      std::printf("%-*s %-4s %-8s  %s\n", static_cast<int>(width), isLong ? "" : preset.name.c_str(),
                   preset.modality.c_str(), whose, preset.note.c_str());
+    }
   };
   list(builtInPresets(), "built-in");
   list(own.presets, "own");

@@ -84,7 +84,8 @@ void addTurntableCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<TurntableArguments>();
   CommandSyntax command =
       root.command("turntable", "pictures of a scene or volume from all around, as frames or a video");
-  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  addSceneArguments(command, arguments->scene,
+                    "none, classic, enhanced, robust or physical (random paths, by the processor: slow)");
   command.option("-o,--output", arguments->out, "a folder for frames, or a video: .mp4 (with ffmpeg)")
       .required()
       .file({".mp4"});

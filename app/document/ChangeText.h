@@ -2,13 +2,14 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "widgets/Gesture.h"
 
 #include <QString>
 
 namespace limn {
 
 /// What an edit changed, where that is one thing with a number: "opacity at 400 HU 0.55 → 0.6"; otherwise
-/// what the edit is called. In the imperative or as a noun, as history and undo show it.
-QString changeText(const Scene& before, const Scene& after, const QString& called);
+/// what its gesture is called. In the imperative or as a noun, as history and undo show it.
+QString changeText(const Scene& before, const Scene& after, const Gesture& gesture);
 
 } // namespace limn

@@ -44,9 +44,8 @@ public:
   SceneEdit(Session& session, const Scene& scene, const Preset& preset, const Gesture& gesture)
       : QUndoCommand(gesture.text), m_session(session),
         m_before(stateOf(session, session.m_scene, session.m_preset, session.m_measurements)),
-        m_after(stateOf(session, scene, preset, measuredIn(session, scene.volume))), m_gesture(gesture.id),
-        m_called(gesture.text) {
-    setText(changeText(m_before.scene, m_after.scene, m_called));
+        m_after(stateOf(session, scene, preset, measuredIn(session, scene.volume))), m_gesture(gesture) {
+    setText(changeText(m_before.scene, m_after.scene, m_gesture));
   }
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
@@ -54,11 +53,11 @@ public:
 
   bool mergeWith(const QUndoCommand* other) override {
     const auto* later = static_cast<const SceneEdit*>(other);
-    if (later->m_gesture != m_gesture)
+    if (later->m_gesture.id != m_gesture.id)
       return false;
     m_after = later->m_after;
-    m_called = later->m_called;
-    setText(changeText(m_before.scene, m_after.scene, m_called)); // from where the gesture began
+    m_gesture = later->m_gesture;
+    setText(changeText(m_before.scene, m_after.scene, m_gesture)); // from where the gesture began
     setObsolete(m_before.labels == m_after.labels &&
                 withCameraOf(m_before.scene, m_after.scene) == m_after.scene);
     return true;
@@ -107,8 +106,7 @@ private:
   Session& m_session;
   State m_before;
   State m_after;
-  std::uint64_t m_gesture;
-  QString m_called; ///< by the gesture
+  Gesture m_gesture; ///< the last that was merged
 };
 
 /// Replaces what was measured, and nothing else.

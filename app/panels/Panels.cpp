@@ -5,6 +5,7 @@
 #include "app/window/WindowContext.h"
 #include "scene/function/PointShare.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/controls/LabelledRow.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/PointLight.h"
 #include "widgets/curve/TransferFunctionEditor.h"
@@ -16,6 +17,7 @@
 #include "widgets/view/CompareView.h"
 #include "widgets/view/overlay/Overlay.h"
 
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QUndoView>
 
@@ -62,9 +64,15 @@ public:
     if (!list)
       return QStyledItemDelegate::sizeHint(option, index);
     QStyleOptionViewItem within = option;
-    within.rect.setWidth(list->viewport()->width() - 2 * list->spacing());
+    const int width = list->viewport()->width() - 2 * list->spacing();
+    within.rect.setWidth(width);
+    // The style measures the text in all of the row, and adds what theme.qss keeps free around it afterwards.
+    QStyleOptionViewItem whole = within;
+    initStyleOption(&whole, index);
+    const QRect text = list->style()->subElementRect(QStyle::SE_ItemViewItemText, &whole, list);
+    within.rect.setWidth(width - 2 * (text.left() - within.rect.left()));
     const QSize size = QStyledItemDelegate::sizeHint(within, index);
-    return {std::min(size.width(), within.rect.width()), size.height()};
+    return {std::min(size.width(), width), size.height()};
   }
 
 protected:
@@ -342,8 +350,7 @@ void Panels::switchEffect(const QString& effect, bool isOn) {
     kept.keep = {};
     m_switchedOff[name] = kept;
   }
-  m_context.session.edit(*next,
-                         {nextGestureId(), isOn ? tr("switch an effect on") : tr("switch an effect off")});
+  m_context.session.edit(*next, switchGesture(m_effects.titleOf(effect), isOn));
 }
 
 void Panels::showScene(const Scene& scene) {

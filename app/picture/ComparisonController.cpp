@@ -3,6 +3,7 @@
 
 #include "app/picture/ModelMenus.h"
 #include "app/window/WindowContext.h"
+#include "widgets/controls/LabelledRow.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/shading/ModelSection.h"
 #include "widgets/view/CompareView.h"
@@ -220,8 +221,9 @@ void ComparisonController::setSideModel(int side, ShadingModel model) {
   const bool isOfOwnLook = m_compared.look && side == 1;
   if (isSingle || (isOfOwnLook && !m_compared.ownModel)) {
     Shading shading = m_context.session.scene().shading;
+    const Gesture gesture = choiceGesture(tr("Model"), modelName(shading.model), modelName(model));
     shading.model = model;
-    m_context.session.setShading(shading, {nextGestureId(), tr("change model")});
+    m_context.session.setShading(shading, gesture);
     return;
   }
   const ComparisonState before = m_compared;

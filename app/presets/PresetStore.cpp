@@ -97,12 +97,16 @@ std::optional<Preset> PresetStore::find(const std::string& name) const {
   return file.empty() ? std::nullopt : std::optional(presetIn(file));
 }
 
-void PresetStore::save(const Preset& preset) const {
-  const std::filesystem::path file = fileOf(preset.name);
-  if (file.filename().string().size() > longestFileName)
+void PresetStore::requireFits(const std::string& name) const {
+  if (fileOf(name).filename().string().size() > longestFileName)
     throw Error(
         Error::Kind::usage,
         Message::tr("Cannot save the preset: its name is too long for a file; choose a shorter one."));
+}
+
+void PresetStore::save(const Preset& preset) const {
+  requireFits(preset.name);
+  const std::filesystem::path file = fileOf(preset.name);
   makeFolder(m_folder);
   const std::filesystem::path before = fileHolding(preset.name);
   writeFileAtomically(file, presetToJson(preset), FilePlace::fixed);

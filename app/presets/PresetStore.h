@@ -29,6 +29,9 @@ public:
   /// be read.
   std::optional<Preset> find(const std::string& name) const;
 
+  /// Throws Error (usage) where a name is too long for a file.
+  void requireFits(const std::string& name) const;
+
   /// Writes a preset atomically, replacing the one of the same name. Throws Error.
   void save(const Preset& preset) const;
 

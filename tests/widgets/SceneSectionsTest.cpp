@@ -109,7 +109,7 @@ TEST_F(SceneSections, theIsovalueShowsWhereASurfaceIsShown) {
   EXPECT_EQ(isovalue->findChild<NumberField*>()->suffix(), QString(QChar(0x00a0)) + QStringLiteral("HU"));
   type(isovalue->findChild<NumberField*>(), QStringLiteral("-250"));
   EXPECT_EQ(m_scene.isovalue, -250.0);
-  EXPECT_EQ(m_gestures.back().text, QStringLiteral("change surface at"));
+  EXPECT_EQ(m_gestures.back().text, QStringLiteral("change value of the surface"));
   choose(projection, static_cast<int>(Projection::mip));
   EXPECT_FALSE(isovalue->isVisible());
 }

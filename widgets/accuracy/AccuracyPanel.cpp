@@ -201,9 +201,9 @@ void AccuracyPanel::use(const OperatingPoint& point) {
 
 void AccuracyPanel::ask(const Quality& quality, const QString& undoText) {
   if (quality.toleranceLevels)
-    emit toleranceWished(quality, {nextGestureId(), undoText});
+    emit toleranceWished(quality, {nextGestureId(), undoText, true});
   else
-    emit qualityEdited(quality, {nextGestureId(), undoText});
+    emit qualityEdited(quality, {nextGestureId(), undoText, true});
 }
 
 void AccuracyPanel::answer(const WishAnswer& answer) {

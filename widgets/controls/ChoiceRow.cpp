@@ -47,7 +47,7 @@ void QuietComboBox::wheelEvent(QWheelEvent* event) {
 
 ChoiceRow::ChoiceRow(const QString& label, const QString& help, const QStringList& choices, int defaultIndex,
                      QWidget* parent)
-    : QWidget(parent), m_name(label),
+    : QWidget(parent), m_called(label),
       m_toolTip(tr("<p>%1</p><p>%2; default %3. Double click on the name to reset.</p>")
                     .arg(help, choices.join(QStringLiteral(", ")), choices.at(defaultIndex))),
       m_default(defaultIndex), m_label(new ResetLabel(label)), m_box(new ElidedComboBox) {
@@ -82,8 +82,9 @@ void ChoiceRow::setUnavailable(const QString& reason) {
 void ChoiceRow::edit(int index) {
   if (index == m_index)
     return;
+  const QString before = m_box->itemText(m_index);
   setIndex(index);
-  emit indexEdited(index, {nextGestureId(), changeText(m_name)});
+  emit indexEdited(index, choiceGesture(m_called, before, m_box->itemText(index)));
 }
 
 } // namespace limn

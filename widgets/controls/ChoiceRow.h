@@ -30,6 +30,9 @@ public:
   ChoiceRow(const QString& label, const QString& help, const QStringList& choices, int defaultIndex,
             QWidget* parent = nullptr);
 
+  /// What undo calls the choice, where that is not its label.
+  void setCalled(const QString& name) { m_called = name; }
+
   void setIndex(int index);
 
   /// Disables the control and says why in its tool tip; an empty reason enables it.
@@ -43,7 +46,7 @@ signals:
 private:
   void edit(int index);
 
-  QString m_name;
+  QString m_called; ///< by undo
   QString m_toolTip;
   int m_default;
   int m_index = 0;

@@ -44,4 +44,17 @@ QString changeText(const QString& label) {
   return QObject::tr("change %1").arg(inSentence(label));
 }
 
+QString changeText(const NumberSpec& spec) {
+  return changeText(spec.called.isEmpty() ? spec.label : spec.called);
+}
+
+Gesture switchGesture(const QString& label, bool isOn) {
+  return {nextGestureId(), (isOn ? QObject::tr("%1: on") : QObject::tr("%1: off")).arg(inSentence(label)),
+          true};
+}
+
+Gesture choiceGesture(const QString& label, const QString& before, const QString& after) {
+  return {nextGestureId(), QObject::tr("%1: %2 → %3").arg(inSentence(label), before, after), true};
+}
+
 } // namespace limn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/Gesture.h"
+
 #include <QLabel>
 #include <QMouseEvent>
 #include <QString>
@@ -23,6 +25,7 @@ double valueAtFraction(const SliderScale& scale, double fraction);
 /// What a slider row says and allows.
 struct NumberSpec {
   QString label;                  ///< a clinician's words, the formula's symbol in brackets
+  QString called = {};            ///< what undo calls the number; empty: by its label
   QString help;                   ///< one sentence: what it does to the picture
   QString unit = {};              ///< empty where the number has none
   SliderScale scale;              ///< of the track
@@ -43,6 +46,12 @@ QString describedFor(const NumberSpec& spec);
 
 /// What undo shows: "change ambient light".
 QString changeText(const QString& label);
+/// The same of a number.
+QString changeText(const NumberSpec& spec);
+/// What is switched on or off by `label`: "light both sides: on".
+Gesture switchGesture(const QString& label, bool isOn);
+/// One of a few is chosen: "fog: None → Linear".
+Gesture choiceGesture(const QString& label, const QString& before, const QString& after);
 
 /// How wide the names in a panel are: behind them tracks and boxes begin, all at one place.
 inline constexpr int labelColumn = 116;

@@ -83,7 +83,7 @@ void ValueSlider::setUnavailable(const QString& reason) {
 void ValueSlider::edit(double value, std::uint64_t gestureId) {
   m_field->setNumber(value);
   m_slider->setValues({value});
-  emit valueEdited(value, {gestureId, changeText(m_spec.label)});
+  emit valueEdited(value, {gestureId, changeText(m_spec)});
 }
 
 RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
@@ -151,7 +151,7 @@ void RangeSlider::setUnavailable(const QString& reason) {
 
 void RangeSlider::edit(double lower, double upper, std::uint64_t gestureId) {
   setRange(lower, upper);
-  emit rangeEdited(lower, upper, {gestureId, changeText(m_spec.label)});
+  emit rangeEdited(lower, upper, {gestureId, changeText(m_spec)});
 }
 
 } // namespace limn

@@ -26,6 +26,8 @@ namespace {
 
 constexpr int fieldWidth = 64; // pixels
 constexpr int betweenGroups = 12;
+constexpr int betweenRows = 4;
+constexpr QMargins around(6, 2, 6, 2);
 constexpr double anyNumber = 1e9;
 constexpr double widestTyped = 100.0; // of the range of the values
 
@@ -99,13 +101,11 @@ QString nameOfWindow(TissueWindow tissue) {
 
 } // namespace
 
-PlaneBar::PlaneBar(QWidget* parent) : QWidget(parent), m_row(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
+PlaneBar::PlaneBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("planeBar"));
-  m_row->setContentsMargins(6, 2, 6, 2);
-  m_row->setSpacing(betweenGroups);
-  m_row->addWidget(m_groups[0] = makeToolGroup());
-  m_row->addWidget(m_groups[1] = makeSlabGroup());
-  m_row->addStretch(1);
+  m_groups = {makeToolGroup(), makeGreyGroup(), makeWindowsGroup(), makeSlabGroup(), makeLastGroup()};
+  for (QWidget* group : m_groups)
+    group->setParent(this);
   setTool(PlaneTool::crosshair);
   setEnabled(false); // there is no volume yet
   showIcons();
@@ -128,13 +128,12 @@ QWidget* PlaneBar::makeToolGroup() {
     row->addWidget(button);
   }
   row->addWidget(makeMeasureButton());
-  m_windows = new QToolButton;
-  m_windows->setText(tr("Window"));
-  m_windows->setToolTip(tr("Grey windows to choose from."));
-  m_windows->setPopupMode(QToolButton::InstantPopup);
-  m_windows->setMenu(new QMenu(m_windows));
-  looksIdleAfterMenu(*m_windows);
-  row->addWidget(m_windows);
+  return group;
+}
+
+QWidget* PlaneBar::makeGreyGroup() {
+  auto* group = new QWidget;
+  QHBoxLayout* row = rowIn(*group);
   m_width = makeField(0.0, anyNumber, tr("Window width"), tr("How many values lie between black and white."));
   m_centre = makeField(-anyNumber, anyNumber, tr("Window level"),
                        tr("The value in the middle between black and white."));
@@ -148,6 +147,18 @@ QWidget* PlaneBar::makeToolGroup() {
   connect(m_centre, &NumberField::numberEdited, this, [this](double centre) {
     edit([&](PlaneSettings& s) { s.window = GreyWindow{centre, windowOf(m_content).width}; });
   });
+  return group;
+}
+
+QWidget* PlaneBar::makeWindowsGroup() {
+  auto* group = new QWidget;
+  m_windows = new QToolButton;
+  m_windows->setText(tr("Window"));
+  m_windows->setToolTip(tr("Grey windows to choose from."));
+  m_windows->setPopupMode(QToolButton::InstantPopup);
+  m_windows->setMenu(new QMenu(m_windows));
+  looksIdleAfterMenu(*m_windows);
+  rowIn(*group)->addWidget(m_windows);
   return group;
 }
 
@@ -187,6 +198,12 @@ QWidget* PlaneBar::makeSlabGroup() {
   connect(m_mode, &QComboBox::activated, this,
           [this](int mode) { edit([&](PlaneSettings& s) { s.slab.mode = static_cast<Slab::Mode>(mode); }); });
   row->addWidget(m_mode);
+  return group;
+}
+
+QWidget* PlaneBar::makeLastGroup() {
+  auto* group = new QWidget;
+  QHBoxLayout* row = rowIn(*group);
   m_tint = new QToolButton;
   m_tint->setText(tr("Tint"));
   m_tint->setCheckable(true);
@@ -297,7 +314,7 @@ void PlaneBar::setTool(PlaneTool tool) {
 void PlaneBar::addButton(QAction& action) {
   auto* button = new QToolButton;
   button->setDefaultAction(&action);
-  auto* row = static_cast<QHBoxLayout*>(m_groups[1]->layout());
+  auto* row = static_cast<QHBoxLayout*>(m_groups.back()->layout());
   row->insertWidget(row->count() - 1, button);
 }
 
@@ -325,23 +342,41 @@ void PlaneBar::changeEvent(QEvent* event) {
     showIcons();
 }
 
-bool PlaneBar::needsTwoRows(int width) const {
-  const QMargins margins = m_row->contentsMargins();
-  return width < m_groups[0]->sizeHint().width() + m_groups[1]->sizeHint().width() + m_row->spacing() +
-                     margins.left() + margins.right();
+std::vector<QRect> PlaneBar::placesAt(int width) const {
+  std::vector<QRect> places;
+  int height = 0;
+  for (const QWidget* group : m_groups)
+    height = std::max(height, group->sizeHint().height());
+  QPoint next(around.left(), around.top());
+  for (const QWidget* group : m_groups) {
+    const int wide = group->sizeHint().width();
+    if (!places.empty() && next.x() + wide > width - around.right())
+      next = {around.left(), next.y() + height + betweenRows};
+    places.emplace_back(next, QSize(wide, height));
+    next.rx() += wide + betweenGroups;
+  }
+  return places;
 }
 
 int PlaneBar::heightAt(int width) const {
-  const QMargins margins = m_row->contentsMargins();
-  const int first = m_groups[0]->sizeHint().height();
-  const int second = m_groups[1]->sizeHint().height();
-  const int rows = needsTwoRows(width) ? first + m_row->spacing() + second : std::max(first, second);
-  return rows + margins.top() + margins.bottom();
+  return placesAt(width).back().bottom() + 1 + around.bottom();
+}
+
+void PlaneBar::arrange() {
+  const std::vector<QRect> places = placesAt(width());
+  for (std::size_t i = 0; i < m_groups.size(); ++i)
+    m_groups[i]->setGeometry(places[i]);
+}
+
+bool PlaneBar::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) // a group became wider
+    arrange();
+  return QWidget::event(event);
 }
 
 void PlaneBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  m_row->setDirection(needsTwoRows(width()) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  arrange();
 }
 
 void PlaneBar::paintEvent(QPaintEvent*) {

@@ -8,9 +8,9 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 class QAction;
-class QBoxLayout;
 class QComboBox;
 class QToolButton;
 
@@ -32,8 +32,8 @@ public:
   /// A button for something that is done elsewhere.
   void addButton(QAction& action);
 
-  /// How high it is at a width: the groups of controls stand beside each other or, where that has no room,
-  /// below.
+  /// How high it is at a width: groups of controls stand beside each other and, where that has no room, in
+  /// rows below, each as wide as it needs.
   int heightAt(int width) const;
 
 signals:
@@ -42,23 +42,27 @@ signals:
   void toolRequested(limn::PlaneTool tool);
 
 protected:
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
   QWidget* makeToolGroup();
+  QWidget* makeGreyGroup();
+  QWidget* makeWindowsGroup();
   QWidget* makeSlabGroup();
+  QWidget* makeLastGroup();
   QToolButton* makeMeasureButton();
   QToolButton* makeMoreButton();
   void fillWindowMenu();
-  bool needsTwoRows(int width) const;
+  std::vector<QRect> placesAt(int width) const; ///< of the groups
+  void arrange();
   void edit(const std::function<void(PlaneSettings&)>& change);
   void showIcons();
 
   PlaneContent m_content;
-  QBoxLayout* m_row;
-  std::array<QWidget*, 2> m_groups{};
+  std::array<QWidget*, 5> m_groups{};
   std::array<QToolButton*, 2> m_tools{}; ///< crosshair and window/level, the first of PlaneTool
   QToolButton* m_measure = nullptr;      ///< the tool that measured last, the others in its menu
   PlaneTool m_measureTool = PlaneTool::distance;

@@ -18,6 +18,7 @@ namespace {
 NumberSpec percentSpec(const AxisName& name) {
   return {
       .label = name.axis,
+      .called = CropSection::tr("Crop of %1").arg(name.axis),
       .help = CropSection::tr(
           "What lies outside this part of the volume is cut away; the first number is the end named first."),
       .unit = QStringLiteral("%"),

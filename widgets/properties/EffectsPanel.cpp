@@ -210,6 +210,11 @@ void EffectsPanel::setRows(const std::vector<EffectRow>& rows, const QString& pi
   m_measure->setEnabled(!rows.empty() && !m_times.isMeasuring);
 }
 
+QString EffectsPanel::titleOf(const QString& effect) const {
+  const auto row = std::ranges::find(m_shown, effect.toStdString(), &EffectRow::name);
+  return row == m_shown.end() ? effect : translated(row->title);
+}
+
 void EffectsPanel::setSwitchable(const std::set<std::string>& effects) {
   if (effects == m_switchable)
     return;

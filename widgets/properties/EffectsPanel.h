@@ -65,6 +65,9 @@ public:
 
   void setTimes(const EffectTimes& times);
 
+  /// What the effect of this name is called; its name where no row has it.
+  QString titleOf(const QString& effect) const;
+
   QSize sizeHint() const override { return {320, 600}; }
 
 signals:

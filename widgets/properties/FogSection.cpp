@@ -28,6 +28,7 @@ double rounded(double number) {
 
 NumberSpec densitySpec() {
   return {.label = FogSection::tr("Density (ρ)"),
+          .called = FogSection::tr("Density of the fog"),
           .help = FogSection::tr("How fast the picture fades with distance: more is thicker, 0 is no fog."),
           .unit = FogSection::tr("per mm"),
           .scale = {0.0001, 0.1, true},
@@ -37,8 +38,10 @@ NumberSpec densitySpec() {
           .decimals = 5};
 }
 
-NumberSpec distanceSpec(const QString& label, const QString& help, double initial, double farthest) {
+NumberSpec distanceSpec(const QString& label, const QString& called, const QString& help, double initial,
+                        double farthest) {
   return {.label = label,
+          .called = called,
           .help = help,
           .unit = FogSection::tr("mm"),
           .scale = {0.0, farthest, false},
@@ -48,7 +51,7 @@ NumberSpec distanceSpec(const QString& label, const QString& help, double initia
 }
 
 NumberSpec startSpec(double farthest) {
-  return distanceSpec(FogSection::tr("Begins at"),
+  return distanceSpec(FogSection::tr("Begins at"), FogSection::tr("Beginning of the fog"),
                       FogSection::tr("The distance from the viewer up to which the picture stays clear; "
                                      "zooming out moves the viewer away."),
                       Fog{}.startMm, farthest);
@@ -56,7 +59,7 @@ NumberSpec startSpec(double farthest) {
 
 NumberSpec endSpec(double farthest) {
   return distanceSpec(
-      FogSection::tr("Full at"),
+      FogSection::tr("Full at"), FogSection::tr("Distance of the full fog"),
       FogSection::tr("The distance from the viewer from which only the fog's colour is left."), Fog{}.endMm,
       farthest);
 }
@@ -117,6 +120,7 @@ FogSection::FogSection(QWidget* parent)
   m_end = addNumber(new ValueSlider(endSpec(1000.0)), &Fog::endMm);
   m_density = addNumber(new ValueSlider(densitySpec()), &Fog::densityPerMm);
 
+  m_mode->setCalled(tr("Fog"));
   auto* row = new QHBoxLayout(m_colorRow);
   row->setContentsMargins(0, 0, 0, 0);
   auto* name = new QLabel(tr("Colour"));

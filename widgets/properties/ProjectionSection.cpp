@@ -48,6 +48,7 @@ NumberSpec isovalueSpec(const Volume* volume) {
   // Beyond the data there is no surface; a constant volume still needs a track.
   const double highest = width > 0.0 ? range.highest : range.lowest + 1.0;
   return {.label = ProjectionSection::tr("Surface at"),
+          .called = ProjectionSection::tr("Value of the surface"),
           .help = ProjectionSection::tr(
               "The value at which the surface lies: 300 HU is bone, −300 HU the skin of a CT."),
           .unit = volume ? QString::fromStdString(volume->info().unit) : QString(),
@@ -85,6 +86,7 @@ ProjectionSection::ProjectionSection(QWidget* parent)
       m_meaning(new QLabel), m_isovalue(new ValueSlider(isovalueSpec(nullptr))) {
   for (int i = 0; i < m_projection->box()->count(); ++i)
     m_projection->box()->setItemData(i, projectionMeanings().at(i), Qt::ToolTipRole);
+  m_projection->setCalled(tr("Projection"));
   m_meaning->setWordWrap(true);
   m_meaning->setForegroundRole(QPalette::PlaceholderText);
   for (QWidget* control : std::initializer_list<QWidget*>{m_projection, m_meaning, m_isovalue})

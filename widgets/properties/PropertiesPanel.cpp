@@ -22,6 +22,7 @@ namespace {
 
 NumberSpec stepSpec() {
   return {.label = QualitySection::tr("Step"),
+          .called = QualitySection::tr("Step between samples"),
           .help = QualitySection::tr("The distance between samples along a ray, in voxels: smaller is closer "
                                      "to exact, larger is faster."),
           .unit = QualitySection::tr("voxels"),
@@ -34,6 +35,7 @@ NumberSpec stepSpec() {
 
 NumberSpec terminationSpec() {
   return {.label = QualitySection::tr("Stop when opaque to"),
+          .called = QualitySection::tr("Opacity at which rays stop"),
           .help = QualitySection::tr("A ray stops where so much light is already blocked: lower is faster "
                                      "but loses a little light, 1 never stops early."),
           .scale = {0.9, 1.0, false},
@@ -83,7 +85,7 @@ void QualitySection::addJitter() {
   contents()->addWidget(m_jitter);
   connect(m_jitter, &QAbstractButton::clicked, this, [this](bool on) {
     m_quality.jitter = on;
-    emit qualityEdited(m_quality, {nextGestureId(), changeText(m_jitter->text())});
+    emit qualityEdited(m_quality, switchGesture(m_jitter->text(), on));
   });
 }
 

@@ -27,6 +27,7 @@ GradientReference referenceOf(int choice) {
 
 NumberSpec percentSpec() {
   return {.label = GradientSection::tr("Percentile"),
+          .called = GradientSection::tr("Percentile of the full effect"),
           .help = GradientSection::tr("Boundaries stronger than this share of all voxels count as strongest; "
                                       "lower it when metal makes everything else look flat."),
           .unit = QStringLiteral("%"),
@@ -37,6 +38,7 @@ NumberSpec percentSpec() {
 
 NumberSpec fixedSpec() {
   return {.label = GradientSection::tr("At a change of"),
+          .called = GradientSection::tr("Gradient of the full effect"),
           .help = GradientSection::tr("The change of value per millimetre that counts as the strongest "
                                       "boundary; smaller numbers emphasise weaker boundaries."),
           .unit = GradientSection::tr("per mm"),
@@ -50,6 +52,7 @@ NumberSpec fixedSpec() {
 NumberSpec curveSpec() {
   return {
       .label = GradientSection::tr("Strength of it"),
+      .called = GradientSection::tr("Strength of the gradient curve"),
       .help = GradientSection::tr(
           "How strongly the curve bends: the exponent of the gamma curve, the base of the logarithmic one."),
       .scale = {0.1, 100.0, true},
@@ -61,6 +64,7 @@ NumberSpec curveSpec() {
 NumberSpec significanceSpec() {
   const Significance initial;
   return {.label = GradientSection::tr("Highlights begin at"),
+          .called = GradientSection::tr("Boundaries with highlights"),
           .help = GradientSection::tr("Highlights fade in between these shares of the strongest boundary, so "
                                       "that noise in flat tissue does not sparkle."),
           .scale = {0.0, 1.0, false},
@@ -71,6 +75,7 @@ NumberSpec significanceSpec() {
 
 NumberSpec kneeSpec() {
   return {.label = GradientSection::tr("Soft limit from (k)"),
+          .called = GradientSection::tr("Soft limit (k)"),
           .help = GradientSection::tr("The brightness above which colours are held back smoothly; lower "
                                       "numbers keep more hue in highlights."),
           .scale = {0.0, 0.99, false},
@@ -151,14 +156,14 @@ void GradientSection::addRobustExtras() {
     box->setAccessibleName(box->text());
   connect(m_significanceOn, &QAbstractButton::clicked, this, [this](bool on) {
     edit(&Shading::significance, on ? std::optional(Significance{}) : std::nullopt,
-         {nextGestureId(), changeText(m_significanceOn->text())});
+         switchGesture(m_significanceOn->text(), on));
   });
   connect(m_significance, &RangeSlider::rangeEdited, this,
           [this](double low, double high, const Gesture& gesture) {
             edit(&Shading::significance, Significance{low, high}, gesture);
           });
   connect(m_kneeOn, &QAbstractButton::clicked, this, [this](bool on) {
-    edit(&Shading::knee, on ? Shading{}.knee : std::nullopt, {nextGestureId(), changeText(m_kneeOn->text())});
+    edit(&Shading::knee, on ? Shading{}.knee : std::nullopt, switchGesture(m_kneeOn->text(), on));
   });
   connect(m_knee, &ValueSlider::valueEdited, this,
           [this](double knee, const Gesture& gesture) { edit(&Shading::knee, knee, gesture); });

@@ -155,7 +155,7 @@ void LightBall::keyPressEvent(QKeyEvent* event) {
 
 void LightBall::edit(const glm::dvec3& place, std::uint64_t gestureId) {
   setPlace(place);
-  emit placeEdited(place, {gestureId, changeText(tr("Lamp"))});
+  emit placeEdited(place, {gestureId, tr("move the lamp")});
 }
 
 } // namespace limn

@@ -30,6 +30,7 @@ NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
 
 NumberSpec smoothingSpec() {
   return {.label = LightSection::tr("Smooth normals"),
+          .called = LightSection::tr("Smoothing of normals"),
           .help = LightSection::tr("Takes the terraces of thick slices out of the light; about 0.7 of the "
                                    "distance between slices is a good start. No surface moves."),
           .unit = QStringLiteral("mm"),
@@ -202,6 +203,7 @@ void LightSection::addTravel() {
                         0.0, [](Shading& shading) -> double& { return shading.shadow.strength; });
   m_softness =
       new ValueSlider({.label = tr("Softness"),
+                       .called = tr("Softness of shadows"),
                        .help = tr("How large the lamp is: 0° casts hard shadows, 45° hardly any edge."),
                        .unit = QStringLiteral("°"),
                        .scale = {0.0, 45.0, false},
@@ -213,6 +215,7 @@ void LightSection::addTravel() {
                     "(occlusion)."),
                  0.0, [](Shading& shading) -> double& { return shading.occlusion.strength; });
   m_reach = new ValueSlider({.label = tr("Reach"),
+                             .called = tr("Reach of the darkening"),
                              .help = tr("How far away what stands around a place still darkens it."),
                              .unit = QStringLiteral("mm"),
                              .scale = {1.0, 100.0, true},

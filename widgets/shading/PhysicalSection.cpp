@@ -27,6 +27,7 @@ NumberSpec untilPathsSpec() {
 
 NumberSpec untilLevelsSpec() {
   return {.label = PhysicalSection::tr("Noise left"),
+          .called = PhysicalSection::tr("Noise that may be left"),
           .help =
               PhysicalSection::tr("The standard error that may be left, RMS over the picture, in 255 levels "
                                   "of brightness; half of it takes four times as long."),
@@ -39,6 +40,7 @@ NumberSpec untilLevelsSpec() {
 
 NumberSpec untilSecondsSpec() {
   return {.label = PhysicalSection::tr("Time for it"),
+          .called = PhysicalSection::tr("Time for a picture"),
           .help = PhysicalSection::tr("How long a picture may take."),
           .unit = PhysicalSection::tr("s"),
           .scale = {1.0, 3600.0, true},

@@ -52,9 +52,8 @@ QCheckBox* ShadingSection::addSwitch(const QString& label, const QString& help, 
   box->setToolTip(help);
   box->setAccessibleName(label);
   contents()->addWidget(box);
-  connect(box, &QAbstractButton::clicked, this, [this, member, label](bool checked) {
-    edit(member, checked, {nextGestureId(), changeText(label)});
-  });
+  connect(box, &QAbstractButton::clicked, this,
+          [this, member, label](bool checked) { edit(member, checked, switchGesture(label, checked)); });
   return box;
 }
 

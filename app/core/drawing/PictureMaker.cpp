@@ -12,6 +12,7 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 #include "scene/volume/VolumePart.h"
 #include "slices/SliceRenderer.h"
 
@@ -339,6 +340,9 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
     return makeWithCpu(sitting, order);
   if (order.engine)
     return makeWithGl(sitting, order, {order.textureMb, true});
+  // Physical light is always drawn by the processor: where nobody chose, there is nothing to excuse.
+  if (std::ranges::any_of(scenes, isPhysical))
+    return makeWithCpu(sitting, order);
   Message problem;
   try {
     for (const Scene& scene : scenes) {

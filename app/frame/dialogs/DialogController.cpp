@@ -310,6 +310,7 @@ SettingsDialog::SettingsDialog(const ActionList& actions, QWidget* parent) : QDi
   setWindowTitle(tr("Settings"));
   auto* rows = new QGridLayout(this); // boxes of one width
   rows->setColumnStretch(1, 1);
+  rows->setSizeConstraint(QLayout::SetFixedSize); // follows what is said below a choice
   const auto addWhole = [&](QWidget* widget) { rows->addWidget(widget, rows->rowCount(), 0, 1, 2); };
   for (const ActionList::Setting& setting : actions.settings()) {
     if (setting.choice) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/presets/OwnPresetController.h"
 
+#include "app/panels/presets/NameDialog.h"
 #include "app/window/WindowContext.h"
 #include "scene/basics/Error.h"
 #include "scene/light/GradientSmoothing.h"
@@ -8,8 +9,6 @@
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
 
-#include <QDialogButtonBox>
-#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -56,41 +55,39 @@ void OwnPresetController::askForName() {
     return;
   const QString inUse = QString::fromStdString(m_context.document.presetInUse().name);
   const QString proposed = inUse.isEmpty() ? tr("My preset") : find(inUse) ? inUse : tr("My %1").arg(inUse);
-  ask(tr("Save as preset"), tr("Name:"), proposed, [this](const QString& name) { save(name); });
+  ask(
+      tr("Save as preset"), tr("Name:"), proposed, [this](const QString& name) { save(name); },
+      [this](const QString& name) { return refusal(name); });
 }
 
 void OwnPresetController::ask(const QString& title, const QString& label, const QString& name,
-                              const std::function<void(const QString&)>& answer) {
-  auto* dialog = new QInputDialog(&m_context.window);
+                              const std::function<void(const QString&)>& answer,
+                              const std::function<QString(const QString&)>& refusal) {
+  auto* dialog = new NameDialog(title, label, name, refusal, &m_context.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(title);
-  dialog->setLabelText(label);
-  dialog->setTextValue(name);
-  dialog->setOkButtonText(tr("Save"));
-  const auto* buttons = dialog->findChild<QDialogButtonBox*>();
-  connect(dialog, &QInputDialog::textValueChanged, buttons, [buttons](const QString& entered) {
-    buttons->button(QDialogButtonBox::Ok)->setEnabled(!entered.trimmed().isEmpty());
-  });
   connect(dialog, &QInputDialog::textValueSelected, this,
           [answer](const QString& entered) { answer(entered.trimmed()); });
   dialog->open();
 }
 
-// A name of a preset of the user's own; says why not.
-bool OwnPresetController::mayBeCalled(const QString& name) const {
-  const bool isTaken = std::ranges::any_of(
-      builtInPresets(), [&](const Preset& preset) { return preset.name == name.toStdString(); });
-  if (name.isEmpty() || isTaken)
-    m_context.messages.show(MessageBar::Kind::error,
-                            isTaken ? tr("\"%1\" is a built-in preset; choose another name.").arg(name)
-                                    : tr("A preset needs a name."));
-  return !name.isEmpty() && !isTaken;
+// Why a preset of the user's own cannot be called so; empty: it can.
+QString OwnPresetController::refusal(const QString& name) const {
+  if (name.isEmpty())
+    return tr("A preset needs a name.");
+  const std::string known = name.toStdString();
+  if (std::ranges::any_of(builtInPresets(), [&](const Preset& preset) { return preset.name == known; }))
+    return tr("\"%1\" is a built-in preset; choose another name.").arg(name);
+  try {
+    m_store.requireFits(known);
+  } catch (const Error& error) {
+    return translated(error.sentence());
+  }
+  return {};
 }
 
 void OwnPresetController::save(const QString& name) {
-  if (!mayBeCalled(name))
-    return;
-  if (find(name) && !mayReplace(name))
+  const QString question = tr("There is a preset \"%1\" already. Replace it by what is shown?").arg(name);
+  if (find(name) && !mayReplace(question))
     return;
   Preset preset = presetOf(m_context.session.scene(), name.toStdString());
   // Values without a unit mean something beside those of their own volume alone.
@@ -119,12 +116,12 @@ void OwnPresetController::save(const QString& name) {
 }
 
 // Names are typed with ease, so it is asked; all the same what was is brought back by one click.
-bool OwnPresetController::mayReplace(const QString& name) {
-  QMessageBox box(QMessageBox::Question, tr("Replace preset"),
-                  tr("There is a preset \"%1\" already. Replace it by what is shown?").arg(name),
-                  QMessageBox::Cancel, &m_context.window);
+bool OwnPresetController::mayReplace(const QString& question) {
+  QMessageBox box(QMessageBox::Question, tr("Replace preset"), question, QMessageBox::Cancel,
+                  &m_context.window);
   box.setObjectName(QStringLiteral("replacePreset"));
   const QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel); // Enter loses nothing
   box.exec();
   return box.clickedButton() == replace;
 }
@@ -136,7 +133,9 @@ void OwnPresetController::offerBack(const Preset& preset, const QString& sentenc
       m_store.save(preset);
       if (isFavourite)
         m_context.settings.setFavourite(preset.name, true);
-      read();
+      m_context.messages.show(MessageBar::Kind::note,
+                              tr("\"%1\" is as it was before.").arg(QString::fromStdString(preset.name)));
+      read(); // which may say what could not be read
     });
   };
   m_context.messages.show(MessageBar::Kind::warning, sentence, {}, {label, bringBack});
@@ -162,11 +161,8 @@ void OwnPresetController::remove(const QString& name) {
 void OwnPresetController::rename(const QString& name) {
   const auto give = [this, name](const QString& entered) {
     const Preset* found = find(name);
-    if (entered == name || !found || !mayBeCalled(entered))
+    if (entered == name || !found)
       return;
-    if (find(entered))
-      return m_context.messages.show(
-          MessageBar::Kind::error, tr("There is a preset \"%1\" already; choose another name.").arg(entered));
     m_context.notes.attempt([&] {
       Preset renamed = *found;
       renamed.name = entered.toStdString();
@@ -184,7 +180,13 @@ void OwnPresetController::rename(const QString& name) {
       emit kept(entered); // a search for the former name would hide it
     });
   };
-  ask(tr("Rename preset"), tr("New name:"), name, give);
+  const auto refused = [this, name](const QString& entered) {
+    const QString sentence = entered == name ? QString() : refusal(entered);
+    return sentence.isEmpty() && entered != name && find(entered)
+               ? tr("There is a preset \"%1\" already; choose another name.").arg(entered)
+               : sentence;
+  };
+  ask(tr("Rename preset"), tr("New name:"), name, give, refused);
 }
 
 void OwnPresetController::change(const QString& name, const std::function<void(Preset&)>& edit) {
@@ -219,18 +221,28 @@ void OwnPresetController::moveToNewFolder(const QString& name) {
 }
 
 void OwnPresetController::duplicate(const Preset& preset) {
-  const auto keep = [this, copy = preset](const QString& entered) mutable {
-    if (!mayBeCalled(entered))
-      return;
-    copy.name = entered.toStdString();
-    m_context.notes.attempt([&] {
-      m_store.save(copy);
-      read();
-      emit kept(entered);
-    });
-  };
-  ask(tr("Duplicate preset"), tr("Name of the copy (a preset of the same name is replaced):"),
-      tr("%1 copy").arg(QString::fromStdString(preset.name)), keep);
+  ask(
+      tr("Duplicate preset"), tr("Name of the copy:"), tr("%1 copy").arg(QString::fromStdString(preset.name)),
+      [this, preset](const QString& entered) { keepCopy(preset, entered); },
+      [this](const QString& entered) { return refusal(entered); });
+}
+
+void OwnPresetController::keepCopy(Preset copy, const QString& name) {
+  std::optional<Preset> replaced;
+  if (const Preset* before = find(name))
+    replaced = *before;
+  const QString question = tr("There is a preset \"%1\" already. Replace it by the copy?").arg(name);
+  if (replaced && !mayReplace(question))
+    return;
+  copy.name = name.toStdString();
+  m_context.notes.attempt([&] {
+    m_store.save(copy);
+    read();
+    emit kept(name);
+    if (replaced)
+      offerBack(*replaced, tr("\"%1\" was replaced by a copy.").arg(name), tr("Take the old one back"),
+                false);
+  });
 }
 
 } // namespace limn

@@ -55,9 +55,11 @@ signals:
 
 private:
   void ask(const QString& title, const QString& label, const QString& name,
-           const std::function<void(const QString&)>& answer);
-  bool mayBeCalled(const QString& name) const;
-  bool mayReplace(const QString& name);
+           const std::function<void(const QString&)>& answer,
+           const std::function<QString(const QString&)>& refusal = {});
+  QString refusal(const QString& name) const;
+  bool mayReplace(const QString& question);
+  void keepCopy(Preset copy, const QString& name);
   void save(const QString& name);
   void change(const QString& name, const std::function<void(Preset&)>& edit);
   void offerBack(const Preset& preset, const QString& sentence, const QString& label, bool isFavourite);

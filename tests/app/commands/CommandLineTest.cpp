@@ -402,6 +402,18 @@ TEST_F(CommandLine, presetsAreListedAndShown) {
   EXPECT_EQ(run("presets show 'ct BONE'").out, show.out);
 }
 
+TEST_F(CommandLine, aVeryLongPresetNameWidensNoOtherLine) {
+  const std::string before = run("presets list").out;
+  nlohmann::json preset = nlohmann::json::parse(run("presets show 'CT bone'").out);
+  preset["name"] = std::string(120, 'n');
+  const std::filesystem::path presets = file(".local/share/limn/limn/presets");
+  std::filesystem::create_directories(presets);
+  std::ofstream(presets / "long.json") << preset;
+  const std::string list = run("presets list").out;
+  EXPECT_EQ(list.rfind(before, 0), 0u) << "the others are as they were:\n" << list;
+  EXPECT_NE(list.find(std::string(120, 'n') + "\n"), std::string::npos) << list;
+}
+
 TEST_F(CommandLine, aRealHeadRendersFromItsFile) {
   LIMN_NEEDS_SHARED("data/ct_head_cranium/ct_head_cranium.nii.gz");
   const std::string head = (test::sharedFolder() / "data/ct_head_cranium/ct_head_cranium.nii.gz").string();

@@ -68,6 +68,7 @@ TEST_F(PathCommand, jsonTellsPathsAndTheirError) {
   EXPECT_GT(error["p99_9_levels"].get<double>(), error["rms_levels"].get<double>());
   EXPECT_GT(error["seconds"].get<double>(), 0.0);
   EXPECT_NE(outcome.err.find("32 paths a pixel"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("instead"), std::string::npos) << "nobody chose another engine: " << outcome.err;
 }
 
 TEST_F(PathCommand, noiseIsFilteredOnDemandAndWhatIsLeftOfItIsSaid) {
@@ -162,6 +163,11 @@ TEST_F(PathCommand, aFigureSaysPathsAndError) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("after 8 paths a pixel"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("--tolerance"), std::string::npos) << "no step mends it";
+}
+
+TEST_F(PathCommand, theHelpOfTurntablesNamesPhysicalLight) {
+  const Outcome help = run("turntable --help");
+  EXPECT_NE(help.out.find("physical"), std::string::npos) << help.out;
 }
 
 TEST_F(PathCommand, aPictureKeepsItsStandardError) {

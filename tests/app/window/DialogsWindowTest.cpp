@@ -3,6 +3,7 @@
 #include "app/frame/dialogs/DialogController.h"
 #include "support/Places.h"
 #include "widgets/FindWidget.h"
+#include "widgets/properties/PropertiesPanel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -60,6 +61,12 @@ TEST_F(DialogsWindow, thatALanguageComesWithTheNextStartIsSaidBesideTheChoice) {
   ASSERT_NE(said(), nullptr);
   QCoreApplication::processEvents(); // lays it out
   EXPECT_LT(said()->y() - language->geometry().bottom(), 30) << "right below";
+  EXPECT_GE(said()->height(), said()->heightForWidth(said()->width()));
+  for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
+    const QRect place(button->mapTo(dialog, QPoint()), button->size());
+    EXPECT_TRUE(dialog->rect().contains(place)) << button->text().toStdString();
+    EXPECT_GE(button->height(), button->sizeHint().height()) << button->text().toStdString();
+  }
 }
 
 TEST_F(DialogsWindow, whatWasOpenedBeforeIsForgottenFromTheSettings) {
@@ -98,6 +105,51 @@ TEST_F(DialogsWindow, theHistoryListsEveryStepAndAClickGoesThere) {
   EXPECT_EQ(scene().transferFunction, before);
   clickRow(1);
   EXPECT_EQ(scene().transferFunction, dragged);
+}
+
+TEST_F(DialogsWindow, theHistoryBreaksLinesBeforeTheyAreCut) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  auto& history = *window->findChild<QUndoView*>();
+  window->findChild<QDockWidget*>(QStringLiteral("historyDock"))->raise();
+  for (int letters = 15; letters < 40; ++letters) { // from one line to two
+    Shading shading = scene().shading;
+    shading.twoSided = !shading.twoSided;
+    session().setShading(
+        shading, {nextGestureId(),
+                  QStringLiteral("of ") + QString(letters, QLatin1Char('n')).insert(8, QLatin1Char(' '))});
+  }
+  QCoreApplication::processEvents();
+  const int beside = 2 * (9 + history.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1); // theme.qss: 9
+  for (int row = 1; row < history.model()->rowCount(); ++row) {
+    const QModelIndex index = history.model()->index(row, 0);
+    const QRect place = history.visualRect(index);
+    const QRect room(0, 0, place.width() - beside, 1000);
+    const QString text = index.data().toString();
+    EXPECT_GE(place.height(), history.fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height())
+        << text.toStdString();
+  }
+}
+
+TEST_F(DialogsWindow, theHistoryTellsWhatWasChosenAndSwitched) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  auto& properties = *window->findChild<PropertiesPanel*>();
+  QComboBox* shows = widgetNamed<QComboBox>(properties, "Shows");
+  shows->setFocus();
+  QTest::keyClick(shows, Qt::Key_Down);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("projection: Tissue (composite) → Maximum (MIP)"));
+  QTest::keyClick(shows, Qt::Key_Up);
+  widgetNamed<QCheckBox>(properties, "Light both sides")->click();
+  EXPECT_EQ(undo().undoText(), QStringLiteral("light both sides: on"));
+  widgetNamed<QCheckBox>(properties, "Shift the samples (jitter)")->click();
+  EXPECT_EQ(undo().undoText(), QStringLiteral("shift the samples (jitter): on"));
+  Shading dull = scene().shading;
+  dull.specular = 0.0;
+  session().setShading(dull, switchGesture(QStringLiteral("Highlights"), false));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("highlights: off")) << "no number follows";
+  Quality quality = scene().quality;
+  quality.stepVoxels = 0.25;
+  session().setQuality(quality, {nextGestureId(), QStringLiteral("change step between samples")});
+  EXPECT_TRUE(undo().undoText().endsWith(QStringLiteral("→ 0.25"))) << undo().undoText().toStdString();
 }
 
 TEST_F(DialogsWindow, aPanelGoesIntoAWindowOfItsOwnAndBack) {

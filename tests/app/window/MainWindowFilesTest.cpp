@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/panels/presets/NameDialog.h"
 #include "io/dicom/SyntheticSeries.h"
 #include "support/FileBytes.h"
 #include "widgets/PresetNames.h"
@@ -99,11 +100,12 @@ TEST_F(MainWindowFiles, ownPresetsAreDuplicatedAndRenamedFromTheMenu) {
   clickPreset(browser, QStringLiteral("Lung of mine"));
   rightClickPreset(browser, QStringLiteral("Lung of mine"));
   chooseInMenu(browser, QStringLiteral("Rename…"));
-  answer(QStringLiteral("CT bone")); // taken
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("built-in")))
-      << messages().sentence().toStdString();
-  rightClickPreset(browser, QStringLiteral("Lung of mine"));
-  chooseInMenu(browser, QStringLiteral("Rename…"));
+  auto& asking = *window->findChild<NameDialog*>();
+  asking.setTextValue(QStringLiteral("CT bone")); // taken
+  asking.accept();
+  EXPECT_TRUE(asking.isVisible()) << "what was typed can be corrected";
+  EXPECT_TRUE(asking.said().contains(QStringLiteral("built-in"))) << asking.said().toStdString();
+  EXPECT_TRUE(presetNames(browser).contains(QStringLiteral("Lung of mine")));
   answer(QStringLiteral("Airways"));
   EXPECT_FALSE(presetNames(browser).contains(QStringLiteral("Lung of mine")));
   EXPECT_EQ(shownPreset(browser), QStringLiteral("Airways"));

@@ -7,6 +7,7 @@
 #include "widgets/planes/PlaneView.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
@@ -143,13 +144,18 @@ TEST_F(PlaneBarTest, slabTintAndInterpolationAreChosen) {
 }
 
 TEST_F(PlaneBarTest, allOfItIsSeenInNarrowWindows) {
-  for (const int width : {800, 380}) {
+  for (const int width : {800, 380, 338}) {
     host.widget.resize(width, host.widget.heightAt(width));
     QApplication::processEvents();
     for (const QToolButton* button : host.widget.findChildren<QToolButton*>()) {
       const QRect place(button->mapTo(&host.widget, QPoint(0, 0)), button->size());
       EXPECT_TRUE(host.widget.rect().contains(place)) << button->text().toStdString() << ' ' << width;
+      EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString() << ' ' << width;
     }
+    for (const QLabel* label : host.widget.findChildren<QLabel*>())
+      EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString() << ' ' << width;
+    const auto* mode = host.widget.findChild<QComboBox*>();
+    EXPECT_GE(mode->width(), mode->sizeHint().width()) << width;
   }
 }
 

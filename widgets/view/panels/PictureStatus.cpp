@@ -350,6 +350,12 @@ constexpr std::size_t badgePart = 0, estimatePart = 1, stepPart = 2, timePart = 
 // In the order in which they give way when there is little room; the others stay.
 constexpr std::array givesWay{enginePart, stepPart};
 
+// Lines as rich text, which Qt breaks where they are long.
+QString broken(const QString& lines) {
+  return QStringLiteral("<p>%1</p>")
+      .arg(lines.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+}
+
 using Texts = std::array<QString, 5>;
 
 Texts partsOf(const PictureStatusText& text) {
@@ -449,7 +455,7 @@ void PictureStatus::setText(const PictureStatusText& text) {
     if (!part.isEmpty())
       m_padding = std::max(m_padding, m_labels[i]->sizeHint().width() - advance);
   }
-  setToolTip(text.toolTip + QLatin1Char('\n') + tr("Press for levels and steps."));
+  setToolTip(broken(text.toolTip + QLatin1Char('\n') + tr("Press for levels and steps.")));
   setAccessibleDescription(text.line());
   updateGeometry();
   arrange();

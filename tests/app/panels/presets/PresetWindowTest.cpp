@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/files/saving/SavingController.h"
+#include "app/panels/presets/NameDialog.h"
 #include "app/panels/presets/PresetController.h"
 #include "app/presets/PresetStore.h"
 #include "widgets/PresetNames.h"
@@ -394,6 +395,57 @@ TEST_F(PresetWindow, whatIsDeletedOrReplacedIsBroughtBackByOneClick) {
       << messages().sentence().toStdString();
   bringBack();
   EXPECT_EQ(kept(), first);
+  EXPECT_TRUE(rowOf(browser(), QStringLiteral("Mine")).isValid());
+  EXPECT_TRUE(messages().isNote()) << "it is back: " << messages().sentence().toStdString();
+  EXPECT_FALSE(messages().sentence().contains(QStringLiteral("was deleted")));
+}
+
+TEST_F(PresetWindow, aCopyReplacesAnotherPresetOnlyWhereThatIsWanted) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const auto kept = [this] {
+    return PresetStore(UserFolders::below(folder.path()).presets).find("Mine").value_or(Preset{});
+  };
+  const auto copyAsMine = [this](const char* preset) {
+    emit browser().duplicateRequested(QLatin1String(preset));
+    auto& dialog = *window->findChild<NameDialog*>();
+    dialog.setTextValue(QStringLiteral("Mine"));
+    dialog.accept();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  copyAsMine("CT lung");
+  const Preset first = kept();
+  ASSERT_EQ(first.name, "Mine");
+  onceAsked<QMessageBox>([](QMessageBox& box) { QTest::keyClick(&box, Qt::Key_Return); });
+  copyAsMine("CT bone");
+  EXPECT_EQ(kept(), first) << "Enter loses nothing";
+  onceAsked<QMessageBox>([](QMessageBox& box) {
+    for (QAbstractButton* button : box.buttons())
+      if (box.buttonRole(button) == QMessageBox::AcceptRole)
+        return QTest::mouseClick(button, Qt::LeftButton);
+  });
+  copyAsMine("CT bone");
+  EXPECT_NE(kept(), first);
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_EQ(kept(), first);
+}
+
+TEST_F(PresetWindow, aNameThatIsRefusedCanBeCorrected) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+  auto& dialog = *window->findChild<NameDialog*>();
+  for (const QString& name : {QStringLiteral("CT bone"), QString(300, QLatin1Char('x'))}) {
+    dialog.setTextValue(name);
+    dialog.accept();
+    EXPECT_TRUE(dialog.isVisible()) << name.toStdString();
+    EXPECT_EQ(dialog.textValue(), name) << "it stays as it was typed";
+    EXPECT_FALSE(dialog.said().isEmpty());
+    EXPECT_TRUE(dialog.findChild<QLineEdit*>()->property("isRefused").toBool());
+  }
+  dialog.setTextValue(QStringLiteral("Mine"));
+  EXPECT_TRUE(dialog.said().isEmpty());
+  EXPECT_FALSE(dialog.findChild<QLineEdit*>()->property("isRefused").toBool());
+  dialog.accept();
+  EXPECT_FALSE(dialog.isVisible());
   EXPECT_TRUE(rowOf(browser(), QStringLiteral("Mine")).isValid());
 }
 

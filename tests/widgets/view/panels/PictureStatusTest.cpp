@@ -2,6 +2,8 @@
 #include "widgets/view/panels/PictureStatus.h"
 #include "scene/volume/Phantom.h"
 
+#include <QTextDocument>
+
 #include <gtest/gtest.h>
 
 namespace limn {
@@ -31,6 +33,16 @@ TEST(PictureStatusText, tellsErrorStepAndTimeOfThePictureAtRest) {
   EXPECT_EQ(lineOf(resting({sideWithin(0.74)})),
             "estimated within 0.7 of 255 levels · step 1/4 voxel · 12 ms · OpenGL");
   EXPECT_EQ(lineOf({}), "") << "no picture";
+}
+
+TEST(PictureStatusText, isAToolTipWhoseLongLinesAreBroken) {
+  PictureStatus status;
+  PictureStatusText text;
+  text.toolTip = QStringLiteral("an error < 1\nof physical light");
+  status.setText(text);
+  EXPECT_TRUE(Qt::mightBeRichText(status.toolTip())) << status.toolTip().toStdString();
+  EXPECT_TRUE(status.toolTip().contains(QStringLiteral("an error &lt; 1<br>of physical light")))
+      << status.toolTip().toStdString();
 }
 
 TEST(PictureStatusText, hasOneBadgeForWhatThePictureIs) {
