@@ -178,8 +178,7 @@ double processorMsOf(const std::function<void()>& work) {
 }
 
 TEST_F(CasterTravellingLight, aFrameFromNodesCostsLittleMore) {
-  // Every ray costs by itself, so that more of them tell no other ratio.
-  constexpr glm::ivec2 size{256, 256};
+  constexpr glm::ivec2 size{512, 512};
   for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced}) {
     Scene lit = shadowedHead(1.0, model);
     lit.quality.light = LightDetail::coarse;
