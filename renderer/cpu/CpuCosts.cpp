@@ -9,7 +9,7 @@ namespace {
 // Whether light is found for each sample, which takes milliseconds a pixel.
 bool samplesLight(const Quality& quality) {
   return quality.light == LightDetail::sampled ||
-         (quality.light == LightDetail::fine && quality.toleranceLevels);
+         (quality.light != LightDetail::coarse && quality.toleranceLevels);
 }
 
 } // namespace

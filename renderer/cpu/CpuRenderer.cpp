@@ -29,7 +29,7 @@ struct StripSize {
 
 StripSize stripSize(const cpu::PictureTerms& terms) {
   if (terms.effects.hasAny(travellingLight) && !terms.travel.found.areKnown())
-    return {1, 1};
+    return terms.travel.spread > 0 ? StripSize{8, 8} : StripSize{1, 1};
   return terms.fineness || terms.isExact ? StripSize{8, 8} : StripSize{};
 }
 

@@ -37,6 +37,7 @@ struct Thoroughness {
   Spread overLight = Spread::sequence;
 };
 constexpr Thoroughness ofSamples{512, 0.25f};
+constexpr Thoroughness ofSpread{64, 1.0f};
 constexpr Thoroughness ofFineNodes{64, 1.0f};
 constexpr Thoroughness ofSmallLamp{24, 1.0f, Spread::lattice};
 constexpr Thoroughness ofCoarseNodes{12, 1.5f};
@@ -207,11 +208,18 @@ Region withoutColors(Region keep) {
 }
 
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms) {
+  const bool isSpread = scene.quality.light == LightDetail::spread && !scene.quality.toleranceLevels;
+  if (isSpread && !light.areKnown()) {
+    TravelTerms travel = travelOf(scene, terms, ofSpread);
+    travel.spread = ofSpread.directions;
+    travel.farStep = terms.effects.has(Effect::isosurface) ? travel.step : 2.0f;
+    return travel;
+  }
   if (!light.areKnown())
     return travelOf(scene, terms, ofSamples);
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
-  travel.look = lightLook(light, scene.volume->grid(), scene.quality.light == LightDetail::fine);
+  travel.look = lightLook(light, scene.volume->grid(), scene.quality.light != LightDetail::coarse);
   travel.layers = layerLengths(travel.from);
   travel.toDirect = toNodes(light.directNodes, terms);
   travel.toAmbient = toNodes(light.ambientNodes, terms);
@@ -285,9 +293,10 @@ bool LightStore::hasAll(const Keys& keys, EffectSet effects) const {
 TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
                                const Effort& effort) {
   // A picture on its way to one with a tolerance is not kept waiting by light.
-  const bool isSampled = scene.quality.toleranceLevels && scene.quality.light == LightDetail::fine;
-  const LightDetail detail = isSampled ? LightDetail::sampled : scene.quality.light;
-  if (detail == LightDetail::sampled)
+  const LightDetail detail = scene.quality.light;
+  const bool isFromNodes =
+      detail == LightDetail::coarse || (detail == LightDetail::fine && !scene.quality.toleranceLevels);
+  if (!isFromNodes)
     return travelIn({}, scene, terms);
   Keys keys = keysOf(scene, terms, shows, false);
   const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);

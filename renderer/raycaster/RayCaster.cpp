@@ -170,7 +170,7 @@ const ShaderProgram& RayCaster::Parts::programOf(EffectSet effects, const Scene&
 }
 
 bool RayCaster::Parts::isOfNodes(EffectSet effects, const Scene& scene) {
-  const bool isFine = scene.quality.light == LightDetail::fine;
+  const bool isFine = asksFineLight(scene.quality);
   return !leftOut && !compilesAllEffects && effects.hasAny(travellingLight) &&
          !light.looksNear(scene.volume->grid(), isFine) &&
          (nodePrograms.isAtHand(effects) || (!isFine && !nodePrograms.has(effects)));
@@ -190,7 +190,7 @@ void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene,
   setUniforms(shader, scene, size, textures);
   bindTextures(textures);
   decisionTextures.apply(shader);
-  light.apply(shader, scene.volume->grid(), scene.quality.light == LightDetail::fine);
+  light.apply(shader, scene.volume->grid(), asksFineLight(scene.quality));
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

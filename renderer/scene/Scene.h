@@ -38,8 +38,9 @@ enum class Projection { composite, mip, minip, average, xray, isosurface, compos
 enum class Preintegration { automatic, always, never };
 
 /// How an engine finds what comes of light that travels (DEFINITION section 11): on a fine grid; on a coarse
-/// one, for a picture while something moves; or for each sample. A tolerance asks for the last.
-enum class LightDetail { fine, coarse, sampled };
+/// one, for a picture while something moves; along few paths, which are spread over a ray's samples (an
+/// engine that cannot takes a fine grid); or for each sample until it stands. A tolerance asks for the last.
+enum class LightDetail { fine, coarse, spread, sampled };
 
 /// What the picture costs and how close it comes to the integral.
 struct Quality {
@@ -54,12 +55,17 @@ struct Quality {
   /// Whether a picture needs voxels weighed more finely than a graphics card does, which accuracy/Tolerance
   /// finds, too; nothing else draws differently with it.
   bool ownWeights = false;
-  LightDetail light = LightDetail::fine; ///< no file keeps it
+  LightDetail light = LightDetail::spread; ///< no file keeps it
   /// Of physical light, how many of each pixel are followed in a picture on its way; 0: those followed before
   /// are shown; absent: as many as the model's `until` asks for (pathsOf). No file keeps it.
   std::optional<int> paths{};
   bool operator==(const Quality&) const = default;
 };
+
+/// Whether an engine that knows light from grids alone takes a fine one.
+inline bool asksFineLight(const Quality& quality) {
+  return quality.light == LightDetail::fine || quality.light == LightDetail::spread;
+}
 
 /// Size of a written picture and the colour behind it (8-bit output only).
 struct ImageSettings {

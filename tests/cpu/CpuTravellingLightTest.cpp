@@ -109,8 +109,27 @@ TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
   }
 }
 
+// The bounds that are asked of pictures at rest, on every kind of scene.
+TEST(CpuTravellingLight, alongPathsThatARaysSamplesShareItLiesNear) {
+  for (const TravelCase& one : travelCases) {
+    Scene scene = shadowedHead(3.0);
+    one.apply(scene);
+    CpuRenderer renderer;
+    const glm::ivec2 size{72, 64};
+    scene.quality.light = LightDetail::sampled;
+    const Image sampled = renderer.render(scene, size);
+    scene.quality.light = LightDetail::spread;
+    const ImageError error = imageError(renderer.render(scene, size), sampled);
+    std::cout << one.what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean << " levels\n";
+    EXPECT_LE(error.p99_9, 5.0) << one.what;
+    EXPECT_LE(error.mean, 0.5) << one.what;
+    EXPECT_GT(error.p99_9, 0.0) << one.what;
+  }
+}
+
 TEST(CpuTravellingLight, anyNumberOfThreadsAndTilesAndLeapsGivesTheSameBits) {
-  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse, LightDetail::sampled})
+  for (const LightDetail detail :
+       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::sampled})
     for (const Projection projection : {Projection::composite, Projection::isosurface}) {
       Scene scene = shadowedHead(6.0);
       scene.projection = projection;
@@ -292,7 +311,8 @@ TEST(CpuTravellingLight, badCasesHaveFinitePictures) {
              glm::all(glm::lessThanEqual(pixel, glm::vec4(1.0f)));
     });
   };
-  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse, LightDetail::sampled}) {
+  for (const LightDetail detail :
+       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::sampled}) {
     Scene scene = shadowedHead(10.0);
     scene.quality.light = detail;
     scene.transferFunction = constantFunction(1.0, white);

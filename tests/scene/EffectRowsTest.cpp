@@ -13,10 +13,10 @@
 namespace limn {
 namespace {
 
-const SceneFacts facts{.canSkipEmptySpace = true};
+const SceneFacts ofVolume{.canSkipEmptySpace = true};
 
 std::vector<EffectRow> rowsOf(const Scene& scene) {
-  return effectRows(scene, requiredEffects(scene, facts));
+  return effectRows(scene, requiredEffects(scene, ofVolume));
 }
 
 // Why an effect is in no row.
@@ -183,19 +183,19 @@ TEST(UsualEffects, switchOnWhatIsOffWithTheScenesOwnNumbersOrUsualOnes) {
   Scene scene = test::roughPhantomScene();
   scene.shading.shadow = {};
   scene.shading.occlusion = {0.0, 7.0};
-  const std::optional<Scene> shadowed = withUsualEffect(scene, row(scene, "shadow"), facts);
+  const std::optional<Scene> shadowed = withUsualEffect(scene, row(scene, "shadow"), ofVolume);
   ASSERT_TRUE(shadowed);
   EXPECT_GT(shadowed->shading.shadow.strength, 0.0);
   EXPECT_TRUE(shadowed->shading.lightDirection) << "a light from the viewer casts none";
   EXPECT_TRUE(row(*shadowed, "shadow").isOn);
-  EXPECT_FALSE(withUsualEffect(*shadowed, row(*shadowed, "shadow"), facts)) << "it is on";
-  const std::optional<Scene> hollows = withUsualEffect(scene, row(scene, "occlusion"), facts);
+  EXPECT_FALSE(withUsualEffect(*shadowed, row(*shadowed, "shadow"), ofVolume)) << "it is on";
+  const std::optional<Scene> hollows = withUsualEffect(scene, row(scene, "occlusion"), ofVolume);
   ASSERT_TRUE(hollows);
   EXPECT_EQ(hollows->shading.occlusion.reachMm, 7.0) << "the scene's own";
-  EXPECT_FALSE(withUsualEffect(scene, row(scene, "smooth_normals"), facts)) << "a copy of the volume";
-  EXPECT_FALSE(withUsualEffect(scene, row(scene, "region"), facts)) << "nothing to cut is known";
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "smooth_normals"), ofVolume)) << "a copy of the volume";
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "region"), ofVolume)) << "nothing to cut is known";
   scene.shading.model = ShadingModel::none;
-  EXPECT_FALSE(withUsualEffect(scene, row(scene, "shadow"), facts)) << "no light, no shadow";
+  EXPECT_FALSE(withUsualEffect(scene, row(scene, "shadow"), ofVolume)) << "no light, no shadow";
 }
 
 // Where the program chooses to integrate within steps, shifted samples would show nothing.

@@ -92,6 +92,7 @@ struct TravelTerms {
   Directions towardsLight; ///< over the light, grid axes
   Directions byCosine;     ///< around a normal, the third axis
   Directions onSphere;     ///< as many
+  int spread = 0;          ///< so many paths a pixel are spread over a ray's samples; 0: none are
   float from = 1.5f;       ///< δ, lengths
   float reach = 0.0f;      ///< of occlusion, lengths
   float step = 0.5f;       ///< along a path at most, lengths

@@ -34,6 +34,7 @@ public:
   glm::vec4 gathered() {
     const StepsAlike empty(m_terms.empty, m_ray, m_isPreintegrated);
     m_sum = {zero(), 1.0, false};
+    m_turn = {};
     const bool canLightGroups = m_hasGradient && !m_isPreintegrated;
     bool isDense = false;
     int i = m_ray.from;
@@ -183,7 +184,9 @@ private:
       return 0;
     const VF alphas = packed(alpha, seen);
     const VF shares = taken(alphas);
-    V3 lit = m_samples.shaded(material, gradients, step);
+    // Paths of light go by the order of samples.
+    const VF inPlace = count < lanes() ? unpacked(shares, seen) : shares;
+    V3 lit = m_samples.shaded(material, gradients, step, inPlace, m_turn);
     if (count < lanes())
       lit = {packed(lit.x, seen), packed(lit.y, seen), packed(lit.z, seen)};
     m_log.add(packed(step, seen), alphas, shares, lit, count);
@@ -211,6 +214,18 @@ private:
   HWY_INLINE static VF packed(VF values, Mask wanted) {
     return hn::IfThenElseZero(hn::FirstN(floats, hn::CountTrue(floats, wanted)),
                               hn::Compress(values, wanted));
+  }
+
+  // The numbers side by side back where they are wanted, zeros elsewhere.
+  HWY_INLINE static VF unpacked(VF values, Mask wanted) {
+    HWY_ALIGN float from[most], to[most];
+    hn::Store(values, floats, from);
+    hn::Store(hn::IfThenElseZero(wanted, all(1.0f)), floats, to);
+    int next = 0;
+    for (int lane = 0; lane < lanes(); ++lane)
+      if (to[lane] != 0.0f)
+        to[lane] = from[next++];
+    return hn::Load(floats, to);
   }
 
   // What was queued behind those that were lit.
@@ -276,7 +291,7 @@ private:
                                                         : changed(shares, gradients));
       shares = taken(alphas);
     }
-    const V3 lit = m_samples.shaded(color, gradients, step);
+    const V3 lit = m_samples.shaded(color, gradients, step, shares, m_turn);
     m_log.add(step, alphas, shares, lit, m_queued);
     add(shares, lit, m_queued);
     m_queued = 0;
@@ -316,6 +331,7 @@ private:
   const bool m_isPart;       // a region is kept
   WholeAlong m_whole;
   Sum m_sum;
+  SpreadTurn m_turn;
   int m_queued = 0;
   int m_lane = 0; // of the sum, for the next sample
   // Room for a group behind those that are not lit yet, and for what compressing writes behind that.

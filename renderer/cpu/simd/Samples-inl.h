@@ -15,6 +15,7 @@
 #include "cpu/simd/LightMarch-inl.h"
 #include "cpu/simd/Looks-inl.h"
 #include "cpu/simd/NearLight-inl.h"
+#include "cpu/simd/SpreadLight-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
@@ -165,19 +166,32 @@ struct Samples {
 
   /// The colour of materials, lit and fogged.
   HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
-    return HWY_LIKELY(!terms.effects.hasAny(travellingLight)) ? light.shaded(material, gradients, step)
-                                                              : shadedPast(material, gradients, step);
+    SpreadTurn alone;
+    return shaded(material, gradients, step, all(1.0f), alone);
+  }
+
+  /// The same of samples that take `shares` of the pixel, behind those that `turn` tells of.
+  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step, VF shares,
+                       SpreadTurn& turn) const {
+    return HWY_LIKELY(!terms.effects.hasAny(travellingLight))
+               ? light.shaded(material, gradients, step)
+               : shadedPast(material, gradients, step, shares, turn);
   }
 
   /// The same with what stands in the way of the light.
-  HWY_NOINLINE V3 shadedPast(const V3& material, const Gradients& gradients, VF step) const {
+  HWY_NOINLINE V3 shadedPast(const V3& material, const Gradients& gradients, VF step, VF shares,
+                             SpreadTurn& turn) const {
     const V3 index = indexAt(step);
     const V3 normal = light.normalOf(gradients, step);
     const bool hasShadow = terms.effects.has(Effect::shadow);
     const bool hasOcclusion = terms.effects.has(Effect::occlusion);
     VF direct = all(1.0f), ambient = all(1.0f);
     const LightMarch<kind> march(terms, field, function, light, looks);
-    if (HWY_UNLIKELY(!terms.travel.found.areKnown())) {
+    if (terms.travel.spread > 0) {
+      const Reaching comes = SpreadLight<kind>(terms, march, ray.pixel).of(index, normal, shares, turn);
+      direct = comes.direct;
+      ambient = comes.ambient;
+    } else if (HWY_UNLIKELY(!terms.travel.found.areKnown())) {
       const SampledLight<kind> sampled(terms.travel, march);
       if (hasShadow)
         direct = sampled.direct(index);
@@ -205,7 +219,9 @@ struct Samples {
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (terms.effects.has(Effect::gradient))
       gradients = light.gradientsOf(slopeAt(terms, field, indexAt(all(step)), 1));
-    const V3 color = shaded(all(terms.isoColor), gradients, all(step));
+    SpreadTurn alone;
+    const VF share = hn::IfThenElseZero(hn::FirstN(floats, 1), all(1.0f));
+    const V3 color = shaded(all(terms.isoColor), gradients, all(step), share, alone);
     return {hn::GetLane(color.x), hn::GetLane(color.y), hn::GetLane(color.z)};
   }
 

@@ -41,7 +41,7 @@ bool RestWork::isSamePicture(const std::vector<Scene>& scenes, const glm::ivec2&
 }
 
 bool RestWork::step(DrawingEngine& engine) {
-  return warmUp(engine) || measureOverflow(engine) || measureCosts(engine);
+  return warmUp(engine) || findFineLight(engine) || measureOverflow(engine) || measureCosts(engine);
 }
 
 bool RestWork::warmUp(DrawingEngine& engine) {
@@ -50,6 +50,22 @@ bool RestWork::warmUp(DrawingEngine& engine) {
       continue;
     m_sheet->resize(warmUpSize);
     m_sheet->lend([&] { side.isWarm = !engine.prepare(side.scene, warmUpSize); });
+    return true;
+  }
+  return false;
+}
+
+// The next movement shows light on fine nodes where they are there (LightDetail). They are found with a
+// picture of them, which a gesture ends as it ends others.
+bool RestWork::findFineLight(DrawingEngine& engine) {
+  for (Side& side : m_sides) {
+    if (side.hasFineLight || !hasTravellingLight(side.scene) || side.scene.quality.toleranceLevels)
+      continue;
+    Scene fine = side.scene;
+    fine.quality.light = LightDetail::fine;
+    m_sheet->resize(glm::ivec2(1));
+    m_sheet->draw(engine, fine, {{0, 0}, glm::ivec2(1)});
+    side.hasFineLight = true;
     return true;
   }
   return false;

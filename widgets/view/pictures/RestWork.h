@@ -47,11 +47,13 @@ private:
   struct Side {
     Scene scene;
     bool isWarm = false;
+    bool hasFineLight = false; ///< where light travels
     int overflowPieces = 0; ///< done, of 2
     std::optional<Overflow> overflow;
   };
   bool isSamePicture(const std::vector<Scene>& scenes, const glm::ivec2& size) const;
   bool warmUp(DrawingEngine& engine);
+  bool findFineLight(DrawingEngine& engine);
   bool measureOverflow(DrawingEngine& engine);
   bool measureCosts(DrawingEngine& engine);
   glm::ivec2 measuredSize() const;
