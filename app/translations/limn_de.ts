@@ -227,6 +227,10 @@
         <source>choose one that Limn saved of a volume, or a look</source>
         <translation>wählen Sie eines, das Limn von einem Volumen gespeichert hat, oder eine Darstellung</translation>
     </message>
+    <message>
+        <source>The labels %1 are not where they are expected (%2).</source>
+        <translation>Die Labels %1 sind nicht dort, wo sie erwartet werden (%2).</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -2158,10 +2162,6 @@
         <translation>Es bleibt so, solange „Im Stillstand verfeinern“ in den Einstellungen aus ist und solange die Genauigkeit gemessen wird.</translation>
     </message>
     <message>
-        <source>Labels in colour have curves of their own, in these colours; the other curve is of the rest</source>
-        <translation>Farbige Labels haben eigene Kurven in diesen Farben; die andere Kurve gilt für den Rest</translation>
-    </message>
-    <message>
         <source>Labels have curves of their own</source>
         <translation>Labels haben eigene Kurven</translation>
     </message>
@@ -2183,6 +2183,38 @@
         <source>%1: %2</source>
         <comment>labels hidden, their names</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%L1 voxel holds no data and is shown as the smallest value.</source>
+        <translation>%L1 Voxel enthält keine Daten und wird als kleinster Wert gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 voxel = %2 mm</source>
+        <translation>%1 Voxel = %2 mm</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <translation>%1: ein</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1: aus</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Curves in colour are of the labels listed in these colours; the other curve is of the rest</source>
+        <translation>Farbige Kurven gehören zu den Labels, die in diesen Farben aufgeführt sind; die andere Kurve gehört zum Rest</translation>
+    </message>
+    <message>
+        <source>Curves in colour are of the labels listed in these colours, those of %1 more are not drawn, and the other curve is of the rest</source>
+        <translation>Farbige Kurven gehören zu den Labels, die in diesen Farben aufgeführt sind; die von %1 weiteren sind nicht gezeichnet, und die andere Kurve gehört zum Rest</translation>
+    </message>
+    <message>
+        <source>mean ± standard deviation of %1 voxel</source>
+        <translation>Mittelwert ± Standardabweichung von %1 Voxel</translation>
     </message>
 </context>
 <context>
@@ -2526,10 +2558,6 @@
 <context>
     <name>limn::ComparisonController</name>
     <message>
-        <source>change model</source>
-        <translation>Modell ändern</translation>
-    </message>
-    <message>
         <source>Before</source>
         <translation>Vorher</translation>
     </message>
@@ -2684,6 +2712,10 @@
         <source>One picture; of two models that of the side you worked in last.</source>
         <translation>Ein Bild; von zwei Modellen das der Seite, an der Sie zuletzt gearbeitet haben.</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
 </context>
 <context>
     <name>limn::CropBoxController</name>
@@ -2769,6 +2801,10 @@
     <message>
         <source>Puts a box over the picture that lies as the picture is seen now.</source>
         <translation>Legt eine Box über das Bild, die so liegt, wie das Bild jetzt zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Crop of %1</source>
+        <translation>Zuschnitt von %1</translation>
     </message>
 </context>
 <context>
@@ -4085,6 +4121,18 @@
         <source>Off</source>
         <translation>Aus</translation>
     </message>
+    <message>
+        <source>Density of the fog</source>
+        <translation>Dichte des Nebels</translation>
+    </message>
+    <message>
+        <source>Beginning of the fog</source>
+        <translation>Beginn des Nebels</translation>
+    </message>
+    <message>
+        <source>Distance of the full fog</source>
+        <translation>Entfernung des vollen Nebels</translation>
+    </message>
 </context>
 <context>
     <name>limn::FoldingHeader</name>
@@ -4308,6 +4356,26 @@
     <message>
         <source>Only the enhanced, robust and physical models follow boundaries, and none is shown.</source>
         <translation>Nur die Modelle „verstärkt“, „robust“ und „physikalisch“ folgen Grenzen, und keines wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Percentile of the full effect</source>
+        <translation>Perzentil der vollen Wirkung</translation>
+    </message>
+    <message>
+        <source>Gradient of the full effect</source>
+        <translation>Gradient der vollen Wirkung</translation>
+    </message>
+    <message>
+        <source>Strength of the gradient curve</source>
+        <translation>Stärke der Gradientenkurve</translation>
+    </message>
+    <message>
+        <source>Boundaries with highlights</source>
+        <translation>Grenzen mit Glanzlichtern</translation>
+    </message>
+    <message>
+        <source>Soft limit (k)</source>
+        <translation>Weiche Grenze (k)</translation>
     </message>
 </context>
 <context>
@@ -4616,6 +4684,10 @@
         <source>&lt;p&gt;Drag the lamp to where light is to come from; arrow keys move it, too.&lt;/p&gt;&lt;p&gt;Double click puts it before the viewer.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Ziehen Sie die Lampe dahin, woher das Licht kommen soll; auch Pfeiltasten bewegen sie.&lt;/p&gt;&lt;p&gt;Ein Doppelklick stellt sie vor den Betrachter.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>move the lamp</source>
+        <translation>Lampe bewegen</translation>
+    </message>
 </context>
 <context>
     <name>limn::LightSection</name>
@@ -4838,6 +4910,18 @@
     <message>
         <source>Physical light has its own strengths: they lie in the section below.</source>
         <translation>Physikalisches Licht hat eigene Stärken: Sie stehen im Abschnitt darunter.</translation>
+    </message>
+    <message>
+        <source>Smoothing of normals</source>
+        <translation>Glättung der Normalen</translation>
+    </message>
+    <message>
+        <source>Softness of shadows</source>
+        <translation>Weichheit der Schatten</translation>
+    </message>
+    <message>
+        <source>Reach of the darkening</source>
+        <translation>Reichweite der Abdunklung</translation>
     </message>
 </context>
 <context>
@@ -9007,6 +9091,54 @@
         <source>would change this picture by up to %1 of 255 levels, by %2 on average</source>
         <translation>würde dieses Bild um bis zu %1 von 255 Stufen ändern, im Mittel um %2</translation>
     </message>
+    <message>
+        <source>The session&apos;s volume %1 is not where the session expects it (%2); say where it is (--volume PATH).</source>
+        <translation>Das Volumen %1 der Sitzung ist nicht dort, wo die Sitzung es erwartet (%2); geben Sie an, wo es ist (--volume PATH).</translation>
+    </message>
+    <message>
+        <source>The volume %1 of this picture is not where the picture expects it (%2); say where it is (--volume PATH).</source>
+        <translation>Das Volumen %1 dieses Bildes ist nicht dort, wo das Bild es erwartet (%2); geben Sie an, wo es ist (--volume PATH).</translation>
+    </message>
+    <message>
+        <source>The labels were left out: they are of another volume.</source>
+        <translation>Die Labels wurden weggelassen: Sie gehören zu einem anderen Volumen.</translation>
+    </message>
+    <message>
+        <source>The labels were left out, as you asked; the file keeps them.</source>
+        <translation>Die Labels wurden weggelassen, wie gewünscht; die Datei behält sie.</translation>
+    </message>
+    <message>
+        <source>This is another volume than the session&apos;s.</source>
+        <translation>Dies ist ein anderes Volumen als das der Sitzung.</translation>
+    </message>
+    <message>
+        <source>This may be another volume than the session&apos;s: its file has another name.</source>
+        <translation>Dies ist vielleicht ein anderes Volumen als das der Sitzung: Seine Datei heißt anders.</translation>
+    </message>
+    <message>
+        <source>This is another volume than the session&apos;s: %1 × %2 × %3 voxels in place of %4 × %5 × %6.</source>
+        <translation>Dies ist ein anderes Volumen als das der Sitzung: %1 × %2 × %3 Voxel statt %4 × %5 × %6.</translation>
+    </message>
+    <message>
+        <source>The session&apos;s values may mean other tissue here: not both volumes are in Hounsfield units.</source>
+        <translation>Die Werte der Sitzung bedeuten hier vielleicht anderes Gewebe: Nicht beide Volumen sind in Hounsfield-Einheiten.</translation>
+    </message>
+    <message>
+        <source>equal steps of %1 voxel</source>
+        <translation>gleichen Schritten von %1 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 voxel lies in two masks and belongs to the one whose name comes last: to %2 and not to %3.</source>
+        <translation>%1 Voxel liegt in zwei Masken und gehört zu der, deren Name zuletzt kommt: zu %2 und nicht zu %3.</translation>
+    </message>
+    <message>
+        <source>%1 voxel lies in two masks and belongs to the one that was opened last: to %2 and not to %3.</source>
+        <translation>%1 Voxel liegt in zwei Masken und gehört zu der zuletzt geöffneten: zu %2 und nicht zu %3.</translation>
+    </message>
+    <message>
+        <source>%1 voxel that %2 had before belongs to no mask now; open a mask that has it, too, once more.</source>
+        <translation>%1 Voxel, das vorher zu %2 gehörte, gehört jetzt zu keiner Maske; öffnen Sie eine Maske, die es auch hat, noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9122,6 +9254,13 @@
     </message>
 </context>
 <context>
+    <name>limn::NameDialog</name>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
     <name>limn::NumberField</name>
     <message>
         <source>%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.</source>
@@ -9229,6 +9368,30 @@
     <message>
         <source>Empties the list of recent files, and with it where volumes lie and dialogs open.</source>
         <translation>Leert die Liste zuletzt geöffneter Dateien und damit auch, wo Volumen liegen und Dialoge beginnen.</translation>
+    </message>
+    <message>
+        <source>The session&apos;s volume is not where the session expects it: %1.</source>
+        <translation>Das Volumen der Sitzung ist nicht dort, wo die Sitzung es erwartet: %1.</translation>
+    </message>
+    <message>
+        <source>The volume of this picture is not where the picture expects it: %1.</source>
+        <translation>Das Volumen dieses Bildes ist nicht dort, wo das Bild es erwartet: %1.</translation>
+    </message>
+    <message>
+        <source>The labels of %1 are not where it expects them: %2.</source>
+        <translation>Die Labels von %1 sind nicht dort, wo sie erwartet werden: %2.</translation>
+    </message>
+    <message>
+        <source>Locate labels…</source>
+        <translation>Labels suchen…</translation>
+    </message>
+    <message>
+        <source>Open without labels</source>
+        <translation>Ohne Labels öffnen</translation>
+    </message>
+    <message>
+        <source>Where are the labels %1?</source>
+        <translation>Wo sind die Labels %1?</translation>
     </message>
 </context>
 <context>
@@ -9404,10 +9567,6 @@
         <translation>Name:</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is a built-in preset; choose another name.</source>
         <translation>„%1“ ist ein mitgeliefertes Preset; wählen Sie einen anderen Namen.</translation>
     </message>
@@ -9476,12 +9635,24 @@
         <translation>Preset duplizieren</translation>
     </message>
     <message>
-        <source>Name of the copy (a preset of the same name is replaced):</source>
-        <translation>Name der Kopie (ein gleichnamiges Preset wird ersetzt):</translation>
-    </message>
-    <message>
         <source>%1 copy</source>
         <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is as it was before.</source>
+        <translation>„%1“ ist wieder wie vorher.</translation>
+    </message>
+    <message>
+        <source>Name of the copy:</source>
+        <translation>Name der Kopie:</translation>
+    </message>
+    <message>
+        <source>There is a preset &quot;%1&quot; already. Replace it by the copy?</source>
+        <translation>Es gibt schon ein Preset „%1“. Durch die Kopie ersetzen?</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was replaced by a copy.</source>
+        <translation>„%1“ wurde durch eine Kopie ersetzt.</translation>
     </message>
 </context>
 <context>
@@ -9571,14 +9742,6 @@
     <message>
         <source>Ctrl+Y</source>
         <translation>Ctrl+Y</translation>
-    </message>
-    <message>
-        <source>switch an effect on</source>
-        <translation>Effekt einschalten</translation>
-    </message>
-    <message>
-        <source>switch an effect off</source>
-        <translation>Effekt ausschalten</translation>
     </message>
 </context>
 <context>
@@ -9746,6 +9909,14 @@
     <message>
         <source>noise filter off</source>
         <translation>Rauschfilter aus</translation>
+    </message>
+    <message>
+        <source>Noise that may be left</source>
+        <translation>Rauschen, das bleiben darf</translation>
+    </message>
+    <message>
+        <source>Time for a picture</source>
+        <translation>Zeit für ein Bild</translation>
     </message>
 </context>
 <context>
@@ -10015,10 +10186,6 @@
         <translation>Pixel</translation>
     </message>
     <message>
-        <source>The height follows from the shape of the picture.</source>
-        <translation>Die Höhe folgt aus der Form des Bildes.</translation>
-    </message>
-    <message>
         <source>Scale &amp;bar</source>
         <translation>Maßs&amp;tab</translation>
     </message>
@@ -10030,6 +10197,30 @@
         <source>%1, the time to draw is being estimated</source>
         <comment>pixels</comment>
         <translation>%1, die Dauer des Zeichnens wird geschätzt</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>Size in pixels</source>
+        <translation>Größe in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 pixels.</source>
+        <translation>Von %1 bis %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>Shape of the &amp;view</source>
+        <translation>&amp;Form der Ansicht</translation>
+    </message>
+    <message>
+        <source>Locked: the height follows from the width. Unlocked: the picture shows as much from top to bottom as on screen, and at the sides what fits.</source>
+        <translation>Gesperrt: Die Höhe folgt aus der Breite. Offen: Das Bild zeigt von oben bis unten so viel wie der Bildschirm und an den Seiten, was hineinpasst.</translation>
     </message>
 </context>
 <context>
@@ -10849,6 +11040,14 @@
         <source>&quot;%1&quot; shapes the curve in hand, of one label or piece; the picture&apos;s other curves stay.</source>
         <translation>„%1“ formt die Kurve in der Hand, die eines Labels oder Teils; die anderen Kurven des Bildes bleiben.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; was fitted to this volume&apos;s values.</source>
+        <translation>„%1“ wurde an die Werte dieses Volumens angepasst.</translation>
+    </message>
+    <message>
+        <source>Use as saved</source>
+        <translation>Wie gespeichert verwenden</translation>
+    </message>
 </context>
 <context>
     <name>limn::ProfileChart</name>
@@ -10935,6 +11134,10 @@
         <source>Hybrid: a solid surface at the value below, seen through the tissue before it.</source>
         <translation>Hybrid: eine deckende Oberfläche beim unten gewählten Wert, gesehen durch das Gewebe davor.</translation>
     </message>
+    <message>
+        <source>Value of the surface</source>
+        <translation>Wert der Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>limn::PropertiesPanel</name>
@@ -10996,6 +11199,14 @@
     <message>
         <source>&lt;p&gt;Shifts each pixel&apos;s samples by a fixed random part of a step: rings from a large step turn into fine grain.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Verschiebt die Abtastpunkte jedes Pixels um einen festen zufälligen Teil eines Schritts: Ringe durch große Schritte werden zu feinem Korn.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Step between samples</source>
+        <translation>Schritt zwischen Abtastpunkten</translation>
+    </message>
+    <message>
+        <source>Opacity at which rays stop</source>
+        <translation>Deckkraft, bei der Strahlen enden</translation>
     </message>
 </context>
 <context>
@@ -11309,6 +11520,10 @@
     <message>
         <source>%1 was changed elsewhere since it was opened or saved here.</source>
         <translation>%1 wurde anderswo geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Lost, because the memory kept for pictures that could not be written is full of later ones: %1.</source>
+        <translation>Verloren, weil der Speicher für nicht geschriebene Bilder voll von späteren ist: %1.</translation>
     </message>
 </context>
 <context>
