@@ -302,7 +302,7 @@ void Files::noteOpened(const LoadedScene& loaded, const Request& request) {
   const OpenDocument& document = m_context.document;
   m_remarks.show(loaded, request);
   if (request.isUnsavedSession) {
-    m_safety.takeOver(request.source);
+    m_safety.takeOver(request.source, !loaded.sparesSession());
   } else {
     m_context.document.settle(m_sources.session());
     m_safety.noteChange();

@@ -17,7 +17,6 @@
 #include "widgets/view/CompareView.h"
 #include "widgets/view/overlay/Overlay.h"
 
-#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QUndoView>
 
@@ -65,12 +64,8 @@ public:
       return QStyledItemDelegate::sizeHint(option, index);
     QStyleOptionViewItem within = option;
     const int width = list->viewport()->width() - 2 * list->spacing();
-    within.rect.setWidth(width);
     // The style measures the text in all of the row, and adds what theme.qss keeps free around it afterwards.
-    QStyleOptionViewItem whole = within;
-    initStyleOption(&whole, index);
-    const QRect text = list->style()->subElementRect(QStyle::SE_ItemViewItemText, &whole, list);
-    within.rect.setWidth(width - 2 * (text.left() - within.rect.left()));
+    within.rect.setWidth(width - 2 * padding);
     const QSize size = QStyledItemDelegate::sizeHint(within, index);
     return {std::min(size.width(), width), size.height()};
   }
@@ -87,6 +82,8 @@ protected:
   }
 
 private:
+  // What theme.qss keeps free on either side of a row, its border included.
+  static constexpr int padding = 9;
   const QUndoStack& m_stack;
 };
 

@@ -2190,7 +2190,7 @@
     </message>
     <message>
         <source>%1 voxel = %2 mm</source>
-        <translation>%1 Voxel = %2 mm</translation>
+        <translation>%1 Voxel = %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1: on</source>
@@ -10200,7 +10200,7 @@
     </message>
     <message>
         <source>&amp;Height</source>
-        <translation>&amp;Höhe</translation>
+        <translation>H&amp;öhe</translation>
     </message>
     <message>
         <source>Size in pixels</source>

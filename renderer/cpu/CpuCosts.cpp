@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuCosts.h"
 
+#include "cpu/LightStore.h"
+
 #include <chrono>
 
 namespace limn {
@@ -19,7 +21,7 @@ Image CpuCosts::tileOf(const Scene& scene, EffectSet leftOut, const glm::ivec2& 
 }
 
 bool CpuCosts::useLightOf(const Scene& scene) {
-  if (samplesLight(scene.quality)) {
+  if (!cpu::looksUpLight(scene)) {
     m_light.useNone();
     return true;
   }

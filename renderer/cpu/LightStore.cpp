@@ -37,7 +37,7 @@ struct Thoroughness {
   Spread overLight = Spread::sequence;
 };
 constexpr Thoroughness ofSamples{512, 0.25f};
-constexpr Thoroughness ofSpread{64, 1.0f};
+constexpr Thoroughness ofSpread{96, 0.5f};
 constexpr Thoroughness ofFineNodes{64, 1.0f};
 constexpr Thoroughness ofSmallLamp{24, 1.0f, Spread::lattice};
 constexpr Thoroughness ofCoarseNodes{12, 1.5f};
@@ -207,12 +207,20 @@ Region withoutColors(Region keep) {
   return keep;
 }
 
+bool looksUpLight(const Scene& scene) {
+  const Quality& quality = scene.quality;
+  if (quality.light == LightDetail::coarse)
+    return true;
+  const bool isOnDisk = scene.volume && scene.volume->room();
+  return !quality.toleranceLevels &&
+         (quality.light == LightDetail::fine || (quality.light == LightDetail::spread && isOnDisk));
+}
+
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms) {
   const bool isSpread = scene.quality.light == LightDetail::spread && !scene.quality.toleranceLevels;
   if (isSpread && !light.areKnown()) {
     TravelTerms travel = travelOf(scene, terms, ofSpread);
     travel.spread = ofSpread.directions;
-    travel.farStep = terms.effects.has(Effect::isosurface) ? travel.step : 2.0f;
     return travel;
   }
   if (!light.areKnown())
@@ -292,14 +300,10 @@ bool LightStore::hasAll(const Keys& keys, EffectSet effects) const {
 
 TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
                                const Effort& effort) {
-  // A picture on its way to one with a tolerance is not kept waiting by light.
-  const LightDetail detail = scene.quality.light;
-  const bool isFromNodes =
-      detail == LightDetail::coarse || (detail == LightDetail::fine && !scene.quality.toleranceLevels);
-  if (!isFromNodes)
+  if (!looksUpLight(scene))
     return travelIn({}, scene, terms);
   Keys keys = keysOf(scene, terms, shows, false);
-  const bool isCoarse = detail == LightDetail::coarse && !hasAll(keys, terms.effects);
+  const bool isCoarse = scene.quality.light == LightDetail::coarse && !hasAll(keys, terms.effects);
   if (isCoarse)
     keys = keysOf(scene, terms, shows, true);
   const Thoroughness& ofAmbient = isCoarse ? ofCoarseNodes : ofFineNodes;

@@ -14,6 +14,10 @@ namespace limn::cpu {
 TransferFunction withoutColors(TransferFunction function);
 Region withoutColors(Region keep);
 
+/// Whether the scene's picture looks light up on nodes; others find it along paths, which meet voxels of a
+/// volume on disk in no order, many times each: spread over a ray's samples they are of volumes in memory.
+bool looksUpLight(const Scene& scene);
+
 /// How the picture of these terms, whose `travel` is not set yet, asks what is known of its light; where
 /// nothing is, it is found for each sample.
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms);

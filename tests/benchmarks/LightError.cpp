@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far pictures whose light is looked up on nodes lie from those whose light is found for each sample
-// (which lie within a third of a level of the reference, CpuTravellingLight.found*): volumes with scene files
-// of their own, each under three lights from above left (shadows of 5° softness, occlusion of 15 mm, both),
-// drawn by the CPU engine on all threads. Told are errors in levels and times of the processor, at rest and
-// while something moves: of finding the nodes, and of a picture beside one without light on its way. Held
-// fixed: a view from a little aside of the whole grid, 160², steps of half a voxel, no pre-integration.
+// How far pictures whose light is found along few paths, or looked up on nodes, lie from those whose light is
+// found for each sample until it stands (which lie within a third of a level of the reference,
+// CpuTravellingLight.found*): volumes with scene files of their own, each under three lights from above left
+// (shadows of 5° softness, occlusion of 15 mm, both), drawn by the CPU engine on all threads. Told are errors
+// in levels and times of the processor, at rest (spread; as OpenGL does: fine) and while something moves
+// (coarse): of finding the nodes, and of a picture beside one without light on its way. Held fixed: a view
+// from a little aside of the whole grid, 160², steps of half a voxel, no pre-integration.
 //
 // limn_light_error VOLUME SCENE [VOLUME SCENE]...
 #include "accuracy/ImageError.h"
@@ -23,6 +24,13 @@ namespace limn {
 namespace {
 
 constexpr glm::ivec2 size(160, 160);
+
+struct Detail {
+  LightDetail light;
+  const char* name;
+};
+constexpr Detail details[] = {
+    {LightDetail::spread, "spread"}, {LightDetail::fine, "fine"}, {LightDetail::coarse, "coarse"}};
 
 double processorMs(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();
@@ -46,8 +54,8 @@ Scene sceneOf(const char* volume, const char* file) {
 void measure(const char* what, Scene scene) {
   scene.quality.light = LightDetail::sampled;
   const Image exact = CpuRenderer().render(scene, size);
-  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse}) {
-    scene.quality.light = detail;
+  for (const Detail& detail : details) {
+    scene.quality.light = detail.light;
     const Scene plain = test::withoutTravel(scene);
     CpuRenderer renderer;
     renderer.render(plain, size);
@@ -59,8 +67,7 @@ void measure(const char* what, Scene scene) {
     std::printf(
         "  %-9s %-6s 99.9th %6.2f  mean %5.2f  largest %6.1f levels; nodes %6.0f ms, picture %5.1f ms "
         "of %5.1f\n",
-        what, detail == LightDetail::fine ? "fine" : "coarse", error.p99_9, error.mean, error.largest,
-        firstMs - againMs, againMs, plainMs);
+        what, detail.name, error.p99_9, error.mean, error.largest, firstMs - againMs, againMs, plainMs);
   }
 }
 

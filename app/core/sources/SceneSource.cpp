@@ -252,17 +252,22 @@ std::string labelsOf(const std::string& written, const std::string& volume, cons
     return told->second.string();
   if (written.empty() || fs::exists(written, unknown))
     return written;
-  if (const auto referred = options.references.find(name.string()); referred != options.references.end())
-    return referred->second.string();
-  const fs::path beside = fs::path(volume).parent_path() / name;
-  if (fs::exists(beside, unknown))
+  const auto referred = options.references.find(name.string());
+  const fs::path expected = referred != options.references.end() ? referred->second : fs::path(written);
+  if (fs::exists(expected, unknown))
+    return expected.string();
+  // Volume and labels may have one name, in folders of their own.
+  const auto isThere = [&](const fs::path& file) {
+    return fs::exists(file, unknown) && !fs::equivalent(file, volume, unknown);
+  };
+  if (const fs::path beside = fs::path(volume).parent_path() / expected.filename(); isThere(beside))
     return beside.string();
   for (const auto& [said, told] : options.labels)
-    if (const fs::path other = told.parent_path() / name; fs::exists(other, unknown))
+    if (const fs::path other = told.parent_path() / expected.filename(); isThere(other))
       return other.string();
-  throw LabelsMissing(
-      written,
-      Message::tr("The labels %1 are not where they are expected (%2).").arg(name.string()).arg(written));
+  throw LabelsMissing(written, Message::tr("The labels %1 are not where they are expected (%2).")
+                                   .arg(expected.filename().string())
+                                   .arg(expected.string()));
 }
 
 void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
@@ -495,9 +500,7 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
 // How another volume than a session's is told from its own.
 static Message otherVolume(const std::optional<VolumeTraits>& own, const Volume& shown) {
   const glm::ivec3& now = shown.grid().dims;
-  if (!own)
-    return Message::tr("This is another volume than the session's.");
-  if (own->voxels == now)
+  if (!own || own->voxels == now)
     return Message::tr("This may be another volume than the session's: its file has another name.");
   return Message::tr("This is another volume than the session's: %1 × %2 × %3 voxels in place of "
                      "%4 × %5 × %6.")

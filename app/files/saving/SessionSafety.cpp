@@ -163,8 +163,8 @@ void SessionSafety::sayUnsafe(const QString& why) {
   m_context.unsafe.show(MessageBar::Kind::warning, tr("Unsaved work is not safe at present. %1").arg(why));
 }
 
-void SessionSafety::takeOver(const QString& file) {
-  if (m_keeper && m_keeper->autosave().savingOfNow()())
+void SessionSafety::takeOver(const QString& file, bool isWhole) {
+  if (m_keeper && m_keeper->autosave().savingOfNow()() && isWhole)
     m_keeper->forget(file.toStdString());
   offerAbandoned();
   tellUnfinished();

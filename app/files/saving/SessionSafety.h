@@ -40,8 +40,9 @@ public:
   /// Says that what was left with changes is kept, and offers it: once something else is shown.
   void sayWhatIsKept();
 
-  /// The session that a kept file holds is open: from here on this window keeps it, and the file goes.
-  void takeOver(const QString& file);
+  /// The session that a kept file holds is open: from here on this window keeps it, and the file goes, unless
+  /// it is not open as a whole: then it alone has the rest.
+  void takeOver(const QString& file, bool isWhole);
 
   /// Ends in order: nothing is left behind.
   void end();

@@ -20,10 +20,10 @@ struct SpreadTurn {
   float direct = 1.0f, ambient = 1.0f; ///< M of the last sample that had paths
 };
 
-/// M of samples, front to back. Path n of N belongs to the sample in which part (n + ½)/N of the pixel's
-/// opacity lies. Any consecutive directions of their sequence are spread evenly, so that those of a ray are
-/// together, whatever samples they belong to; samples between two paths take what comes to the one before.
-/// Each pixel turns the directions by an angle of its own: what is left of the error is no pattern.
+/// M of samples, front to back. Path n of N belongs to the sample in which part n/N of the pixel lies. Any
+/// consecutive directions of their sequence are spread evenly, so that those of a ray are together, whatever
+/// samples they belong to; samples between two paths take what comes to the one before. Each pixel turns the
+/// directions by an angle of its own: what is left of the error is no pattern.
 template <VoxelSource::Kind kind>
 class SpreadLight {
 public:
@@ -76,9 +76,7 @@ private:
   }
 
   // How many paths begin before so much of the pixel.
-  HWY_INLINE int pathsBefore(double share) const {
-    return static_cast<int>(std::floor(share * m_count + 0.5));
-  }
+  HWY_INLINE int pathsBefore(double share) const { return static_cast<int>(std::ceil(share * m_count)); }
 
   HWY_INLINE void give(VF shares, SpreadTurn& turn, Paths& paths) const {
     HWY_ALIGN float share[most];
@@ -93,8 +91,32 @@ private:
 
   HWY_INLINE VF directAlong(const Paths& paths, float& last) const {
     const std::vector<glm::vec3>& directions = *m_terms.travel.towardsLight;
-    return along(paths, 1e30f, last,
-                 [&](int, int n) { return directions[static_cast<std::size_t>(n) % directions.size()]; });
+    if (directions.size() == 1)
+      return alongOne(paths, directions.front(), last);
+    const glm::vec3 axis(m_terms.towardsLight);
+    return along(paths, 1e30f, last, [&](int, int n) {
+      const glm::vec3& v = directions[static_cast<std::size_t>(n) % directions.size()];
+      return m_cosine * v + m_sine * glm::cross(axis, v) + (1.0f - m_cosine) * glm::dot(axis, v) * axis;
+    });
+  }
+
+  // The only path of each sample that has any.
+  HWY_INLINE VF alongOne(const Paths& paths, const glm::vec3& direction, float& last) const {
+    HWY_ALIGN float means[most];
+    HWY_ALIGN float comes[most];
+    for (int lane = 0; lane < lanes(); ++lane)
+      means[lane] = paths.begin[lane + 1] > paths.begin[lane] ? 1.0f : 0.0f;
+    const Mask wanted = hn::Gt(hn::Load(floats, means), hn::Zero(floats));
+    hn::Store(transmittance({hn::Load(floats, paths.index[0]), hn::Load(floats, paths.index[1]),
+                             hn::Load(floats, paths.index[2])},
+                            all(direction), 1e30f, wanted),
+              floats, comes);
+    for (int lane = 0; lane < lanes(); ++lane) {
+      if (means[lane] > 0.0f)
+        last = comes[lane];
+      means[lane] = last;
+    }
+    return hn::Load(floats, means);
   }
 
   HWY_INLINE VF ambientAlong(const Paths& paths, const V3& normal, float& last) const {
@@ -109,10 +131,10 @@ private:
     const std::vector<glm::vec3>& onSphere = *m_terms.travel.onSphere;
     return along(paths, m_terms.travel.reach, last, [&](int lane, int n) {
       const std::size_t at = static_cast<std::size_t>(n) % byCosine.size();
-      if (has[lane] == 0.0f)
-        return onSphere[at];
-      const glm::vec3& v = byCosine[at];
+      const glm::vec3& v = has[lane] == 0.0f ? onSphere[at] : byCosine[at];
       const float x = m_cosine * v.x - m_sine * v.y, y = m_sine * v.x + m_cosine * v.y;
+      if (has[lane] == 0.0f)
+        return glm::vec3(x, y, v.z);
       return glm::vec3(first[0][lane] * x + second[0][lane] * y + third[0][lane] * v.z,
                        first[1][lane] * x + second[1][lane] * y + third[1][lane] * v.z,
                        first[2][lane] * x + second[2][lane] * y + third[2][lane] * v.z);

@@ -40,12 +40,8 @@ TEST_F(DriverWindow, aSessionGoesOnWhereTheDriverRefusesEveryShader) {
   // Once the driver works, it draws the session as it is now.
   broken.reset();
   const Scene edited = scene();
-  std::cerr << "DBG " << view().width() << "x" << view().height() << " " << edited.camera.position.x << " "
-            << edited.camera.position.y << " " << int(view().compareLayout()) << "\n";
   QTest::mouseClick(view().findChild<QPushButton*>(QStringLiteral("retryGraphics")), Qt::LeftButton);
   ASSERT_TRUE(rest());
-  std::cerr << "DBG " << view().width() << "x" << view().height() << " " << scene().camera.position.x << " "
-            << scene().camera.position.y << " " << int(view().compareLayout()) << "\n";
   // The sentence below the picture is gone: a picture that is framed follows its height.
   Scene asEdited = scene();
   asEdited.camera = edited.camera;

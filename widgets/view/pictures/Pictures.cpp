@@ -173,7 +173,7 @@ double Pictures::makeReady(const Scene& scene, const Effort& effort, double budg
 int Pictures::finestLevel() const {
   int finest = 0;
   for (int i = 0; i < m_count; ++i)
-    finest = std::max(finest, m_sides[i].finestLevel());
+    finest = std::max(finest, m_sides[i].finestLevel(*m_engine));
   return finest;
 }
 

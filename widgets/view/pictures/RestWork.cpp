@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/RestWork.h"
 
+#include "scene/effects/EffectPlan.h"
+
 #include <algorithm>
 
 namespace limn {
@@ -23,7 +25,7 @@ void RestWork::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
     m_costSide.reset();
   m_sides.clear();
   for (const Scene& scene : scenes)
-    m_sides.push_back({scene, false, 0, std::nullopt});
+    m_sides.push_back({scene, false, false, 0, std::nullopt});
   m_size = size;
   m_costs.reset();
 }
@@ -59,7 +61,11 @@ bool RestWork::warmUp(DrawingEngine& engine) {
 // picture of them, which a gesture ends as it ends others.
 bool RestWork::findFineLight(DrawingEngine& engine) {
   for (Side& side : m_sides) {
-    if (side.hasFineLight || !hasTravellingLight(side.scene) || side.scene.quality.toleranceLevels)
+    // Under a lamp that turns with the view nodes are found anew, and what moves of a large volume is smaller.
+    const Shading& shading = side.scene.shading;
+    const bool turns = shading.shadow.strength > 0.0 && shading.lightAxes == LightAxes::camera;
+    if (side.hasFineLight || turns || !hasTravellingLight(side.scene) || side.scene.volume->room() ||
+        side.scene.quality.toleranceLevels)
       continue;
     Scene fine = side.scene;
     fine.quality.light = LightDetail::fine;
@@ -75,16 +81,20 @@ bool RestWork::measureOverflow(DrawingEngine& engine) {
   for (Side& side : m_sides) {
     if (side.overflowPieces == 2)
       continue;
+    // How bright light gets does not depend on how finely it is found, and nobody cancels this.
+    Scene drawn = side.scene;
+    if (hasTravellingLight(drawn))
+      drawn.quality.light = LightDetail::coarse;
     if (!engine.facts(side.scene).plan.effects.has(Effect::lighting)) {
       side.overflowPieces = 2;
       continue;
     }
     // Compile in one piece, draw in the next.
     if (++side.overflowPieces == 1) {
-      engine.drawUnlimited(side.scene, glm::ivec2(1));
+      engine.drawUnlimited(drawn, glm::ivec2(1));
       return true;
     }
-    side.overflow = overflowOf(engine.drawUnlimited(side.scene, measuredSize()));
+    side.overflow = overflowOf(engine.drawUnlimited(drawn, measuredSize()));
     return true;
   }
   return false;
