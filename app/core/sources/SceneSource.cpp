@@ -208,68 +208,6 @@ Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
       .arg(held);
 }
 
-// Each sentence is whole, because its words agree differently in other languages.
-Message missingVolume(NamedBy by) {
-  if (by == NamedBy::session)
-    return Message::tr("The session's volume %1 is not where the session expects it (%2); say where it is "
-                       "(--volume PATH).");
-  if (by == NamedBy::picture)
-    return Message::tr("The volume %1 of this picture is not where the picture expects it (%2); say where "
-                       "it is (--volume PATH).");
-  return Message::tr("The scene's volume %1 is not where the scene expects it (%2); say where it is "
-                     "(--volume PATH).");
-}
-
-// Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
-std::string volumeOf(const SceneDocument& document, const SourceOptions& options, NamedBy by) {
-  if (options.volume)
-    return options.volume->string();
-  if (fs::exists(document.volume))
-    return document.volume;
-  // Built-in volumes are named without a folder; reading made the name absolute.
-  std::string name = fs::path(document.volume).filename().string();
-  if (name == "phantom" || name == "sample" || name.starts_with("phantom:"))
-    return name;
-  if (const auto referred = options.references.find(name); referred != options.references.end())
-    if (fs::exists(referred->second))
-      return referred->second.string();
-  if (const auto head = installedSampleHead(); head && head->filename() == name)
-    return head->string(); // as `sample` was called when the scene was written
-  std::set<fs::path> found;
-  for (const fs::path& known : options.knownVolumes)
-    if (known.filename() == name && fs::exists(known))
-      found.insert(known);
-  if (found.size() == 1)
-    return found.begin()->string();
-  throw VolumeMissing(document.volume, by, missingVolume(by).arg(name).arg(document.volume));
-}
-
-// Where a scene's label map is now: as told, as the scene says, referred to, or beside the volume or others.
-std::string labelsOf(const std::string& written, const std::string& volume, const SourceOptions& options) {
-  std::error_code unknown;
-  const fs::path name = fs::path(written).filename();
-  if (const auto told = options.labels.find(written); told != options.labels.end())
-    return told->second.string();
-  if (written.empty() || fs::exists(written, unknown))
-    return written;
-  const auto referred = options.references.find(name.string());
-  const fs::path expected = referred != options.references.end() ? referred->second : fs::path(written);
-  if (fs::exists(expected, unknown))
-    return expected.string();
-  // Volume and labels may have one name, in folders of their own.
-  const auto isThere = [&](const fs::path& file) {
-    return fs::exists(file, unknown) && !fs::equivalent(file, volume, unknown);
-  };
-  if (const fs::path beside = fs::path(volume).parent_path() / expected.filename(); isThere(beside))
-    return beside.string();
-  for (const auto& [said, told] : options.labels)
-    if (const fs::path other = told.parent_path() / expected.filename(); isThere(other))
-      return other.string();
-  throw LabelsMissing(written, Message::tr("The labels %1 are not where they are expected (%2).")
-                                   .arg(expected.filename().string())
-                                   .arg(expected.string()));
-}
-
 void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
   part.labels = labelsOf(part.labels, loaded.volumePath, options);
   for (std::string& mask : part.moreLabels)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/core/sources/NamedFiles.h"
 #include "io/VolumeReader.h"
 #include "io/dicom/DicomFolder.h"
 #include "io/scenefile/FigureFile.h"
@@ -15,36 +16,6 @@
 #include <vector>
 
 namespace limn {
-
-/// What names a volume and says how it is shown.
-enum class NamedBy { scene, session, picture, look };
-
-/// A scene, session, picture or look was read, but its volume is not where it says.
-class VolumeMissing : public Error {
-public:
-  /// `expected` is where the file or folder should be.
-  VolumeMissing(const std::filesystem::path& expected, NamedBy by, const Message& sentence)
-      : Error(Error::Kind::input, sentence), m_expected(expected), m_by(by) {}
-
-  const std::filesystem::path& expected() const { return m_expected; }
-  NamedBy by() const { return m_by; }
-
-private:
-  std::filesystem::path m_expected;
-  NamedBy m_by;
-};
-
-/// A scene, session or picture was read, but a file of its labels is not where it says.
-class LabelsMissing : public Error {
-public:
-  explicit LabelsMissing(const std::filesystem::path& expected, const Message& sentence)
-      : Error(Error::Kind::input, sentence), m_expected(expected) {}
-
-  const std::filesystem::path& expected() const { return m_expected; }
-
-private:
-  std::filesystem::path m_expected;
-};
 
 /// A folder holds several series, none was chosen, and the options ask for that to be told.
 class SeveralSeries : public Error {

@@ -4,7 +4,6 @@
 #include "app/document/OpenDocument.h"
 #include "widgets/controls/BackgroundWork.h"
 
-#include <QDialog>
 #include <QObject>
 #include <QString>
 
@@ -12,30 +11,10 @@
 #include <memory>
 
 class QMenu;
-class QTreeWidget;
 
 namespace limn {
 
 struct WindowContext;
-
-/// Lets the user choose one of the series in a folder; the largest is chosen at first.
-class SeriesDialog : public QDialog {
-  Q_OBJECT
-
-public:
-  SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent);
-
-signals:
-  /// The number of the chosen series, as DicomFolder gives it.
-  void seriesChosen(int number);
-
-private:
-  void makeTable();
-  void choose();
-
-  std::vector<SeriesSummary> m_series;
-  QTreeWidget* m_list;
-};
 
 /// Loads scenes on a worker thread, one at a time; starting another cancels the one under way. Signals come
 /// on the thread the loader lives in.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/figure/FigurePreview.h"
-#include "app/files/opening/OpeningController.h"
+#include "app/files/opening/SeriesDialog.h"
 #include "app/panels/presets/LookController.h"
 #include "app/pictures/PicturedWindow.h"
 #include "app/privacy/Marks.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/files/opening/OpeningController.h"
+#include "app/files/opening/SeriesDialog.h"
 #include "app/pictures/ContactSheet.h"
 #include "app/pictures/PicturedWindow.h"
 #include "app/pictures/SharedVolumes.h"

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace limn {
 namespace {
@@ -337,12 +336,6 @@ QString engineText(const PictureState& state) {
   return drawsWithOpenGl(state.engine) ? QObject::tr("OpenGL") : QObject::tr("processor");
 }
 
-PictureState asShown(PictureState state) {
-  for (SideState& side : state.sides)
-    side = asShown(std::move(side));
-  return state;
-}
-
 constexpr int partGap = 12; // between parts
 
 constexpr std::size_t badgePart = 0, estimatePart = 1, stepPart = 2, timePart = 3, enginePart = 4;
@@ -388,7 +381,9 @@ QString PictureStatusText::line() const {
 PictureStatusText pictureStatusText(const PictureState& told, const Scene& scene) {
   if (told.sides.empty())
     return {};
-  const PictureState state = asShown(told);
+  PictureState state = told;
+  for (SideState& side : state.sides)
+    side = asShown(side);
   PictureStatusText text;
   text.badge = badgeText(state);
   text.estimate = estimateText(state);
