@@ -9108,10 +9108,6 @@
         <translation>Die Labels wurden weggelassen, wie gewünscht; die Datei behält sie.</translation>
     </message>
     <message>
-        <source>This is another volume than the session&apos;s.</source>
-        <translation>Dies ist ein anderes Volumen als das der Sitzung.</translation>
-    </message>
-    <message>
         <source>This may be another volume than the session&apos;s: its file has another name.</source>
         <translation>Dies ist vielleicht ein anderes Volumen als das der Sitzung: Seine Datei heißt anders.</translation>
     </message>

@@ -29,7 +29,8 @@ std::string quoted(const std::string& text) {
                                       "\"mpirun -n 4 limn-mpi\".");
 }
 
-// Pictures carry the scene that they show, and where its volume and labels lie, and how many pictures they are.
+// Pictures carry the scene that they show, and where its volume and labels lie, and how many pictures they
+// are.
 bool showsScene(const fs::path& picture, const Scene& scene, const std::string& volume) {
   return parseScene(readImageDescription(picture), picture.string()).scene ==
          parseScene(sceneToJson(scene, volume), "the scene asked for").scene;

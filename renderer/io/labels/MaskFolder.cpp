@@ -353,7 +353,7 @@ private:
       const bool isOpenedAgain = std::ranges::find(m_come, mask.source, &OpenMask::source) != m_come.end();
       if (!isOpenedAgain || m_stay.empty() || mask.place == 0)
         continue;
-      const std::size_t voxels = 
+      const std::size_t voxels =
           voxelsLost(*m_open.labels, mask.place, joined, part(progress, n / count, (n + 1) / count));
       const Message lost =
           voxels == 1 ? Message::tr("%1 voxel that %2 had before belongs to no mask now; open a mask "

@@ -413,7 +413,8 @@ TEST_F(SliceCutWindow, aSliceIsSavedInAnotherShapeAboutTheSameMiddle) {
   SeenSlice square = seen;
   square.frame = shapedAs(seen.frame, {300, 300});
   square.size = QSizeF(300, 300) / square.frame.pixelRatio;
-  EXPECT_EQ(QImage(pathTo("square.png")).convertToFormat(QImage::Format_RGB32), slicePicture(square, {}));
+  EXPECT_EQ(QImage(pathTo("square.png")).convertToFormat(QImage::Format_RGB32),
+            slicePicture(square, {}).convertToFormat(QImage::Format_RGB32));
 }
 
 TEST_F(SliceCutWindow, aDistanceOfASliceStandsInThePictureAndIsLedInTheSlice) {

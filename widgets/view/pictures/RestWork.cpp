@@ -61,7 +61,8 @@ bool RestWork::warmUp(DrawingEngine& engine) {
 // picture of them, which a gesture ends as it ends others.
 bool RestWork::findFineLight(DrawingEngine& engine) {
   for (Side& side : m_sides) {
-    // Under a lamp that turns with the view nodes are found anew, and what moves of a large volume is smaller.
+    // Under a lamp that turns with the view nodes are found anew, and what moves of a large volume is
+    // smaller.
     const Shading& shading = side.scene.shading;
     const bool turns = shading.shadow.strength > 0.0 && shading.lightAxes == LightAxes::camera;
     if (side.hasFineLight || turns || !hasTravellingLight(side.scene) || side.scene.volume->room() ||

@@ -48,7 +48,7 @@ private:
     Scene scene;
     bool isWarm = false;
     bool hasFineLight = false; ///< where light travels
-    int overflowPieces = 0; ///< done, of 2
+    int overflowPieces = 0;    ///< done, of 2
     std::optional<Overflow> overflow;
   };
   bool isSamePicture(const std::vector<Scene>& scenes, const glm::ivec2& size) const;
