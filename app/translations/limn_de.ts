@@ -1892,8 +1892,8 @@
         <translation>Schatten nicht gemessen</translation>
     </message>
     <message>
-        <source>step %1, light from a grid</source>
-        <translation>Schritt %1, Licht aus einem Gitter</translation>
+        <source>step %1, light approximate</source>
+        <translation>Schritt %1, Licht angenähert</translation>
     </message>
     <message>
         <source>random paths, refining</source>
@@ -1996,8 +1996,8 @@
         <translation>○ fast exakt</translation>
     </message>
     <message>
-        <source>Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with a tolerance the processor finds them for each sample, in minutes to hours.</source>
-        <translation>Schatten und Verdeckung werden in einem Gitter nachgeschlagen, das kleinere Schritte nicht feiner machen; mit einer Toleranz findet der Prozessor sie für jeden Abtastpunkt, in Minuten bis Stunden.</translation>
+        <source>Shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer; with a tolerance the processor finds them for each sample, in minutes to hours.</source>
+        <translation>Schatten und Verdeckung kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen; mit einer Toleranz findet der Prozessor sie für jeden Abtastpunkt, in Minuten bis Stunden.</translation>
     </message>
     <message>
         <source>step %1 of the smallest voxel spacing, %2 mm</source>
@@ -3321,8 +3321,8 @@
         <translation>Langsamer und weniger genau als eine andere Stellung: %1.</translation>
     </message>
     <message>
-        <source>From there it refines while nothing moves, but shadows and occlusion come from a grid of light, which smaller steps do not make finer: where they show, the picture may stay &quot;not exact&quot;. With &quot;exact&quot; the processor finds them for each sample, in minutes to hours.</source>
-        <translation>Von dort wird es feiner, solange sich nichts bewegt; Schatten und Verdeckung aber kommen von einem Lichtgitter, das kleinere Schritte nicht feiner machen: Wo sie zu sehen sind, kann das Bild „nicht exakt“ bleiben. Mit „exakt“ findet sie der Prozessor für jede Abtastung, in Minuten bis Stunden.</translation>
+        <source>From there it refines while nothing moves, but shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer: where they show, the picture may stay &quot;not exact&quot;. With &quot;exact&quot; the processor finds them for each sample, in minutes to hours.</source>
+        <translation>Von dort wird es feiner, solange sich nichts bewegt; Schatten und Verdeckung aber kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen: Wo sie zu sehen sind, kann das Bild „nicht exakt“ bleiben. Mit „exakt“ findet sie der Prozessor für jede Abtastung, in Minuten bis Stunden.</translation>
     </message>
     <message>
         <source>From there it refines while nothing moves.</source>

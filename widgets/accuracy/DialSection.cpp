@@ -186,7 +186,8 @@ QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measure
     parts << tr("Levels and times of the steps are those of the picture before it is refined.");
   const bool refines = !scene.quality.toleranceLevels && !m_points.empty();
   if (refines && hasTravellingLight(scene))
-    parts << tr("From there it refines while nothing moves, but shadows and occlusion come from a grid of "
+    parts << tr("From there it refines while nothing moves, but shadows and occlusion come from few paths or "
+                "a grid of "
                 "light, which smaller steps do not make finer: where they show, the picture may stay \"not "
                 "exact\". With \"exact\" the processor finds them for each sample, in minutes to hours.");
   else if (refines)

@@ -16,7 +16,6 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
@@ -61,26 +60,11 @@ std::optional<ShownSides> sidesOf(const Comparison& shown) {
   return ShownSides{shown.layout, shown.models[0], shown.models[1], shown.wipe};
 }
 
-// A name that is free beside a session file: "head-2.limn.json" beside "head.limn.json".
-QString freeNameBeside(const QString& file) {
-  const QFileInfo info(file);
-  const QString ending = info.fileName().endsWith(QStringLiteral(".limn.json")) ? QStringLiteral(".limn.json")
-                                                                                : QStringLiteral(".json");
-  QString base = info.fileName();
-  if (base.endsWith(ending))
-    base.chop(ending.size());
-  for (int number = 2;; ++number) {
-    const QString path = info.dir().filePath(base + QLatin1Char('-') + QString::number(number) + ending);
-    if (!QFileInfo::exists(path))
-      return path;
-  }
-}
-
 QString suggestedSession(const OpenDocument& document) {
   if (!document.sessionFile().isEmpty())
     return document.sessionFile();
   if (!document.sparedSession().isEmpty())
-    return freeNameBeside(document.sparedSession());
+    return freePathBeside(document.sparedSession());
   return suggestedName(document) + QStringLiteral("-session.limn.json");
 }
 

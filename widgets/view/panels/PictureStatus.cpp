@@ -196,10 +196,10 @@ EndText textOf(RefinementEnd end) {
     return {QObject::tr("smallest practical step, %1"),
             QObject::tr("The next smaller step would take too long on this machine.")};
   case RefinementEnd::gridOfLight:
-    return {QObject::tr("step %1, light from a grid"),
-            QObject::tr(
-                "Shadows and occlusion are looked up on a grid, which smaller steps do not make finer; with "
-                "a tolerance the processor finds them for each sample, in minutes to hours.")};
+    return {QObject::tr("step %1, light approximate"),
+            QObject::tr("Shadows and occlusion come from few paths or a grid of light, which smaller steps "
+                        "do not make finer; with "
+                        "a tolerance the processor finds them for each sample, in minutes to hours.")};
   case RefinementEnd::failed:
     return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
   }

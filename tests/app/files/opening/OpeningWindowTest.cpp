@@ -168,7 +168,7 @@ TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
     QTest::keyClick(dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
   });
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
-  EXPECT_EQ(suggested, pathTo("own-2.limn.json"));
+  EXPECT_EQ(suggested, pathTo("own 2.limn.json"));
   EXPECT_EQ(readTextFile(file.toStdString()), saved);
   ASSERT_TRUE(fs::exists(suggested.toStdString()));
   // From then on that one is the session's own file.
@@ -214,7 +214,7 @@ TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWi
     dialog.reject();
   });
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
-  EXPECT_EQ(suggested, pathTo("labelled-2.limn.json"));
+  EXPECT_EQ(suggested, pathTo("labelled 2.limn.json"));
   EXPECT_EQ(readTextFile(file.toStdString()), saved);
 }
 
