@@ -187,7 +187,8 @@ TEST_F(PathCommand, whoFollowsNoPathsRefusesInASentence) {
   }
   const Outcome outcome = run("render " + scene + " --engine auto -o " + path("a.png"));
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("Physical light is drawn by the processor"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" on CPU engine"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("OpenGL"), std::string::npos) << "nobody asked for it: " << outcome.err;
   EXPECT_EQ(run("render " + sceneUntil(R"({"paths": 0})") + " -o " + path("a.png")).status, 3);
 }
 
