@@ -164,7 +164,8 @@ TEST(CpuTravellingLight, changesNoBitAndKeepsNoByteWhereItIsNeutral) {
 
 TEST(CpuTravellingLight, takesAnEighthOfTheVoxelsBytesAtMost) {
   for (const double spacing : {3.0, 5.0}) {
-    const Scene scene = shadowedHead(spacing);
+    Scene scene = shadowedHead(spacing);
+    scene.quality.light = LightDetail::fine; // paths along rays need no nodes
     CpuRenderer without, with;
     without.render(withoutTravel(scene), {64, 64});
     with.render(scene, {64, 64});

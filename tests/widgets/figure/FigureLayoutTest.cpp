@@ -10,6 +10,8 @@
 #include "widgets/figure/LabelLegend.h"
 
 #include <QLineF>
+#include <QPainter>
+#include <QPicture>
 
 #include <gtest/gtest.h>
 
@@ -463,6 +465,16 @@ TEST(LabelLegend, whatIsSaidOfTheCurvesHoldsWhereOnlySomeAreDrawn) {
                    "rest."));
 }
 
+// What is painted, stroke for stroke. Pixels of one painting differ by a level with where they lie in memory
+// (Qt rounds a run's ends in another way than what its registers hold at once).
+QByteArray strokes(const Figure& figure, const FigureLayout& layout) {
+  QPicture picture;
+  QPainter painter(&picture);
+  paintFigure(painter, figure, layout, {});
+  painter.end();
+  return {picture.data(), static_cast<qsizetype>(picture.size())};
+}
+
 // Looking at voxels takes time: whoever has found the labels of a figure has them laid out and painted.
 TEST(LabelLegend, labelsThatAreKnownAreNotLookedForAgain) {
   Figure figure = figureOf(1);
@@ -471,16 +483,16 @@ TEST(LabelLegend, labelsThatAreKnownAreNotLookedForAgain) {
   const FigureLayout found = figureLayout(figure);
   EXPECT_EQ(found.labels, labels);
   const FigureLayout known = figureLayout(figure, labels);
-  EXPECT_EQ(figureImage(figure, known, {}), figureImage(figure, found, {}));
+  EXPECT_EQ(strokes(figure, known), strokes(figure, found));
   const FigureLayout none = figureLayout(figure, FigureLabels(1));
   EXPECT_TRUE(none.labelLegends.empty());
+  EXPECT_NE(strokes(figure, none), strokes(figure, found));
   Figure withoutLabels = figure;
   withoutLabels.panels.front().scene.keep = {};
   hide(figure, FigureMark::region);
   hide(withoutLabels, FigureMark::region);
   const FigureLayout plain = figureLayout(withoutLabels);
-  EXPECT_EQ(figureImage(figure, figureLayout(figure, FigureLabels(1)), {}),
-            figureImage(withoutLabels, plain, {}));
+  EXPECT_EQ(strokes(figure, none), strokes(withoutLabels, plain));
 }
 
 TEST(LabelLegend, aColourIsTheMeanOfWhatTheCurveShowsOfTheVoxels) {
