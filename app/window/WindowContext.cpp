@@ -97,6 +97,7 @@ EngineFacts WindowContext::engineFacts(std::optional<Engine> setting) {
 MakingOptions WindowContext::drawnLikeTheView() const {
   MakingOptions order;
   order.engine = view.engine();
+  order.followsLight = drawsWithOpenGl(view.engine());
   return order;
 }
 

@@ -8,10 +8,10 @@
 namespace limn {
 namespace {
 
-// Whether light is found for each sample, which takes milliseconds a pixel.
+// Whether light is found along many paths, which takes up to milliseconds a pixel.
 bool samplesLight(const Quality& quality) {
   return quality.light == LightDetail::sampled ||
-         (quality.light != LightDetail::coarse && quality.toleranceLevels);
+         (asksFineLight(quality) && quality.toleranceLevels);
 }
 
 } // namespace

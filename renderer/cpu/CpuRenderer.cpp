@@ -21,15 +21,16 @@ EffectSet withMore(EffectSet needed, EffectSet more) {
 }
 
 // How many pixels are drawn before anybody asks whether to go on, and how many such strips a thread takes on
-// end. Where light is found for each sample a pixel takes milliseconds, and so it does cell by cell in noise
-// under a function of hundreds of points.
+// end. Along many paths of light a pixel takes milliseconds, and so it does cell by cell in noise under a
+// function of hundreds of points.
 struct StripSize {
   int width = 64, together = 1;
 };
+constexpr int manyPaths = 256;
 
 StripSize stripSize(const cpu::PictureTerms& terms) {
   if (terms.effects.hasAny(travellingLight) && !terms.travel.found.areKnown())
-    return terms.travel.spread > 0 ? StripSize{8, 8} : StripSize{1, 1};
+    return terms.travel.spread < manyPaths ? StripSize{8, 8} : StripSize{1, 1};
   return terms.fineness || terms.isExact ? StripSize{8, 8} : StripSize{};
 }
 

@@ -42,7 +42,8 @@ int differences(const Scene& one, const Scene& other) {
 
 // A grid has two details.
 LightDetail gridDetail(const Quality& quality) {
-  return quality.light == LightDetail::coarse ? LightDetail::coarse : LightDetail::fine;
+  const bool isCoarse = quality.light == LightDetail::coarse || quality.light == LightDetail::moving;
+  return isCoarse ? LightDetail::coarse : LightDetail::fine;
 }
 
 } // namespace

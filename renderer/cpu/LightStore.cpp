@@ -5,6 +5,7 @@
 #include "cpu/simd/FindLight.h"
 #include "scene/light/LightDirections.h"
 #include "scene/steps/BlockRanges.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +37,9 @@ struct Thoroughness {
   float step;
   Spread overLight = Spread::sequence;
 };
-constexpr Thoroughness ofSamples{512, 0.25f};
 constexpr Thoroughness ofSpread{96, 0.5f};
+constexpr Thoroughness ofMotion{16, 0.75f};
+constexpr Thoroughness ofSamples{1024, 0.25f};
 constexpr Thoroughness ofFineNodes{64, 1.0f};
 constexpr Thoroughness ofSmallLamp{24, 1.0f, Spread::lattice};
 constexpr Thoroughness ofCoarseNodes{12, 1.5f};
@@ -79,13 +81,28 @@ float lightOffset(const Scene& scene, const PictureTerms& terms) {
   return static_cast<float>(lightOffsetMm(scene.volume->grid()) / terms.lengthMm);
 }
 
+// Of paths that are followed from a ray's samples. Half the error, which each fineness asks for, takes about
+// twice as many, looked at √2 times as often.
+Thoroughness ofPaths(const Quality& quality) {
+  if (quality.light == LightDetail::moving)
+    return ofMotion;
+  if (const std::optional<double> fineness = finenessOf(quality)) {
+    const double finer = std::exp2(*fineness - usualFineness(1.0));
+    return {static_cast<int>(std::lround(ofSamples.directions * finer)),
+            std::min(ofSamples.step / static_cast<float>(std::sqrt(finer)), 2.0f * ofSamples.step)};
+  }
+  return quality.light == LightDetail::sampled ? ofSamples : ofSpread;
+}
+
 TravelTerms travelOf(const Scene& scene, const PictureTerms& terms, const Thoroughness& with) {
   TravelTerms travel;
   travel.from = lightOffset(scene, terms);
   travel.reach = static_cast<float>(std::min(terms.light.occlusion.reachMm / terms.lengthMm, 1e6));
   travel.step = with.step;
   // A surface is there or not: whoever steps over it sees no part of it.
-  travel.farStep = terms.effects.has(Effect::isosurface) ? with.step : std::max(with.step, 1.0f);
+  travel.farStep = terms.effects.has(Effect::isosurface)
+                       ? with.step
+                       : std::max(with.step, std::min(2.0f * with.step, 1.0f));
   if (terms.effects.has(Effect::shadow))
     travel.towardsLight = overLight(terms, with);
   if (terms.effects.has(Effect::occlusion)) {
@@ -209,25 +226,32 @@ Region withoutColors(Region keep) {
 
 bool looksUpLight(const Scene& scene) {
   const Quality& quality = scene.quality;
-  if (quality.light == LightDetail::coarse)
-    return true;
   const bool isOnDisk = scene.volume && scene.volume->room();
-  return !quality.toleranceLevels &&
-         (quality.light == LightDetail::fine || (quality.light == LightDetail::spread && isOnDisk));
+  switch (quality.light) {
+  case LightDetail::coarse:
+    return true;
+  case LightDetail::moving:
+    return isOnDisk;
+  case LightDetail::fine:
+    return !quality.toleranceLevels;
+  case LightDetail::spread:
+    return !quality.toleranceLevels && isOnDisk;
+  case LightDetail::sampled:
+    break;
+  }
+  return false;
 }
 
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms) {
-  const bool isSpread = scene.quality.light == LightDetail::spread && !scene.quality.toleranceLevels;
-  if (isSpread && !light.areKnown()) {
-    TravelTerms travel = travelOf(scene, terms, ofSpread);
-    travel.spread = ofSpread.directions;
+  if (!light.areKnown()) {
+    const Thoroughness with = ofPaths(scene.quality);
+    TravelTerms travel = travelOf(scene, terms, with);
+    travel.spread = with.directions;
     return travel;
   }
-  if (!light.areKnown())
-    return travelOf(scene, terms, ofSamples);
   TravelTerms travel = travelOf(scene, terms, light.isFine ? ofFineNodes : ofCoarseNodes);
   travel.found = light;
-  travel.look = lightLook(light, scene.volume->grid(), scene.quality.light != LightDetail::coarse);
+  travel.look = lightLook(light, scene.volume->grid(), asksFineLight(scene.quality));
   travel.layers = layerLengths(travel.from);
   travel.toDirect = toNodes(light.directNodes, terms);
   travel.toAmbient = toNodes(light.ambientNodes, terms);
@@ -300,10 +324,14 @@ bool LightStore::hasAll(const Keys& keys, EffectSet effects) const {
 
 TravelTerms LightStore::update(const Scene& scene, const PictureTerms& terms, const IndexBox& shows,
                                const Effort& effort) {
-  if (!looksUpLight(scene))
+  const bool isMoving = scene.quality.light == LightDetail::moving;
+  const bool mayFollow = !looksUpLight(scene);
+  if (mayFollow && !isMoving)
     return travelIn({}, scene, terms);
   Keys keys = keysOf(scene, terms, shows, false);
-  const bool isCoarse = scene.quality.light == LightDetail::coarse && !hasAll(keys, terms.effects);
+  const bool isCoarse = !asksFineLight(scene.quality) && !hasAll(keys, terms.effects);
+  if (isCoarse && mayFollow)
+    return travelIn({}, scene, terms);
   if (isCoarse)
     keys = keysOf(scene, terms, shows, true);
   const Thoroughness& ofAmbient = isCoarse ? ofCoarseNodes : ofFineNodes;

@@ -15,11 +15,12 @@ TransferFunction withoutColors(TransferFunction function);
 Region withoutColors(Region keep);
 
 /// Whether the scene's picture looks light up on nodes; others find it along paths, which meet voxels of a
-/// volume on disk in no order, many times each: spread over a ray's samples they are of volumes in memory.
+/// volume on disk in no order, many times each: those of volumes in memory do, and look fine nodes up while
+/// something moves only where these are there.
 bool looksUpLight(const Scene& scene);
 
 /// How the picture of these terms, whose `travel` is not set yet, asks what is known of its light; where
-/// nothing is, it is found for each sample.
+/// nothing is, it is found along paths: as many as its error may be, or as light at rest has (LightDetail).
 TravelTerms travelIn(const LightVolumes& light, const Scene& scene, const PictureTerms& terms);
 
 /// What comes of light that travels (DEFINITION section 11), found on grids of nodes and kept for pictures to

@@ -209,13 +209,19 @@ IndexBox SceneData::visibleBox(const Scene& scene) const {
 namespace {
 
 // Whether a tolerance can be kept by equal steps first. What they miss of a function is told by its segments,
-// so that it must have few. Without gradients cells are exact and cheap; samples of light that travels, and
-// of looks, cost more than cells save.
+// so that it must have few. Without gradients cells are exact and cheap; samples of looks cost more than
+// cells save.
 bool mayBeSampledFirst(const PictureTerms& terms) {
   return terms.fineness && *terms.fineness <= mostSampledFineness && !terms.brick &&
          terms.function->segmentCount <= FewSegments::most && terms.effects.has(Effect::gradient) &&
-         !terms.effects.has(Effect::xray) && !terms.effects.has(Effect::labelLooks) &&
-         !terms.effects.hasAny(travellingLight);
+         !terms.effects.has(Effect::xray) && !terms.effects.has(Effect::labelLooks);
+}
+
+// Equal steps of a ray whose light travels, where a tolerance is to be kept. At rest its paths take so much
+// longer than samples that all steps may be fine: these take a fiftieth of the time, at any fineness.
+double litStep(const Quality& quality) {
+  const double fineness = *finenessOf(quality);
+  return quality.light == LightDetail::moving ? sampledStep(fineness) : std::exp2(-fineness) / 4.0;
 }
 
 // Whether scalars that show lie between such as do not: a step may run over all of them.
@@ -253,7 +259,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   }
   terms.gradientCurve = &m_gradientCurve;
   terms.light = lightingTerms(scene.shading);
-  if (effects.has(Effect::localSteps))
+  const bool isInFineSteps = effects.has(Effect::localSteps) && effects.hasAny(travellingLight);
+  if (effects.has(Effect::localSteps) && !isInFineSteps)
     terms.fineness = finenessOf(scene.quality);
   terms.isExact = scene.quality.toleranceLevels.has_value();
   terms.voxels.roundsPlaces = m_roundsPlaces && !terms.isExact;
@@ -275,7 +282,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
     terms.visibleBox = withinBrick(terms.visibleBox, *m_brick);
   terms.centre = centreIndex(grid);
   terms.lengthMm = smallestSpacingMm(grid);
-  terms.stepLengths = scene.quality.stepVoxels;
+  terms.stepLengths = isInFineSteps ? litStep(scene.quality) : scene.quality.stepVoxels;
   terms.samplesFirst = m_samplesFirst && mayBeSampledFirst(terms);
   if (terms.samplesFirst) {
     terms.stepLengths = sampledStep(*terms.fineness);

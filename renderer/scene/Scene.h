@@ -37,10 +37,11 @@ enum class Projection { composite, mip, minip, average, xray, isosurface, compos
 /// the function, wherever that is possible, or never.
 enum class Preintegration { automatic, always, never };
 
-/// How an engine finds what comes of light that travels (DEFINITION section 11): on a fine grid; on a coarse
-/// one, for a picture while something moves; along few paths, which are spread over a ray's samples (an
-/// engine that cannot takes a fine grid); or for each sample until it stands. A tolerance asks for the last.
-enum class LightDetail { fine, coarse, spread, sampled };
+/// How an engine finds what comes of light that travels (DEFINITION section 11): on a fine grid or a coarse
+/// one; or along paths that are spread over a ray's samples, which are few at rest and fewer while something
+/// moves (fine nodes that are there serve as well; an engine that follows no paths takes both grids), or so
+/// many that they tell how far off the others are. A tolerance asks for as many as it needs.
+enum class LightDetail { fine, coarse, spread, moving, sampled };
 
 /// What the picture costs and how close it comes to the integral.
 struct Quality {

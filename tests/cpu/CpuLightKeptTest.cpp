@@ -25,7 +25,7 @@ using test::skullOverJaw;
 using test::withoutTravel;
 
 constexpr LightDetail everyDetail[] = {LightDetail::sampled, LightDetail::spread, LightDetail::fine,
-                                       LightDetail::coarse};
+                                       LightDetail::coarse, LightDetail::moving};
 
 Image pictureIn(Scene scene, LightDetail detail, const glm::ivec2& size) {
   scene.quality.light = detail;

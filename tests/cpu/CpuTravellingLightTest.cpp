@@ -58,13 +58,37 @@ TEST(CpuTravellingLight, foundForEachSampleItIsTheReferences) {
   }
 }
 
-TEST(CpuTravellingLight, aToleranceHasItFoundForEachSample) {
+TEST(CpuTravellingLight, aToleranceHasItFoundAlongSoManyPaths) {
   Scene scene = shadowedHead(8.0);
   scene.quality.toleranceLevels = 1.0;
   scene.quality.fineness = 4.75;
   const ImageError error = errorFrom(toImage(renderReference(scene, travelPicture)), scene);
   EXPECT_LE(error.p99_9, 1.0);
   EXPECT_LE(error.mean, 0.1);
+}
+
+TEST(CpuTravellingLight, aToleranceIsKeptAndSpent) {
+  Scene scene = shadowedHead(4.0);
+  const glm::ivec2 size{128, 128};
+  CpuRenderer renderer(0, CpuRenderer::Tolerance::stepsFirst);
+  const DrawScene draw = [&](const Scene& drawn, const glm::ivec2& pixels) {
+    return renderer.render(drawn, pixels);
+  };
+  scene.quality.toleranceLevels = 0.5;
+  scene.quality.fineness = 9.0; // 16 times as many as 5, with which heads err by half a level
+  const Image exact = draw(scene, size);
+  for (const double tolerance : {2.0, 1.0}) {
+    scene.quality.toleranceLevels = tolerance;
+    scene.quality.fineness.reset();
+    const WithinTolerance found = withinTolerance(scene, size, draw, StepControl::cells);
+    EXPECT_TRUE(found.holds);
+    EXPECT_LE(found.estimateLevels, tolerance);
+    const double error = imageError(draw(found.scene, size), exact).p99_9;
+    std::cout << "asked " << tolerance << ": fineness " << *found.scene.quality.fineness << ", estimated "
+              << found.estimateLevels << ", found " << error << " levels\n";
+    EXPECT_LE(error, tolerance);
+    EXPECT_GE(error, 0.4 * tolerance); // a fineness less would be twice as far off
+  }
 }
 
 TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
@@ -129,7 +153,7 @@ TEST(CpuTravellingLight, alongPathsThatARaysSamplesShareItLiesNear) {
 
 TEST(CpuTravellingLight, anyNumberOfThreadsAndTilesAndLeapsGivesTheSameBits) {
   for (const LightDetail detail :
-       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::sampled})
+       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::moving, LightDetail::sampled})
     for (const Projection projection : {Projection::composite, Projection::isosurface}) {
       Scene scene = shadowedHead(6.0);
       scene.projection = projection;
@@ -313,7 +337,7 @@ TEST(CpuTravellingLight, badCasesHaveFinitePictures) {
     });
   };
   for (const LightDetail detail :
-       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::sampled}) {
+       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::moving, LightDetail::sampled}) {
     Scene scene = shadowedHead(10.0);
     scene.quality.light = detail;
     scene.transferFunction = constantFunction(1.0, white);

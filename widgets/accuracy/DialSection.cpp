@@ -187,9 +187,8 @@ QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measure
   const bool refines = !scene.quality.toleranceLevels && !m_points.empty();
   if (refines && hasTravellingLight(scene))
     parts << tr("From there it refines while nothing moves, but shadows and occlusion come from few paths or "
-                "a grid of "
-                "light, which smaller steps do not make finer: where they show, the picture may stay \"not "
-                "exact\". With \"exact\" the processor finds them for each sample, in minutes to hours.");
+                "a grid of light, which smaller steps do not make finer: where they show, the picture may stay "
+                "\"not exact\". With \"exact\" the processor follows more paths, which takes some minutes.");
   else if (refines)
     parts << tr("From there it refines while nothing moves.");
   parts << tr("A level is the smallest step of brightness on a screen, of 255.");

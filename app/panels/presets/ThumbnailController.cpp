@@ -90,7 +90,7 @@ Scene ThumbnailPainter::reducedScene(const Scene& scene, const IsEnded& isEnded)
   small.keep = m_keep;
   small.quality = {};
   small.quality.stepVoxels = 1.0;
-  small.quality.light = LightDetail::coarse;
+  small.quality.light = LightDetail::moving;
   small.quality.paths = 16; // of physical light, whose noise a small picture may show
   return small;
 }

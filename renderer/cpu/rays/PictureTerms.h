@@ -73,12 +73,8 @@ struct LookTerms {
   const FewSegments* segmentsTogether = nullptr;
 };
 
-/// Two changes on end that are smaller, from some directions to twice as many, leave what comes of light
-/// (0..1) alone where it is marched: it is not known any closer.
-inline constexpr float leastLightChange = 1.0f / 512.0f;
-
-/// How what comes of light that travels is found (DEFINITION section 11): from the nodes of a grid or, where
-/// there are none, along paths from each sample. Read where an effect needs it.
+/// How what comes of light that travels is found (DEFINITION section 11): from the nodes of a grid or
+/// along paths from a ray's samples. Read where an effect needs it.
 struct TravelTerms {
   using Directions = std::shared_ptr<const std::vector<glm::vec3>>;
   /// From voxel indices to nodes.
@@ -92,7 +88,7 @@ struct TravelTerms {
   Directions towardsLight; ///< over the light, grid axes
   Directions byCosine;     ///< around a normal, the third axis
   Directions onSphere;     ///< as many
-  int spread = 0;          ///< so many paths a pixel are spread over a ray's samples; 0: none are
+  int spread = 0;          ///< so many paths a pixel are spread over a ray's samples; 0: there are nodes
   float from = 1.5f;       ///< δ, lengths
   float reach = 0.0f;      ///< of occlusion, lengths
   float step = 0.5f;       ///< along a path at most, lengths

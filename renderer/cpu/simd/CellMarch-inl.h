@@ -23,8 +23,7 @@ public:
       : m_terms(terms), m_samples(samples), m_limit(static_cast<float>(largestPieceChange(*terms.fineness))),
         m_readsGradient(terms.effects.has(Effect::gradient) && !terms.effects.has(Effect::xray)),
         m_changesOpacity(terms.effects.hasAny(opacityChanges)),
-        m_isLimited(!terms.effects.has(Effect::unlimited)),
-        m_uncertain(terms.effects.hasAny(travellingLight) ? leastLightChange : 0.0f) {}
+        m_isLimited(!terms.effects.has(Effect::unlimited)) {}
 
   Pieces& pieces() { return m_pieces; }
 
@@ -375,9 +374,7 @@ private:
           hn::Max(hn::Max(hn::Abs(hn::Sub(found.color.x, color.x)), hn::Abs(hn::Sub(found.color.y, color.y))),
                   hn::Max(hn::Abs(hn::Sub(found.color.z, color.z)), hn::Abs(hn::Sub(found.alpha, alpha))));
       const VF moved = m_terms.effects.has(Effect::xray) ? change : hn::Max(change, unforeseen(part, stride));
-      // What light on its way is not known to moves at any number of nodes.
-      const VF off = hn::NegMulAdd(all(m_uncertain), found.alpha, moved);
-      const VF ofPixel = hn::Mul(off, hn::Load(floats, m_reaching + part));
+      const VF ofPixel = hn::Mul(moved, hn::Load(floats, m_reaching + part));
       tooFar |= (bitsOf(hn::Gt(ofPixel, all(m_limit))) & here) << part;
       HWY_ALIGN float isOpen[HWY_MAX_BYTES / 4];
       for (int lane = 0; lane < lanes(); ++lane)
@@ -524,7 +521,6 @@ private:
   float m_limit;
   bool m_readsGradient, m_changesOpacity;
   bool m_isLimited;          // lit colours lie within 0..1
-  float m_uncertain;         // of what comes of light on its way
   bool m_isBegun = false;    // ends and middles of all pieces are known
   bool m_isAbsorbed = false; // at least what absorbs there
   Pieces m_pieces;

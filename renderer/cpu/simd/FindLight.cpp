@@ -24,6 +24,72 @@ void findAmbientHere(const PictureTerms&, const LightNodes&, std::span<const std
 
 #else
 
+// Behind so many lengths what a path meets is seen from afar, by many nodes alike: steps may be longer.
+constexpr float farLengths = 8.5f;
+
+// A tenth of a level of the brightest light.
+constexpr float leastLeft = 5e-4f;
+
+// What comes of a light that has a direction to several nodes: in twice and twice as many of its directions
+// until two changes on end are smaller than a step of the nodes' codes.
+template <VoxelSource::Kind kind>
+class DirectLightAt {
+public:
+  DirectLightAt(const TravelTerms& travel, const LightMarch<kind>& march)
+      : m_travel(travel), m_march(march) {}
+
+  HWY_NOINLINE VF of(const V3& index) const {
+    const std::vector<glm::vec3>& directions = *m_travel.towardsLight;
+    const auto total = static_cast<int>(directions.size());
+    Means means{hn::Ge(all(1.0f), hn::Zero(floats)), hn::Lt(all(1.0f), hn::Zero(floats)), all(-1.0f)};
+    VF sum = hn::Zero(floats);
+    int count = 0;
+    for (int until = std::min(fewest, total);; until = std::min(2 * until, total)) {
+      for (; count < until; ++count)
+        sum = hn::Add(sum, along(index, all(directions[static_cast<std::size_t>(count)]), means.open));
+      if (!goesOn(sum, until, total, means))
+        return means.mean;
+    }
+  }
+
+private:
+  static constexpr int fewest = 16;
+  static constexpr float leastChange = 1.0f / 512.0f;
+
+  // The means of places so far: of open ones they go on.
+  struct Means {
+    Mask open, isStill;
+    VF mean;
+  };
+
+  HWY_NOINLINE VF along(const V3& index, const V3& direction, Mask open) const {
+    const VF near = m_march.transmittance(index, direction, m_travel.from, farLengths, m_travel.step, open);
+    const Mask isLeft = hn::And(open, hn::Gt(near, all(leastLeft)));
+    if (hn::AllFalse(floats, isLeft))
+      return hn::Zero(floats);
+    const VF far = m_march.transmittance(index, direction, farLengths, 1e30f, m_travel.farStep, isLeft);
+    return hn::IfThenElseZero(isLeft, hn::Mul(near, far));
+  }
+
+  // Keeps the means of open places, and closes those that two changes on end have left alone. Whether any is
+  // open.
+  HWY_INLINE static bool goesOn(VF sum, int count, int total, Means& means) {
+    const VF next = hn::Mul(sum, all(1.0f / static_cast<float>(count)));
+    const Mask stands = hn::Lt(hn::Abs(hn::Sub(next, means.mean)), all(leastChange));
+    means.mean = hn::IfThenElse(means.open, next, means.mean);
+    // What is all or nothing in twice the fewest directions is taken to be so in all.
+    const Mask isPlain = hn::Or(hn::Gt(next, all(1.0f - leastLeft)), hn::Lt(next, all(leastLeft)));
+    const Mask stays =
+        count > fewest ? hn::Or(isPlain, hn::And(stands, means.isStill)) : hn::And(stands, means.isStill);
+    means.open = hn::AndNot(stays, means.open);
+    means.isStill = stands;
+    return count < total && !hn::AllFalse(floats, means.open);
+  }
+
+  const TravelTerms& m_travel;
+  const LightMarch<kind>& m_march;
+};
+
 // The nodes of a picture's grid, as many at a time as registers hold.
 template <VoxelSource::Kind kind>
 class Nodes {
@@ -33,10 +99,10 @@ public:
         m_march(terms, m_samples.field, m_samples.function, m_samples.light, m_samples.looks) {}
 
   void direct(std::span<const std::int32_t> numbers, std::uint8_t* out) const {
-    const SampledLight<kind> light(m_travel, m_march);
+    const DirectLightAt<kind> light(m_travel, m_march);
     for (std::size_t begin = 0; begin < numbers.size(); begin += static_cast<std::size_t>(lanes())) {
       const V3 index = indexOf(numbers, begin);
-      const VF comes = light.direct(index);
+      const VF comes = light.of(index);
       HWY_ALIGN float codes[most];
       // What comes from afar alone is smooth in tissue, too.
       const Mask every = hn::Ge(comes, hn::Zero(floats));

@@ -183,29 +183,19 @@ struct Samples {
                              SpreadTurn& turn) const {
     const V3 index = indexAt(step);
     const V3 normal = light.normalOf(gradients, step);
-    const bool hasShadow = terms.effects.has(Effect::shadow);
-    const bool hasOcclusion = terms.effects.has(Effect::occlusion);
-    VF direct = all(1.0f), ambient = all(1.0f);
+    Reaching comes{all(1.0f), all(1.0f)};
     const LightMarch<kind> march(terms, field, function, light, looks);
     if (terms.travel.spread > 0) {
-      const Reaching comes = SpreadLight<kind>(terms, march, ray.pixel).of(index, normal, shares, turn);
-      direct = comes.direct;
-      ambient = comes.ambient;
-    } else if (HWY_UNLIKELY(!terms.travel.found.areKnown())) {
-      const SampledLight<kind> sampled(terms.travel, march);
-      if (hasShadow)
-        direct = sampled.direct(index);
-      if (hasOcclusion)
-        ambient = sampled.ambient(index, normal);
+      comes = SpreadLight<kind>(terms, march, ray.pixel).of(index, normal, shares, turn);
     } else {
       const NearLight<kind> near(terms, march, index);
-      if (hasShadow)
-        direct = near.direct();
-      if (hasOcclusion)
-        ambient = near.ambient(normal);
+      if (terms.effects.has(Effect::shadow))
+        comes.direct = near.direct();
+      if (terms.effects.has(Effect::occlusion))
+        comes.ambient = near.ambient(normal);
     }
-    const Reaching reaching{dimmed(terms.light.shadow.strength, direct),
-                            dimmed(terms.light.occlusion.strength, ambient)};
+    const Reaching reaching{dimmed(terms.light.shadow.strength, comes.direct),
+                            dimmed(terms.light.occlusion.strength, comes.ambient)};
     return light.shaded(material, normal, gradients.ratio, step, &reaching);
   }
 

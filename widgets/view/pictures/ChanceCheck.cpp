@@ -46,7 +46,7 @@ std::shared_ptr<ChanceCheck::Job> ChanceCheck::begin(const SidePicture& side) co
   job->scene = side.shownScene();
   job->image = side.picture().image;
   // What lies on disk would be read once more, against the picture's own reading; light that travels would
-  // take many minutes.
+  // take minutes.
   if (!job->image || !job->scene.volume || job->scene.volume->room() || hasTravellingLight(job->scene)) {
     job->isDone = true;
     return job;

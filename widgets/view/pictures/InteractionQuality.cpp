@@ -68,7 +68,7 @@ Scene withStep(Scene scene, double stepVoxels) {
 Scene withQualityLevel(const Scene& scene, const QualityLevel& level) {
   Scene drawn = withStep(scene, level.stepFactor * scene.quality.stepVoxels);
   if (level != QualityLevel{} && hasTravellingLight(scene))
-    drawn.quality.light = LightDetail::coarse;
+    drawn.quality.light = LightDetail::moving;
   if (isPhysical(scene))
     drawn.quality.paths = 1;
   return drawn;

@@ -85,7 +85,7 @@ bool RestWork::measureOverflow(DrawingEngine& engine) {
     // How bright light gets does not depend on how finely it is found, and nobody cancels this.
     Scene drawn = side.scene;
     if (hasTravellingLight(drawn))
-      drawn.quality.light = LightDetail::coarse;
+      drawn.quality.light = LightDetail::moving;
     if (!engine.facts(side.scene).plan.effects.has(Effect::lighting)) {
       side.overflowPieces = 2;
       continue;

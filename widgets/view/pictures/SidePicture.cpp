@@ -24,10 +24,10 @@ double timedMs(Work&& work) {
 constexpr int veryCoarse = 6;
 constexpr int middleLevel = 3;
 
-// All pixels, on the way to a picture whose light takes many minutes.
+// All pixels, on the way to a picture whose light takes some minutes.
 constexpr int wholeLevel = 1;
 
-// With a tolerance light on its way is found for each sample.
+// With a tolerance many paths of light are followed.
 bool hasSampledLight(const Scene& scene) {
   return scene.quality.toleranceLevels && hasTravellingLight(scene);
 }
@@ -92,9 +92,8 @@ void SidePicture::drawFollowed(DrawingEngine& engine) {
 }
 
 // Paths of light take longer than a hand may wait: what moves has it from nodes.
-int SidePicture::finestLevel(DrawingEngine& engine) const {
-  const bool followsLight = hasTravellingLight(m_scene) && engine.facts(m_scene).findsLightOfSamples;
-  return followsLight || hasSampledLight(m_scene) ? wholeLevel : 0;
+int SidePicture::finestLevel() const {
+  return hasTravellingLight(m_scene) ? wholeLevel : 0;
 }
 
 double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns& seen) {

@@ -109,9 +109,9 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
 }
 
-// With a tolerance light is marched from each sample, which takes minutes: what moves looks it up, and so
-// does the whole picture over which the exact one comes.
-TEST(PicturesInMemory, onTheirWayToATolerancePicturesLookLightUp) {
+// With a tolerance many paths of light are followed, which takes minutes: what moves has fewer, and so has the
+// whole picture over which the exact one comes.
+TEST(PicturesInMemory, onTheirWayToATolerancePicturesFollowFewPathsOfLight) {
   Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
   Scene scene = phantomWith(ShadingModel::classic);
   scene.shading.lightDirection = glm::normalize(glm::dvec3(1, 1, -1));
@@ -126,20 +126,20 @@ TEST(PicturesInMemory, onTheirWayToATolerancePicturesLookLightUp) {
     pictures.want({scene}, pictureSize);
     pictures.drawCoarsely(level, {});
     EXPECT_FALSE(side.complete()) << level;
-    EXPECT_EQ(side.shownScene().quality.light, LightDetail::coarse) << level;
+    EXPECT_EQ(side.shownScene().quality.light, LightDetail::moving) << level;
   }
   while (side.shownScene().quality.stepVoxels > 2.0 * scene.quality.stepVoxels) {
     ASSERT_FALSE(pictures.refine(5.0));
-    EXPECT_EQ(side.shownScene().quality.light, LightDetail::coarse);
+    EXPECT_EQ(side.shownScene().quality.light, LightDetail::moving);
   }
   EXPECT_FALSE(side.complete());
   while (!pictures.refine(5.0)) {
   }
   CpuRenderer whole;
   EXPECT_EQ(*side.picture().image, whole.render(scene, pictureSize));
-  Scene coarse = scene;
-  coarse.quality.light = LightDetail::coarse;
-  EXPECT_NE(whole.render(coarse, pictureSize), *side.picture().image) << "nodes tell something else";
+  Scene moving = scene;
+  moving.quality.light = LightDetail::moving;
+  EXPECT_NE(whole.render(moving, pictureSize), *side.picture().image) << "few paths tell something else";
 }
 
 // A picture of half the size gets as many paths as there is time for; the whole one begins with as many, and
@@ -356,6 +356,26 @@ TEST_F(PicturesWithoutWindow, anotherRequestDropsWhatIsFinished) {
   EXPECT_FALSE(pictures.state().resting);
   finish(pictures, scenes);
   EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scenes[0], pictureSize));
+}
+
+// No shader follows paths of light: what moves has it from nodes, and the processor draws what rests.
+TEST_F(PicturesWithoutWindow, withOpenGlTheProcessorDrawsLightThatRests) {
+  Pictures pictures(makeRayCasterEngine(), makeGlScreen());
+  Scene scene = phantomWith(ShadingModel::classic);
+  scene.shading.lightDirection = glm::normalize(glm::dvec3(1, 1, -1));
+  scene.shading.shadow.strength = 0.7;
+  finish(pictures, {scene});
+  ASSERT_TRUE(pictures.state().resting);
+  const Image rests = CpuRenderer(0, CpuRenderer::Tolerance::stepsFirst).render(scene, pictureSize);
+  EXPECT_EQ(*pictures.side(0).picture().image, rests);
+  EXPECT_NE(RayCaster().render(scene, pictureSize), rests) << "by itself it looks nodes up";
+  pictures.want({scene}, pictureSize);
+  pictures.drawCoarsely(pictures.finestLevel(), {});
+  EXPECT_FALSE(pictures.side(0).complete());
+  // Without light on its way all is as before.
+  scene.shading.shadow = {};
+  finish(pictures, {scene});
+  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scene, pictureSize));
 }
 
 // Every engine answers what is done at rest, in pieces; one that cannot tell what effects cost says nothing.
