@@ -8,6 +8,7 @@
 #include "scene/presets/PresetFit.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/presets/PresetModel.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -54,7 +55,9 @@ void OwnPresetController::askForName() {
   if (!m_context.session.scene().volume)
     return;
   const QString inUse = QString::fromStdString(m_context.document.presetInUse().name);
-  const QString proposed = inUse.isEmpty() ? tr("My preset") : find(inUse) ? inUse : tr("My %1").arg(inUse);
+  const QString proposed = inUse.isEmpty() ? tr("My preset")
+                           : find(inUse)   ? inUse
+                                           : tr("My %1").arg(presetWords(inUse));
   ask(
       tr("Save as preset"), tr("Name:"), proposed, [this](const QString& name) { save(name); },
       [this](const QString& name) { return refusal(name); });
@@ -222,7 +225,8 @@ void OwnPresetController::moveToNewFolder(const QString& name) {
 
 void OwnPresetController::duplicate(const Preset& preset) {
   ask(
-      tr("Duplicate preset"), tr("Name of the copy:"), tr("%1 copy").arg(QString::fromStdString(preset.name)),
+      tr("Duplicate preset"), tr("Name of the copy:"),
+      tr("%1 copy").arg(presetWords(QString::fromStdString(preset.name))),
       [this, preset](const QString& entered) { keepCopy(preset, entered); },
       [this](const QString& entered) { return refusal(entered); });
 }

@@ -224,7 +224,7 @@ std::optional<Preset> PresetController::fitted(const QString& name) const {
 QString PresetController::nameShown() const {
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
   const QString name = QString::fromStdString(preset.name);
-  return name.isEmpty() ? tr("My preset") : preset.isModified ? tr("My %1").arg(name) : name;
+  return name.isEmpty() ? tr("My preset") : preset.isModified ? tr("My %1").arg(presetWords(name)) : name;
 }
 
 void PresetController::use(const QString& name) {
