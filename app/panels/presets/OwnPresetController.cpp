@@ -4,7 +4,6 @@
 #include "app/panels/presets/NameDialog.h"
 #include "app/window/WindowContext.h"
 #include "scene/basics/Error.h"
-#include "scene/light/GradientSmoothing.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
@@ -92,14 +91,11 @@ void OwnPresetController::save(const QString& name) {
   const QString question = tr("There is a preset \"%1\" already. Replace it by what is shown?").arg(name);
   if (find(name) && !mayReplace(question))
     return;
-  Preset preset = presetOf(m_context.session.scene(), name.toStdString());
+  const Scene& shown = m_context.session.scene();
+  Preset preset = withoutSmoothingOfSlices(presetOf(shown, name.toStdString()), shown.volume->grid());
   // Values without a unit mean something beside those of their own volume alone.
-  if (const auto& volume = m_context.session.scene().volume; !looksLikeHounsfield(*volume))
+  if (!looksLikeHounsfield(*shown.volume))
     preset.landmarks = landmarksOf(m_context.document.histogram());
-  // What opening sets belongs to the slices of the volume.
-  if (const Grid& grid = m_context.session.scene().volume->grid();
-      preset.shading && preset.shading->gradientSmoothing == smoothingOfSlices(grid))
-    preset.shading->gradientSmoothing = 0.0;
   std::optional<Preset> replaced;
   if (const Preset* before = find(name)) {
     replaced = *before;
