@@ -209,7 +209,7 @@ void EarlierLook::use() {
     look.landmarks.reset();
   const Scene before = m_context.session.scene();
   m_context.session.usePreset(fittedTo(look, m_context.document.histogram(), volume->grid()),
-                              {nextGestureId(), tr("use the look of the volume before")});
+                              {nextGestureId(), tr("use the look of the volume before"), true});
   if (haveOneScale || m_context.session.scene() == before)
     return; // the volume had that look: there is no step of which anything could be said
   m_context.messages.show(
