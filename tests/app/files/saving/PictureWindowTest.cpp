@@ -224,6 +224,26 @@ TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
   EXPECT_FALSE(readImageDescription(folder.path() / "there.png").empty()) << "it carries its scene";
 }
 
+// Cancelled too late it is in its file, and must not be offered or called lost.
+TEST_F(SavedPicture, thatIsBeingSavedElsewhereIsNotCalledUnwrittenAfterwards) {
+  PictureOptions options;
+  options.marks = noMarks;
+  options.size = PictureOptions::Size::twice;
+  saving().writePicture(pathTo("gone/twice.png"), options);
+  ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
+  ASSERT_EQ(saving().unwritten(), QStringList(QStringLiteral("twice.png")));
+  const auto& offer = *window->findChild<MessageBar*>(QStringLiteral("unwrittenBar"));
+  typeName(pathTo("there.png"));
+  QTest::mouseClick(offer.findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  ASSERT_TRUE(stopButton().isVisible());
+  stopButton().click(); // before any other event
+  EXPECT_TRUE(window->statusBar()->currentMessage().startsWith(QStringLiteral("Too late to cancel")));
+  EXPECT_TRUE(stopButton().isVisible()) << "it goes on";
+  EXPECT_FALSE(written("there.png").isNull());
+  EXPECT_TRUE(saving().unwritten().isEmpty());
+  EXPECT_FALSE(offer.isWanted());
+}
+
 TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOrDismissed) {
   PictureOptions options;
   options.marks = noMarks;
