@@ -104,8 +104,7 @@ TEST_F(OpeningWindow, whatWasDismissedOfAVolumeIsNotSaidAgain) {
 }
 
 TEST_F(OpeningWindow, thePictureOfOnePatientOpensOnAnotherWhoLiesElsewhere) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:8")));
   const TransferFunction look = scene().transferFunction;
   const QString picture = savedPicture();
   test::writeBytes(folder.path() / "far.nrrd",
@@ -136,8 +135,7 @@ TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {
 TEST_F(OpeningWindow, aPictureOfTheSampleHeadReopens) {
   if (!installedSampleHead())
     GTEST_SKIP() << "invesalius-examples is not installed";
-  ASSERT_TRUE(open(QStringLiteral("sample")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("sample")));
   const QString picture = savedPicture();
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(picture));

@@ -160,8 +160,7 @@ TEST_F(PresetWindow, aPreviewEndsWhereAnotherVolumeIsOpened) {
 }
 
 TEST_F(PresetWindow, whatWasRememberedIsComparedWithWhatBecameOfIt) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
   click("CT bone");
   QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
   EXPECT_FALSE(compare.isEnabled()) << "nothing is remembered";
