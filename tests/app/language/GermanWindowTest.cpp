@@ -148,7 +148,7 @@ TEST_F(GermanWindow, thePanelsLeaveRoomForTwoPictures) {
 
 TEST_F(GermanWindow, aFigureCallsPresetsAsTheirListDoes) {
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
-  QTest::keyClick(window.get(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+  window->findChild<QAction*>(QStringLiteral("saveFigure"))->trigger();
   const auto* dialog = window->findChild<FigureDialog*>();
   ASSERT_NE(dialog, nullptr);
   auto& sources = *dialog->findChild<QComboBox*>(QStringLiteral("panelSource-a"));
