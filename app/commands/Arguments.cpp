@@ -113,7 +113,7 @@ glm::ivec2 parsedSize(const std::string& text) {
 
 void requireReportFolder(const fs::path& folder) {
   std::error_code unknown;
-  fs::path there = fs::absolute(folder);
+  fs::path there = fs::current_path() / folder; // which it is where nothing else is named
   while (!fs::exists(there, unknown) && there.has_relative_path())
     there = there.parent_path();
   // The dot refuses a file in a folder's place.

@@ -192,9 +192,9 @@ void EarlierLook::follow(const Scene& scene) {
   }
   m_volume = scene.volume;
   if (scene.volume) {
-    m_present = {presetOf(scene, tr("Earlier look").toStdString()), looksLikeHounsfield(*scene.volume)};
+    const Preset look = presetOf(scene, tr("Earlier look").toStdString());
+    m_present = {withoutSmoothingOfSlices(look, scene.volume->grid()), looksLikeHounsfield(*scene.volume)};
     m_present->look.landmarks = landmarks;
-    m_present->look.shading->gradientSmoothing = 0.0; // it is of this volume's slices
   }
   m_use->setEnabled(m_earlier && scene.volume);
 }
@@ -209,7 +209,7 @@ void EarlierLook::use() {
     look.landmarks.reset();
   const Scene before = m_context.session.scene();
   m_context.session.usePreset(fittedTo(look, m_context.document.histogram(), volume->grid()),
-                              {nextGestureId(), tr("use the look of the volume before")});
+                              {nextGestureId(), tr("use the look of the volume before"), true});
   if (haveOneScale || m_context.session.scene() == before)
     return; // the volume had that look: there is no step of which anything could be said
   m_context.messages.show(

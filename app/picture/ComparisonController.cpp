@@ -336,7 +336,7 @@ void ComparisonController::swapSides() {
   if (m_compared.ownModel)
     next.shading.model = scene.shading.model;
   QUndoStack& steps = m_context.session.undoStack();
-  const Gesture gesture{nextGestureId(), text};
+  const Gesture gesture{nextGestureId(), text, true};
   const std::optional<Preset> leftFrom =
       named.isModified ? std::optional(m_context.session.preset()) : std::nullopt;
   steps.beginMacro(text);

@@ -202,6 +202,8 @@ void writeFileAtomically(const fs::path& target, std::string_view bytes, FilePla
 
 Message makeFolders(const fs::path& folder) {
   std::error_code unknown, failed;
+  if (folder.empty()) // the current one, as of a file without a folder
+    return {};
   fs::path first = fs::absolute(folder); // the outermost that is missing
   while (!fs::exists(folderOf(first), unknown) && folderOf(first).has_relative_path())
     first = folderOf(first);

@@ -33,8 +33,8 @@ bool isTemporary(const std::filesystem::path& file);
 void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes,
                          FilePlace place = FilePlace::chosen);
 
-/// Makes a folder, and those above it that are missing. Why that fails, in words within a sentence; empty
-/// where the folder is there.
+/// Makes a folder, and those above it that are missing; an empty path is the current folder. Why that fails,
+/// in words within a sentence; empty where the folder is there.
 Message makeFolders(const std::filesystem::path& folder);
 
 /// A folder for files of the moment, which goes with all that is in it.

@@ -88,6 +88,14 @@ protected:
     return test::waitUntil([this] { return !window->loader().isLoading(); });
   }
 
+  /// Opens it as a single picture.
+  [[nodiscard]] bool openAlone(const QString& source) {
+    if (!open(source))
+      return false;
+    setLayout(CompareLayout::single);
+    return true;
+  }
+
   /// Whether a label of the window says this.
   bool labelSays(const QString& text) const {
     for (const QLabel* label : window->findChildren<QLabel*>())

@@ -125,6 +125,7 @@ TEST(AtomicFile, foldersAreMadeOrItIsSaidWhyNot) {
   EXPECT_TRUE(makeFolders(folder.path() / "a" / "b").empty());
   EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
   EXPECT_TRUE(makeFolders(folder.path() / "a" / "b").empty()) << "it is there";
+  EXPECT_TRUE(makeFolders({}).empty()) << "the current folder";
   writeFileAtomically(folder.path() / "file", "no folder");
   EXPECT_EQ(makeFolders(folder.path() / "file" / "b").english(), "Not a directory");
   for (const char* below : {"/proc/a", "/proc/a/b", "/proc/a/"}) // is there, and takes no folder

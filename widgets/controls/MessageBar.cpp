@@ -29,8 +29,8 @@ constexpr int msToAct = 30000;
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_row(new QHBoxLayout), m_sentence(new QLabel(this)), m_details(new QLabel(this)),
-      m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_close(new QToolButton(this)),
-      m_end(new QTimer(this)) {
+      m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_other(new QToolButton(this)),
+      m_close(new QToolButton(this)), m_end(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
   setAutoFillBackground(true);
   m_action->setObjectName(QStringLiteral("messageAction")); // stands out (theme.qss)
@@ -40,16 +40,17 @@ MessageBar::MessageBar(QWidget* parent)
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   m_more->setText(tr("Details"));
-  m_action->setAccessibleName(tr("What can be done about it")); // until a message brings its own
+  for (QToolButton* action : {m_action, m_other})
+    action->setAccessibleName(tr("What can be done about it")); // until a message brings its own
   m_close->setText(tr("Dismiss"));
   m_more->setCheckable(true);
   m_more->setToolTip(tr("Shows every remark about this volume."));
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  for (QToolButton* button : {m_action, m_more, m_close})
-    buttons->addWidget(button, 0, Qt::AlignTop);
+  auto* buttonRow = new QHBoxLayout;
+  buttonRow->addStretch();
+  for (QToolButton* button : buttons())
+    buttonRow->addWidget(button, 0, Qt::AlignTop);
   m_row->addWidget(m_sentence, 1);
-  m_row->addLayout(buttons);
+  m_row->addLayout(buttonRow);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 8, 8);
   column->setSpacing(4);
@@ -58,6 +59,10 @@ MessageBar::MessageBar(QWidget* parent)
   connect(m_more, &QToolButton::toggled, m_details, &QWidget::setVisible);
   connect(m_action, &QToolButton::clicked, this, [this] {
     if (const std::function<void()> run = m_run) // it may have something else said, and goes then
+      run();
+  });
+  connect(m_other, &QToolButton::clicked, this, [this] {
+    if (const std::function<void()> run = m_runOther)
       run();
   });
   connect(m_close, &QToolButton::clicked, this, [this] {
@@ -91,7 +96,7 @@ void MessageBar::setVisible(bool visible) {
   const bool isNews = visible != m_isWanted;
   m_isWanted = visible;
   if (!visible)
-    m_run = nullptr; // with all that it holds
+    m_run = m_runOther = nullptr; // with all that they hold
   QFrame::setVisible(m_isWanted && !m_isHeldBack);
   if (isNews)
     emit wanted();
@@ -101,12 +106,12 @@ void MessageBar::setVisible(bool visible) {
 void MessageBar::arrangeIn(int width) {
   const int lines = m_sentence->fontMetrics().horizontalAdvance(m_sentence->text());
   const int beside = std::min(lines, narrowestBeside);
-  int buttons = contentsMargins().left() + contentsMargins().right();
-  for (const QToolButton* button : {m_action, m_more, m_close})
+  int beyond = contentsMargins().left() + contentsMargins().right();
+  for (const QToolButton* button : buttons())
     if (!button->isHidden())
-      buttons += button->sizeHint().width() + m_row->spacing();
+      beyond += button->sizeHint().width() + m_row->spacing();
   const QBoxLayout::Direction direction =
-      beside + buttons <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+      beside + beyond <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
   if (direction != m_row->direction())
     m_row->setDirection(direction);
 }
@@ -209,8 +214,14 @@ bool MessageBar::event(QEvent* event) {
   return isRecognised;
 }
 
+void MessageBar::offer(QToolButton& button, const Action& action) {
+  button.setText(action.text);
+  button.setAccessibleName(action.text);
+  button.setVisible(!action.text.isEmpty());
+}
+
 void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const Action& action,
-                      const Action& dismissal) {
+                      const Action& dismissal, const Action& other) {
   setProperty("kind", kind == Kind::error     ? QStringLiteral("error")
                       : kind == Kind::warning ? QStringLiteral("warning")
                                               : QStringLiteral("question"));
@@ -222,9 +233,9 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_more->setChecked(false);
   m_details->hide();
   m_run = action.run;
-  m_action->setText(action.text);
-  m_action->setAccessibleName(action.text);
-  m_action->setVisible(!action.text.isEmpty());
+  m_runOther = other.run;
+  offer(*m_action, action);
+  offer(*m_other, other);
   m_dismiss = dismissal.run;
   m_close->setText(dismissal.text.isEmpty() ? tr("Dismiss") : dismissal.text);
   m_close->setAccessibleName(m_close->text());

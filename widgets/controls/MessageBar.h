@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QStringList>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -15,7 +16,7 @@ class QToolButton;
 
 namespace limn {
 
-/// One sentence about what is shown: an error or a warning, with an optional action and further lines on
+/// One sentence about what is shown: an error or a warning, with an action or two and further lines on
 /// demand. Never modal. It lies over the lower edge of its parent, from which it takes no room; where that is
 /// narrow, its buttons stand below the sentence. A note, which asks nothing and warns of nothing, goes by
 /// itself.
@@ -34,9 +35,9 @@ public:
   };
 
   /// Shows a sentence; `details` (may be empty) unfold on demand. `dismissal` is what its last button says
-  /// and does before the bar hides.
+  /// and does before the bar hides; `other` is what can be done instead of `action`.
   void show(Kind kind, const QString& sentence, const QStringList& details = {}, const Action& action = {},
-            const Action& dismissal = {});
+            const Action& dismissal = {}, const Action& other = {});
 
   QString sentence() const;
 
@@ -85,6 +86,8 @@ private:
   bool fits(const QRect& place) const;
   int heightAt(int width) const; ///< that it needs
   void arrangeIn(int width);
+  void offer(QToolButton& button, const Action& action);
+  std::array<QToolButton*, 4> buttons() const { return {m_action, m_other, m_more, m_close}; }
   void goInTime();
 
   QBoxLayout* m_row; ///< of the sentence and the buttons
@@ -92,11 +95,13 @@ private:
   QLabel* m_details;
   QToolButton* m_more;
   QToolButton* m_action;
+  QToolButton* m_other;
   QToolButton* m_close;
   std::function<QRect()> m_keptFree = [] { return QRect(); };
   QRect m_laidBeside;       ///< what was kept free as it was laid out
   QPointer<QWidget> m_part; ///< of the parent; null: all of it
   std::function<void()> m_run;
+  std::function<void()> m_runOther;
   std::function<void()> m_dismiss;
   QTimer* m_end; ///< runs while a note stands that nobody reads
   Kind m_kind = Kind::note;

@@ -100,7 +100,7 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
   contents()->addWidget(m_literal, 0, Qt::AlignLeft);
   connect(m_literal, &QPushButton::clicked, this, [this] {
     setShading(asInThePaper(shading()));
-    emit shadingEdited(shading(), {nextGestureId(), tr("enhanced as in the paper")});
+    emit shadingEdited(shading(), {nextGestureId(), tr("enhanced as in the paper"), true});
   });
   showShading();
 }

@@ -32,7 +32,7 @@ SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const Di
 
 void requireDicomFolder(const std::filesystem::path& folder) {
   std::error_code unknown;
-  std::filesystem::path there = std::filesystem::absolute(folder);
+  std::filesystem::path there = std::filesystem::current_path() / folder; // also where none is named
   if (std::filesystem::is_directory(there, unknown))
     return requireWritable(folder / "look.dcm");
   while (!std::filesystem::exists(there, unknown) && there.has_relative_path())

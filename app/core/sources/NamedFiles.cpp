@@ -69,9 +69,11 @@ std::string labelsOf(const std::string& written, const std::string& volume, cons
   for (const auto& [said, told] : options.labels)
     if (const std::filesystem::path other = told.parent_path() / expected.filename(); isThere(other))
       return other.string();
-  throw LabelsMissing(written, Message::tr("The labels %1 are not where they are expected (%2).")
-                                   .arg(expected.filename().string())
-                                   .arg(expected.string()));
+  throw LabelsMissing(written,
+                      Message::tr("The labels %1 are not where they are expected (%2); put them there "
+                                  "or beside the volume.")
+                          .arg(expected.filename().string())
+                          .arg(expected.string()));
 }
 
 } // namespace limn

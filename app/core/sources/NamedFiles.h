@@ -29,10 +29,12 @@ private:
   NamedBy m_by;
 };
 
-/// A scene, session or picture was read, but a file of its labels is not where it says.
+/// A scene, session or picture was read, but a file of its labels is not where it says or cannot be shown
+/// with its volume.
 class LabelsMissing : public Error {
 public:
-  explicit LabelsMissing(const std::filesystem::path& expected, const Message& sentence)
+  /// `expected` is where the scene says the file is, also where another was told in its place.
+  LabelsMissing(const std::filesystem::path& expected, const Message& sentence)
       : Error(Error::Kind::input, sentence), m_expected(expected) {}
 
   const std::filesystem::path& expected() const { return m_expected; }

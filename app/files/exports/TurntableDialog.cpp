@@ -217,8 +217,8 @@ QString TurntableDialog::drawingText() const {
     return {};
   const glm::dvec2 onScreen = places.front().size, its = size();
   const double timesThePixels = its.x * its.y / std::max(1.0, onScreen.x * onScreen.y);
-  return framesTimeText(m_context.view.sceneOfSide(static_cast<int>(side)), shown.sides[side], timesThePixels,
-                        frames());
+  return framesTimeText(m_context.view.sceneOfSide(static_cast<int>(side)), m_context.view.engine(),
+                        shown.sides[side], timesThePixels, frames());
 }
 
 void TurntableDialog::takeTurn(int choice) {

@@ -3,6 +3,7 @@
 
 #include "app/figures/FigureMaker.h"
 #include "widgets/figure/FigureText.h"
+#include "widgets/presets/PresetModel.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/overlay/OrientationCube.h"
 #include "widgets/view/overlay/Titles.h"
@@ -99,7 +100,7 @@ void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from)
 void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from) {
   for (const Preset& preset : from.presets)
     sources.push_back(withLook(QObject::tr("Preset: %1"), withPreset(from.scene, preset, true),
-                               QString::fromStdString(preset.name)));
+                               presetWords(QString::fromStdString(preset.name))));
 }
 
 } // namespace

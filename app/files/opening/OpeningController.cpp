@@ -158,11 +158,9 @@ void OpeningController::connectLoader() {
           });
   connect(&m_loader, &VolumeLoader::labelsMissing, this,
           [this](const QString& source, const QString& expected) {
-            m_failure = tr("The labels of %1 are not where it expects them: %2.")
-                            .arg(QFileInfo(source).fileName(), expected);
             m_context.messages.show(
                 MessageBar::Kind::error, m_failure, {},
-                {tr("Locate labels…"), [this, source, expected] { locateLabels(source, expected); }},
+                {tr("Locate labels…"), [this, source, expected] { locateLabels(source, expected); }}, {},
                 {tr("Open without labels"), [this, source] { openWithoutLabels(source); }});
           });
 }

@@ -37,7 +37,7 @@ signals:
   void failed(const QString& source, const QString& sentence);
   /// Beside failed: the scene could be read, its volume was not found where it is expected.
   void volumeMissing(const QString& source, const QString& expected, limn::NamedBy by);
-  /// Beside failed: the same of a file of labels.
+  /// Beside failed: the same of a file of labels, or it cannot be shown with the volume.
   void labelsMissing(const QString& source, const QString& expected);
   void cancelled();
 

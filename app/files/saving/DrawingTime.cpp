@@ -2,6 +2,7 @@
 #include "app/files/saving/DrawingTime.h"
 
 #include "app/core/drawing/PathDrawing.h"
+#include "cpu/LightStore.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/LightingTerms.h"
 #include "widgets/ValueText.h"
@@ -51,13 +52,16 @@ std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, 
   return 1e-3 * timesThePixels * *paths * *shown.msPerPath / share;
 }
 
-bool findsLightForEachView(const Scene& scene) {
+bool findsLightForEachView(const Scene& scene, Engine engine) {
+  if (engine == Engine::cpu && !cpu::looksUpLight(scene))
+    return false;
   const LightingTerms terms = lightingTerms(scene.shading);
   return hasTravellingLight(scene) && terms.shadow.strength > 0.0 && terms.lightAxes == LightAxes::camera;
 }
 
-QString framesTimeText(const Scene& scene, const SideState& shown, double timesThePixels, int frames) {
-  if (findsLightForEachView(scene))
+QString framesTimeText(const Scene& scene, Engine engine, const SideState& shown, double timesThePixels,
+                       int frames) {
+  if (findsLightForEachView(scene, engine))
     return QObject::tr("How long drawing takes is not known: light is found anew for each frame.");
   const std::optional<double> one = secondsToDraw(scene, shown, timesThePixels);
   if (one && frames * *one >= longSeconds)

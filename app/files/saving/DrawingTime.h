@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/Engine.h"
 #include "scene/Scene.h"
 #include "widgets/view/pictures/PictureState.h"
 
@@ -21,12 +22,14 @@ bool isAsSaved(const Scene& scene, const SideState& shown);
 /// absent where what was drawn for the screen does not tell, as before it is complete.
 std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, double timesThePixels);
 
-/// Whether light is found anew for each direction of view: a lamp that turns with the camera casts shadows.
-bool findsLightForEachView(const Scene& scene);
+/// Whether light is found anew for each direction of view, beside the picture: a lamp that turns with the
+/// camera casts shadows that are looked up. Along paths the processor finds it with each picture.
+bool findsLightForEachView(const Scene& scene, Engine engine);
 
-/// What is to be said of how long the frames of a turntable take to draw, as for secondsToDraw; empty where
-/// that is short.
-QString framesTimeText(const Scene& scene, const SideState& shown, double timesThePixels, int frames);
+/// What is to be said of how long the frames of a turntable take an engine to draw, as for secondsToDraw;
+/// empty where that is short.
+QString framesTimeText(const Scene& scene, Engine engine, const SideState& shown, double timesThePixels,
+                       int frames);
 
 /// How far a saved picture of physical light is drawn, in words: "256 paths a pixel, noise filtered".
 QString savedPathsText(const PhysicalLight& light);

@@ -120,6 +120,7 @@ SavingController::SavingController(WindowContext& context, std::function<Session
                  m_left.text(fraction));
   });
   connect(&m_drawing, &BackgroundWork::failed, this, [this](const QString& sentence) {
+    m_isWriting = false;
     emit drawing({});
     m_context.notes.sayFailure(sentence);
   });
@@ -383,7 +384,9 @@ void SavingController::saveElsewhere(const std::shared_ptr<const Unwritten>& off
     return m_context.notes.sayFailure(anotherIsDrawn());
   PictureFile other = offered->file;
   other.path = path.toStdString();
-  emit drawing(tr("Writing %1").arg(QFileInfo(path).fileName()));
+  m_drawn = tr("Writing %1").arg(QFileInfo(path).fileName());
+  emit drawing(m_drawn);
+  m_isWriting = true;
   m_drawing.start([this, other, offered](const Effort&) { return written(other, offered->image, offered); });
 }
 
@@ -399,10 +402,13 @@ void SavingController::sayGround(const QString& path, const PictureOptions& opti
     m_context.messages.show(MessageBar::Kind::warning, remark);
 }
 
+// What becomes of a file that is being written is told: only then is it known whether its picture is lost.
 void SavingController::cancelPicture() {
-  if (m_isWriting)
-    m_context.window.statusBar()->showMessage(tr("Too late to cancel: the file was being written."),
+  if (m_drawing.isRunning() && m_isWriting) {
+    m_context.window.statusBar()->showMessage(tr("Too late to cancel: the file is being written."),
                                               toldForMs);
+    return emit drawing(m_drawn);
+  }
   m_drawing.cancel();
   emit drawing({}); // of work that was ended nothing more is told
 }

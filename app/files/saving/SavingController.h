@@ -39,6 +39,7 @@ public:
   /// A larger one is drawn beside the event loop.
   void writePicture(const QString& path, const PictureOptions& options = {
                                              .ground = PictureOptions::Ground::shown, .marks = noMarks});
+  /// Ends what is drawn for a file, unless the file is being written already.
   void cancelPicture();
 
   /// The names of pictures that were drawn and are in no file yet, the one that failed last first.
@@ -81,7 +82,7 @@ private:
 
   WindowContext& m_context;
   std::function<SessionDocument()> m_session;
-  std::atomic<bool> m_isWriting{false}; ///< the file of what was drawn
+  std::atomic<bool> m_isWriting{false}; ///< the file of what was drawn, or will at once
   BackgroundWork m_drawing;             ///< of a picture that is larger than the one on screen
   QString m_drawn;                      ///< what is said of it
   TimeLeft m_left;                      ///< of it

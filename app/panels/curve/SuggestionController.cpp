@@ -115,7 +115,7 @@ void SuggestionController::accept(std::size_t index) {
   const Suggestion& used = m_suggestions[index];
   m_context.session.setTransferFunction(
       withBand(m_context.session.scene().transferFunction, used),
-      {nextGestureId(), tr("use the band %1").arg(boundaryName(used.boundary, names()))});
+      {nextGestureId(), tr("use the band %1").arg(boundaryName(used.boundary, names())), true});
 }
 
 ValueNames SuggestionController::names() const {

@@ -4,10 +4,10 @@
 #include "app/panels/presets/NameDialog.h"
 #include "app/window/WindowContext.h"
 #include "scene/basics/Error.h"
-#include "scene/light/GradientSmoothing.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/presets/PresetModel.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -54,7 +54,9 @@ void OwnPresetController::askForName() {
   if (!m_context.session.scene().volume)
     return;
   const QString inUse = QString::fromStdString(m_context.document.presetInUse().name);
-  const QString proposed = inUse.isEmpty() ? tr("My preset") : find(inUse) ? inUse : tr("My %1").arg(inUse);
+  const QString proposed = inUse.isEmpty() ? tr("My preset")
+                           : find(inUse)   ? inUse
+                                           : tr("My %1").arg(presetWords(inUse));
   ask(
       tr("Save as preset"), tr("Name:"), proposed, [this](const QString& name) { save(name); },
       [this](const QString& name) { return refusal(name); });
@@ -89,14 +91,11 @@ void OwnPresetController::save(const QString& name) {
   const QString question = tr("There is a preset \"%1\" already. Replace it by what is shown?").arg(name);
   if (find(name) && !mayReplace(question))
     return;
-  Preset preset = presetOf(m_context.session.scene(), name.toStdString());
+  const Scene& shown = m_context.session.scene();
+  Preset preset = withoutSmoothingOfSlices(presetOf(shown, name.toStdString()), shown.volume->grid());
   // Values without a unit mean something beside those of their own volume alone.
-  if (const auto& volume = m_context.session.scene().volume; !looksLikeHounsfield(*volume))
+  if (!looksLikeHounsfield(*shown.volume))
     preset.landmarks = landmarksOf(m_context.document.histogram());
-  // What opening sets belongs to the slices of the volume.
-  if (const Grid& grid = m_context.session.scene().volume->grid();
-      preset.shading && preset.shading->gradientSmoothing == smoothingOfSlices(grid))
-    preset.shading->gradientSmoothing = 0.0;
   std::optional<Preset> replaced;
   if (const Preset* before = find(name)) {
     replaced = *before;
@@ -222,7 +221,8 @@ void OwnPresetController::moveToNewFolder(const QString& name) {
 
 void OwnPresetController::duplicate(const Preset& preset) {
   ask(
-      tr("Duplicate preset"), tr("Name of the copy:"), tr("%1 copy").arg(QString::fromStdString(preset.name)),
+      tr("Duplicate preset"), tr("Name of the copy:"),
+      tr("%1 copy").arg(presetWords(QString::fromStdString(preset.name))),
       [this, preset](const QString& entered) { keepCopy(preset, entered); },
       [this](const QString& entered) { return refusal(entered); });
 }

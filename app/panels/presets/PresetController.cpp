@@ -224,7 +224,7 @@ std::optional<Preset> PresetController::fitted(const QString& name) const {
 QString PresetController::nameShown() const {
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
   const QString name = QString::fromStdString(preset.name);
-  return name.isEmpty() ? tr("My preset") : preset.isModified ? tr("My %1").arg(name) : name;
+  return name.isEmpty() ? tr("My preset") : preset.isModified ? tr("My %1").arg(presetWords(name)) : name;
 }
 
 void PresetController::use(const QString& name) {
@@ -289,13 +289,13 @@ void PresetController::fillMenu(QMenu& menu, int side) {
 
 void PresetController::show(const Preset& preset, const QString& edit) {
   if (const std::optional<Scene> ofPart = m_shownAs(preset)) {
-    m_context.session.edit(*ofPart, {nextGestureId(), edit});
+    m_context.session.edit(*ofPart, {nextGestureId(), edit, true});
     m_context.window.statusBar()->showMessage(
         tr("\"%1\" shapes the curve in hand, of one label or piece; the picture's other curves stay.")
             .arg(presetWords(QString::fromStdString(preset.name))),
         toldForMs);
   } else {
-    m_context.session.usePreset(asUsed(preset), {nextGestureId(), edit});
+    m_context.session.usePreset(asUsed(preset), {nextGestureId(), edit, true});
   }
   markShown(); // one that changes nothing is in use as well
 }
@@ -366,7 +366,7 @@ void PresetController::useNumber(int number) {
   if (number == 0) {
     m_context.session.setTransferFunction(
         automaticRamp(m_context.document.histogram(), m_context.session.scene().volume->grid()),
-        {nextGestureId(), tr("use the full range")});
+        {nextGestureId(), tr("use the full range"), true});
     return;
   }
   if (const QStringList listed = m_browser.presets(); number <= listed.size())

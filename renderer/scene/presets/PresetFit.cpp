@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/presets/PresetFit.h"
 
+#include "scene/light/GradientSmoothing.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -189,6 +191,12 @@ bool isForHounsfield(const Preset& preset) {
 Preset withLandmarks(Preset preset) {
   if (isForHounsfield(preset))
     preset.landmarks = hounsfieldLandmarks;
+  return preset;
+}
+
+Preset withoutSmoothingOfSlices(Preset preset, const Grid& grid) {
+  if (preset.shading && preset.shading->gradientSmoothing == smoothingOfSlices(grid))
+    preset.shading->gradientSmoothing = 0.0;
   return preset;
 }
 

@@ -39,6 +39,10 @@ bool isForHounsfield(const Preset& preset);
 /// in another scale.
 Preset withLandmarks(Preset preset);
 
+/// A look of a volume on this grid as it goes to others: without the smooth normals that opening sets for the
+/// volume's slices.
+Preset withoutSmoothingOfSlices(Preset preset, const Grid& grid);
+
 /// A built-in preset as it is used on a volume: one that means Hounsfield units is moved onto the values of
 /// data that have others.
 Preset fittedToValues(const Preset& preset, const Volume& volume, const Histogram& histogram);

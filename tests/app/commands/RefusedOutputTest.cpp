@@ -64,6 +64,14 @@ TEST_F(RefusedOutput, makesNoFolderWhereTheVolumeIsRefused) {
   EXPECT_EQ(test::entriesOf(folder.path()), 1u);
 }
 
+TEST_F(RefusedOutput, anEmptyFolderIsTheCurrentOne) {
+  for (const char* command : {"accuracy", "dicom", "turntable"}) {
+    const Outcome outcome = test::runProgram(home.path(), std::string(command) + " nowhere.nii -o ''");
+    EXPECT_EQ(outcome.status, 3) << command;
+    EXPECT_NE(outcome.err.find("nowhere.nii"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(RefusedOutput, ofAnEndingThatMeansNothingComesBeforeTheWork) {
   EXPECT_NE(refusal("render nowhere.nii -o '" + file("a.bmp") + "'", 2).find("use .png, .tif, .jpg or .exr"),
             std::string::npos);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/DialogKeys.h"
 #include "app/WindowHarness.h"
+#include "app/files/figure/FigureDialog.h"
 #include "app/language/InGerman.h"
 #include "translations/Words.h"
+#include "widgets/presets/PresetModel.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/theme/LookStyle.h"
 
@@ -142,6 +144,24 @@ TEST_F(GermanWindow, thePanelsLeaveRoomForTwoPictures) {
   window->findChild<ComparisonController*>()->begin(); // nobody asks for anything
   EXPECT_TRUE(test::waitUntil([&] { return view().compareLayout() == CompareLayout::sideBySide; }))
       << "the view has " << view().width() << " pixels";
+}
+
+TEST_F(GermanWindow, aFigureCallsPresetsAsTheirListDoes) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  window->findChild<QAction*>(QStringLiteral("saveFigure"))->trigger();
+  const auto* dialog = window->findChild<FigureDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  auto& sources = *dialog->findChild<QComboBox*>(QStringLiteral("panelSource-a"));
+  ASSERT_TRUE(waitUntil([&] { return sources.count() > 0; }));
+  const QString listed = presetWords(QStringLiteral("CT bone"));
+  ASSERT_EQ(listed, QStringLiteral("CT Knochen"));
+  const int at = sources.findText(listed, Qt::MatchEndsWith);
+  ASSERT_GE(at, 0);
+  EXPECT_LT(sources.findText(QStringLiteral("CT bone"), Qt::MatchEndsWith), 0);
+  sources.setFocus();
+  sources.setCurrentIndex(at);
+  emit sources.activated(at);
+  EXPECT_EQ(dialog->findChild<QLineEdit*>(QStringLiteral("panelName-a"))->text(), listed);
 }
 
 TEST_F(GermanWindow, theLanguageIsChosenInTheMenuForTheNextTime) {

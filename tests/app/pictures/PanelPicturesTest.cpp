@@ -306,8 +306,7 @@ TEST_F(PanelPictures, ofTheLabels) {
 
 // Of a coarse phantom, and the map in a smaller window, because it has the pixels of the screen.
 TEST_F(PanelPictures, ofMeasuredEffectsAndAccuracy) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:16")));
   ASSERT_TRUE(rest());
   QDockWidget& effects = raised("effectsDock");
   view().measureEffects();

@@ -76,8 +76,7 @@ protected:
     });
     write("other.nrrd", [&](const glm::ivec3& v) { return radius(v) < 0.3 ? 900 : -1000; });
     write("core.seg.nrrd", [&](const glm::ivec3& v) { return radius(v) < 0.2 ? 7 : 0; });
-    ASSERT_TRUE(open(pathTo("ball.nrrd")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(pathTo("ball.nrrd")));
     ASSERT_TRUE(rest());
   }
   void TearDown() override { QPixmapCache::setCacheLimit(m_pixmapsBefore); }

@@ -103,8 +103,7 @@ TEST_F(Angiography, boneGoesByThreeGesturesAndNoVesselWithIt) {
   const std::filesystem::path file = folder.path() / "angiography.nrrd";
   writeAngiography(file);
   ASSERT_GT(vesselVoxels.size(), 5000u);
-  ASSERT_TRUE(open(QString::fromStdString(file.string())));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QString::fromStdString(file.string())));
   ASSERT_TRUE(rest());
   // Three gestures: a key, a click, a button.
   press(Qt::Key_K);

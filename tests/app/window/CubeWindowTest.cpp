@@ -13,8 +13,7 @@ protected:
   void SetUp() override {
     WindowHarness::SetUp();
     window->resize(1280, 900);
-    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:6")));
     ASSERT_TRUE(rest());
   }
 

@@ -15,8 +15,7 @@ protected:
   void SetUp() override {
     WindowHarness::SetUp();
     window->resize(1280, 800);
-    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
     window->findChild<QAction*>(QStringLiteral("planes-picture_and_three"))->trigger();
     session().setTransferFunction(
         {1.0, {{-200.0, {0.9, 0.6, 0.5}, 0.0}, {60.0, {0.8, 0.3, 0.2}, 0.3}, {900.0, {1.0, 1.0, 0.9}, 0.8}}},

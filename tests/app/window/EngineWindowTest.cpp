@@ -41,8 +41,7 @@ protected:
 };
 
 TEST_F(EngineWindow, theOneChosenInTheMenuDrawsAndIsRemembered) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:8")));
   ASSERT_TRUE(rest());
   EXPECT_EQ(view().engine(), Engine::cpu);
   EXPECT_TRUE(entry("cpu")->isChecked());
@@ -130,8 +129,7 @@ TEST_F(EngineWindow, whatMovesKeepsToTheMemoryThatTheWindowWasGiven) {
       if (side.coarseness)
         reductions.push_back(side.coarseness->reduction);
   });
-  ASSERT_TRUE(open(pathTo("holes.mhd")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(pathTo("holes.mhd")));
   ASSERT_TRUE(rest());
   EXPECT_TRUE(scene().volume->room()) << "opened without a word on memory";
   EXPECT_TRUE(labelSays(QStringLiteral("0 to 200 · on the disk"))) << "also at rest";

@@ -36,8 +36,7 @@ protected:
     test::writeShorts(folder.path() / "label_Vessels.nrrd", colouredSize,
                       [](const glm::ivec3& v) { return isInBoxes(v) && v.x >= 16 ? 1 : 0; });
     writeRibs();
-    ASSERT_TRUE(open(pathTo("two.nrrd")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(pathTo("two.nrrd")));
   }
 
   static bool isInBoxes(const glm::ivec3& v) {

@@ -25,8 +25,7 @@ protected:
   void SetUp() override {
     LabelledBoxes::SetUp(); // each of which is a label
     write("two.seg.nrrd", [](const glm::ivec3& v) { return !isInBoxes(v) ? 0 : v.x < 16 ? 3 : 8; });
-    ASSERT_TRUE(open(pathTo("two.nrrd")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(pathTo("two.nrrd")));
     ASSERT_TRUE(openLabels("two.seg.nrrd"));
     function = scene().transferFunction;
   }

@@ -38,8 +38,7 @@ protected:
     write<std::uint8_t>("segmentations/spleen & co.nii.gz",
                         [](const glm::ivec3& v) { return isInBoxes(v) && v.x >= 16; });
     write<std::uint8_t>("segmentations/tail.nii.gz", [](const glm::ivec3&) { return 0; });
-    ASSERT_TRUE(open(pathTo("two.nii.gz")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(pathTo("two.nii.gz")));
   }
 
   static bool isInBoxes(const glm::ivec3& v) {

@@ -28,8 +28,7 @@ class MainWindowScene : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
     session().setCamera(orbited(scene().camera, 0.5, 0.4));
   }
 

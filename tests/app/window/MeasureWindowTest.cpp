@@ -29,8 +29,7 @@ protected:
   void SetUp() override {
     WindowHarness::SetUp();
     window->resize(1280, 800);
-    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
     choose("one_large");
     ASSERT_TRUE(rest());
   }

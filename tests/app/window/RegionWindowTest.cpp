@@ -194,8 +194,7 @@ TEST_F(RegionWindow, aQuestionAboutTheTableThatIsLateIsNotAsked) {
 }
 
 TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndEachNoteTakesBackWhatItTells) {
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(pathTo("head.nrrd")));
   CropBox crop;
   crop.upper.z = 0.6;
   session().setCrop(crop, {nextGestureId(), QStringLiteral("crop")});
@@ -356,8 +355,7 @@ TEST_F(RegionWindow, undoOfTheBoxAroundTheBodyPutsItAwayAndRedoBringsItBack) {
 
 // A note that something is cut off is of use only where something is.
 TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(pathTo("head.nrrd")));
   ASSERT_TRUE(rest());
   const auto saysCropped = [this] {
     const std::vector<HiddenNote> notes = hiddenNotesOf({view().order(), view().pictureState()});
@@ -380,8 +378,7 @@ TEST_F(RegionWindow, croppedIsSaidOnlyWhereSomethingSeenIsCutAway) {
 }
 
 TEST_F(RegionWindow, aCropThatTakesNothingOfTheBodyIsPutAwayWithoutAWord) {
-  ASSERT_TRUE(open(pathTo("head.nrrd")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(pathTo("head.nrrd")));
   QAction& box = *window->findChild<QAction*>(QStringLiteral("cropBox"));
   const auto saysWhatStays = [this] {
     return messages().isVisible() && messages().sentence().contains(QStringLiteral("what its faces cut"));

@@ -432,8 +432,7 @@ TEST_F(Looks, thePapersNumbersAreOneClickAway) {
 }
 
 TEST_F(Looks, effectsAreSwitchedWhereTheyAreListed) {
-  ASSERT_TRUE(open(QStringLiteral("sample")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("sample")));
   window->findChild<QDockWidget*>(QStringLiteral("effectsDock"))->raise();
   ASSERT_TRUE(rest());
   const auto highlights = [this]() -> QCheckBox* {

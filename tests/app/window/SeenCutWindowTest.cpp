@@ -47,8 +47,7 @@ TEST_F(SeenCutWindow, leaveTheFarWallThatShowsThroughAHoleOfTheNearOne) {
     const bool isHole = v.y < boxVoxels / 2 && fromMiddle.x < 6 && fromMiddle.z < 6;
     return away < 40 && away > 32 && !isHole ? 1200 : -1000;
   });
-  ASSERT_TRUE(open(pathTo("box.nrrd")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(pathTo("box.nrrd")));
   ASSERT_TRUE(rest());
   view().setFocus();
   QTest::keyClick(&view(), Qt::Key_X);

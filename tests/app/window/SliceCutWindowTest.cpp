@@ -32,8 +32,7 @@ protected:
   void SetUp() override {
     WindowHarness::SetUp();
     window->resize(1280, 800);
-    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
     window->findChild<QAction*>(QStringLiteral("planes-picture_and_three"))->trigger();
     ASSERT_TRUE(rest());
   }

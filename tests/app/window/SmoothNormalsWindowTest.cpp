@@ -111,6 +111,22 @@ TEST_F(SmoothNormalsWindow, aPresetLeavesThemAndARememberedLookDoesNot) {
   EXPECT_EQ(withPreset(scene(), preset).shading.gradientSmoothing, 0.0);
 }
 
+TEST_F(SmoothNormalsWindow, theLookOfTheVolumeBeforeBringsThoseThatWereSetByHandAlone) {
+  ASSERT_TRUE(openBall(4.0));
+  ASSERT_TRUE(openBall(1.0));
+  QTest::keyClick(window.get(), Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(smoothing(), 0.0) << "they were of thick slices";
+  Scene smooth = scene();
+  smooth.shading.gradientSmoothing = 1.5;
+  session().edit(smooth, {nextGestureId(), "smooth"});
+  ASSERT_TRUE(openBall(4.0));
+  EXPECT_NEAR(smoothing(), 2.8, 1e-12);
+  QTest::keyClick(window.get(), Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(smoothing(), 1.5);
+  undo().undo();
+  EXPECT_NEAR(smoothing(), 2.8, 1e-12);
+}
+
 TEST_F(SmoothNormalsWindow, aSavedSceneKeepsWhatItSays) {
   ASSERT_TRUE(openBall(4.0));
   Scene plain = scene();

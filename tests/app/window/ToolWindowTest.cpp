@@ -22,8 +22,7 @@ class ToolWindow : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:6")));
   }
 
   QString checkedTool() const {

@@ -21,8 +21,7 @@ class TurnedBoxWindow : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:6")));
     session().setCamera(orbited(scene().camera, 0.5, 0.4));
     ASSERT_TRUE(rest());
   }

@@ -18,8 +18,7 @@ class ViewsWindow : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    ASSERT_TRUE(open(QStringLiteral("phantom:8")));
-    setLayout(CompareLayout::single);
+    ASSERT_TRUE(openAlone(QStringLiteral("phantom:8")));
     ASSERT_TRUE(rest());
   }
 

@@ -51,5 +51,26 @@ TEST(MessageBar, whatIsDoneOnDismissalIsDoneOnce) {
   EXPECT_EQ(runs, 1);
 }
 
+// Two things can be done, and it can be dismissed all the same.
+TEST(MessageBar, whatItOffersSecondIsDoneByAButtonOfItsOwn) {
+  MessageBar bar;
+  QStringList done;
+  const auto offering = [&done](const char* text) {
+    return MessageBar::Action{QString::fromUtf8(text), [&done, text] { done << QString::fromUtf8(text); }};
+  };
+  bar.show(MessageBar::Kind::error, QStringLiteral("lost"), {}, offering("Search"), {}, offering("Go on"));
+  for (QToolButton* button : bar.findChildren<QToolButton*>())
+    if (button->text() == QStringLiteral("Go on")) {
+      EXPECT_EQ(button->accessibleName(), button->text());
+      QTest::mouseClick(button, Qt::LeftButton);
+    }
+  EXPECT_EQ(done, QStringList(QStringLiteral("Go on")));
+  dismiss(bar);
+  EXPECT_FALSE(bar.isVisible());
+  bar.show(MessageBar::Kind::error, QStringLiteral("found"));
+  for (const QToolButton* button : bar.findChildren<QToolButton*>())
+    EXPECT_EQ(button->isVisible(), button->text() == QStringLiteral("Dismiss"));
+}
+
 } // namespace
 } // namespace limn

@@ -314,7 +314,7 @@ TEST_F(LabelledScene, masksOfOneFileNameAreToldApartByTheirFolders) {
 
 TEST_F(LabelledScene, isRefusedInASentenceWithoutItsLabelMapOrLabel) {
   for (const auto& [keep, named] : std::map<std::string, std::string>{
-           {R"({"labels": "gone.nrrd"})", "The labels gone.nrrd are not where they are expected"},
+           {R"({"labels": "gone.nrrd"})", "gone.nrrd); put them there or beside the volume"},
            {R"({"labels": "seg.nrrd", "looks": {"4": {"points": []}}})",
             "look to label 4, which seg.nrrd does not have"},
            {R"({"labels": "seg.nrrd", "weights": {"4": 0}})", "label 4, which seg.nrrd does not have"}})

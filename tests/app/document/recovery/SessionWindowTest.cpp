@@ -3,6 +3,7 @@
 #include "app/WindowHarness.h"
 #include "app/asking/FileDialogs.h"
 #include "support/FileBytes.h"
+#include "support/ShortVolume.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/presets/PresetBrowser.h"
 
@@ -422,6 +423,41 @@ TEST_F(SessionWindow, whatWasLeftUnsavedIsOneKeyAwayOnTheEmptyPage) {
   action(QStringLiteral("&Close volume"))->trigger();
   EXPECT_TRUE(window->findChild<QPushButton*>(QStringLiteral("openFolder"))->isVisible());
   EXPECT_FALSE(offered->isVisible());
+}
+
+// It alone has the labels then.
+TEST_F(SessionWindow, whatWasLeftUnsavedStaysKeptWhereItOpensInPartAlone) {
+  const fs::path labels = folder.path() / "parts.nrrd", away = folder.path() / "away.nrrd";
+  test::writeShorts(folder.path() / "box.nrrd", 12,
+                    [](const glm::ivec3& v) { return v.x < 6 ? -1000 : 900; });
+  test::writeShorts(labels, 12, [](const glm::ivec3& v) { return v.x < 6 ? 0 : 1; });
+  const auto isLabelled = [this] { return scene().keep.kind == Region::Kind::labels; };
+  const auto kept = [this] {
+    auto* menu = window->findChild<QMenu*>(QStringLiteral("unsavedSessions"));
+    emit static_cast<QMenu*>(menu->parent())->aboutToShow();
+    return menu->actions();
+  };
+  window->keepSessions();
+  ASSERT_TRUE(open(pathTo("box.nrrd")));
+  typeName(pathTo("parts.nrrd"));
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil(isLabelled));
+  EXPECT_TRUE(window->close());
+  fs::rename(labels, away);
+  window = newWindow();
+  window->keepSessions();
+  ASSERT_EQ(kept().size(), 1);
+  kept().front()->trigger();
+  QToolButton* without = nullptr;
+  ASSERT_TRUE(test::waitUntil(
+      [&] { return (without = offer(*window, QStringLiteral("Open without labels"))) != nullptr; }));
+  QTest::mouseClick(without, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([this] { return scene().volume != nullptr; }));
+  EXPECT_FALSE(isLabelled());
+  ASSERT_EQ(kept().size(), 1);
+  fs::rename(away, labels);
+  kept().front()->trigger();
+  EXPECT_TRUE(test::waitUntil(isLabelled));
 }
 
 // The page that offers it is not seen where a volume is named on the command line.

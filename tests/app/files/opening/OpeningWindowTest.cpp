@@ -30,6 +30,14 @@ protected:
     return QString::fromStdString((place / "small.nrrd").string());
   }
 
+  /// Clicks what the message offers.
+  void choose(const char* answer) {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == QString::fromUtf8(answer))
+        return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << "no button " << answer << " beside: " << messages().sentence().toStdString();
+  }
+
   QString savedPicture() {
     EXPECT_TRUE(rest());
     const QString path = pathTo("elsewhere/picture.png");
@@ -96,8 +104,7 @@ TEST_F(OpeningWindow, whatWasDismissedOfAVolumeIsNotSaidAgain) {
 }
 
 TEST_F(OpeningWindow, thePictureOfOnePatientOpensOnAnotherWhoLiesElsewhere) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:8")));
   const TransferFunction look = scene().transferFunction;
   const QString picture = savedPicture();
   test::writeBytes(folder.path() / "far.nrrd",
@@ -128,8 +135,7 @@ TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {
 TEST_F(OpeningWindow, aPictureOfTheSampleHeadReopens) {
   if (!installedSampleHead())
     GTEST_SKIP() << "invesalius-examples is not installed";
-  ASSERT_TRUE(open(QStringLiteral("sample")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("sample")));
   const QString picture = savedPicture();
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(picture));
@@ -187,12 +193,6 @@ TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWi
   const std::string saved = readTextFile(file.toStdString());
   fs::create_directories(folder.path() / "moved");
   fs::rename(labels.toStdString(), folder.path() / "moved" / "renamed.nrrd");
-  const auto choose = [this](const char* answer) {
-    for (QToolButton* button : messages().findChildren<QToolButton*>())
-      if (button->isVisible() && button->text() == QString::fromUtf8(answer))
-        return QTest::mouseClick(button, Qt::LeftButton);
-    FAIL() << "no button " << answer << " beside: " << messages().sentence().toStdString();
-  };
   const auto isLoaded = [this] { return !window->loader().isLoading(); };
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(file));
@@ -216,6 +216,42 @@ TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWi
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(suggested, pathTo("labelled 2.limn.json"));
   EXPECT_EQ(readTextFile(file.toStdString()), saved);
+}
+
+TEST_F(OpeningWindow, labelsThatDoNotFitAreAskedForAgain) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
+  typeName(labels);
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  const QString file = pathTo("labelled.limn.json");
+  saving().writeSession(file);
+  fs::rename(labels.toStdString(), folder.path() / "renamed.nrrd");
+  test::writeBytes(folder.path() / "far.nrrd",
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n"
+                   "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (5000,0,0)\nencoding: ascii\n\n"
+                   "0 1 0 1 0 1 0 1\n");
+  const auto isLoaded = [this] { return !window->loader().isLoading(); };
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const auto shown = scene().volume;
+  ASSERT_TRUE(open(file));
+  choose("Dismiss");
+  EXPECT_FALSE(messages().isVisible());
+  EXPECT_EQ(scene().volume, shown) << "what was open stays";
+  ASSERT_TRUE(open(file));
+  for (int wrong = 0; wrong < 2; ++wrong) {
+    typeName(pathTo("far.nrrd"));
+    choose("Locate labels…");
+    ASSERT_TRUE(test::waitUntil(isLoaded));
+    EXPECT_EQ(scene().volume, shown);
+    EXPECT_TRUE(messages().sentence().contains(QStringLiteral("far.nrrd")))
+        << messages().sentence().toStdString();
+  }
+  typeName(pathTo("renamed.nrrd"));
+  choose("Locate labels…");
+  ASSERT_TRUE(test::waitUntil(isLoaded));
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::labels);
 }
 
 TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {

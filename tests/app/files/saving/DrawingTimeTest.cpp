@@ -51,11 +51,12 @@ TEST(DrawingTime, ofATurntableIsToldOnceItIsKnown) {
   SideState side;
   side.completeMs = 500.0; // of the picture before
   side.fraction = 0.5;
-  EXPECT_EQ(framesTimeText(Scene(), side, 1.0, 90),
+  EXPECT_EQ(framesTimeText(Scene(), Engine::rayCaster, side, 1.0, 90),
             QStringLiteral("How long drawing takes is known once the picture is complete."));
   side.fraction = 1.0;
-  EXPECT_EQ(framesTimeText(Scene(), side, 1.0, 90), QStringLiteral("Drawing takes %1.").arg(aboutText(45.0)));
-  EXPECT_EQ(framesTimeText(Scene(), side, 1.0, 2), QString());
+  EXPECT_EQ(framesTimeText(Scene(), Engine::rayCaster, side, 1.0, 90),
+            QStringLiteral("Drawing takes %1.").arg(aboutText(45.0)));
+  EXPECT_EQ(framesTimeText(Scene(), Engine::rayCaster, side, 1.0, 2), QString());
 }
 
 // What the screen took says nothing of the light, which it found once.
@@ -65,13 +66,29 @@ TEST(DrawingTime, ofATurntableWhoseLampTurnsWithThePictureIsNotKnown) {
   side.completeMs = 500.0;
   side.fraction = 1.0;
   scene.shading = withLight(scene.shading, LightPreset::softStudio);
-  EXPECT_TRUE(findsLightForEachView(scene));
-  EXPECT_EQ(framesTimeText(scene, side, 1.0, 90),
+  EXPECT_TRUE(findsLightForEachView(scene, Engine::rayCaster));
+  EXPECT_EQ(framesTimeText(scene, Engine::rayCaster, side, 1.0, 90),
             QStringLiteral("How long drawing takes is not known: light is found anew for each frame."));
   scene.shading.lightAxes = LightAxes::world;
-  EXPECT_FALSE(findsLightForEachView(scene));
+  EXPECT_FALSE(findsLightForEachView(scene, Engine::rayCaster));
   scene.shading = withLight(scene.shading, LightPreset::headlight);
-  EXPECT_FALSE(findsLightForEachView(scene));
+  EXPECT_FALSE(findsLightForEachView(scene, Engine::rayCaster));
+}
+
+// The processor follows paths with each picture, so that the screen's took as long; on a grid it does not.
+TEST(DrawingTime, ofATurntableWhoseLampTurnsIsThatOfTheScreenWhereLightIsFoundAlongPaths) {
+  Scene scene;
+  scene.shading = withLight(scene.shading, LightPreset::softStudio);
+  SideState side;
+  side.completeMs = 500.0;
+  side.fraction = 1.0;
+  EXPECT_EQ(framesTimeText(scene, Engine::cpu, side, 1.0, 90),
+            QStringLiteral("Drawing takes %1.").arg(aboutText(45.0)));
+  scene.quality.toleranceLevels = 1.0;
+  EXPECT_FALSE(findsLightForEachView(scene, Engine::cpu)) << "for each sample";
+  scene.quality.toleranceLevels.reset();
+  scene.quality.light = LightDetail::fine;
+  EXPECT_TRUE(findsLightForEachView(scene, Engine::cpu));
 }
 
 TEST(DrawingTime, onlyWhatTheScreenHasAlreadyIsSavedAsItIs) {

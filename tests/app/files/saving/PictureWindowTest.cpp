@@ -196,9 +196,7 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
 
 // A full disk, or a folder that went meanwhile, takes no picture that minutes were spent on.
 TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
-  PictureOptions options;
-  options.marks = noMarks;
-  options.size = PictureOptions::Size::twice;
+  const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
   const QSize size = saved("usual.png", options).size();
   saving().writePicture(pathTo("gone/twice.png"), options);
   ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
@@ -224,10 +222,26 @@ TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
   EXPECT_FALSE(readImageDescription(folder.path() / "there.png").empty()) << "it carries its scene";
 }
 
+// Cancelled too late it is in its file, and must not be offered or called lost.
+TEST_F(SavedPicture, thatIsBeingSavedElsewhereIsNotCalledUnwrittenAfterwards) {
+  const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
+  saving().writePicture(pathTo("gone/twice.png"), options);
+  ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
+  ASSERT_EQ(saving().unwritten(), QStringList(QStringLiteral("twice.png")));
+  const auto& offer = *window->findChild<MessageBar*>(QStringLiteral("unwrittenBar"));
+  typeName(pathTo("there.png"));
+  QTest::mouseClick(offer.findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  ASSERT_TRUE(stopButton().isVisible());
+  stopButton().click(); // before any other event
+  EXPECT_TRUE(window->statusBar()->currentMessage().startsWith(QStringLiteral("Too late to cancel")));
+  EXPECT_TRUE(stopButton().isVisible()) << "it goes on";
+  EXPECT_FALSE(written("there.png").isNull());
+  EXPECT_TRUE(saving().unwritten().isEmpty());
+  EXPECT_FALSE(offer.isWanted());
+}
+
 TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOrDismissed) {
-  PictureOptions options;
-  options.marks = noMarks;
-  options.size = PictureOptions::Size::twice;
+  const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
   for (const char* name : {"gone/first.png", "gone/second.png", "gone/third.png"}) {
     saving().writePicture(pathTo(name), options);
     ASSERT_TRUE(test::waitUntil([this] { return !stopButton().isVisible(); }));
@@ -268,9 +282,7 @@ TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOr
 
 // Pixels alone are kept, and of those no more than have room: whatever fails, the memory is not filled.
 TEST_F(SavedPicture, ofThoseThatCouldNotBeWrittenTheOldestGoWhereTheyHaveNoRoomAndItIsSaid) {
-  PictureOptions options;
-  options.marks = noMarks;
-  options.size = PictureOptions::Size::twice;
+  const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
   const QSize size = saved("usual.png", options).size();
   const std::size_t bytes = sizeof(glm::vec4) * static_cast<std::size_t>(size.width()) * size.height();
   const auto fail = [&](const char* name) {

@@ -75,6 +75,21 @@ TEST_F(PresetWindow, whatAPresetShowsDoesNotDependOnWhatWasUsedBefore) {
   }
 }
 
+TEST_F(PresetWindow, theHistoryCallsAPresetByItsNameWhateverItChanges) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  emit browser().presetChosen(QStringLiteral("CT bone"));
+  Scene other = scene();
+  other.shading.specular += 0.1;
+  session().edit(other, {nextGestureId(), QStringLiteral("highlights")});
+  emit browser().presetChosen(QStringLiteral("CT bone"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use preset CT bone")) << "one number of the light";
+  other = scene();
+  other.transferFunction.points.back().opacity *= 0.5;
+  session().edit(other, {nextGestureId(), QStringLiteral("a point")});
+  emit browser().presetChosen(QStringLiteral("CT bone"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use preset CT bone")) << "one point of the curve";
+}
+
 TEST_F(PresetWindow, lightIsKeptWhereThatIsWanted) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   window->findChild<QAction*>(QStringLiteral("keepLight"))->trigger();
@@ -145,8 +160,7 @@ TEST_F(PresetWindow, aPreviewEndsWhereAnotherVolumeIsOpened) {
 }
 
 TEST_F(PresetWindow, whatWasRememberedIsComparedWithWhatBecameOfIt) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  setLayout(CompareLayout::single);
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
   click("CT bone");
   QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
   EXPECT_FALSE(compare.isEnabled()) << "nothing is remembered";
