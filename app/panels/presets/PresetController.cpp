@@ -187,10 +187,18 @@ void PresetController::markShown() {
   goOnWithPreview();
   if (m_context.session.scene().volume != m_volume)
     showStanding();
+  if (m_said && m_said->of != curvesShown()) {
+    if (m_context.messages.sentence() == m_said->sentence)
+      m_context.messages.hide(); // it was about another preset, or about a curve that is another now
+    m_said.reset();
+  }
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
-  if (!m_saidOf.empty() && m_saidOf != preset.name && m_context.messages.sentence() == m_said)
-    m_context.messages.hide(); // it was about another preset
   m_browser.setCurrent(QString::fromStdString(preset.name), preset.isModified);
+}
+
+PresetController::Curves PresetController::curvesShown() const {
+  const Scene& scene = m_context.session.scene();
+  return {m_context.document.presetInUse().name, scene.transferFunction, scene.keep.looks};
 }
 
 const Preset* PresetController::find(const QString& name) const {
@@ -354,8 +362,7 @@ void PresetController::offerWhereNothingShows(const Preset& preset) {
 }
 
 void PresetController::say(const QString& sentence, const MessageBar::Action& action) {
-  m_said = sentence;
-  m_saidOf = m_context.document.presetInUse().name;
+  m_said = Said{sentence, curvesShown()};
   m_context.messages.show(action.text.isEmpty() ? MessageBar::Kind::note : MessageBar::Kind::warning,
                           sentence, {}, action);
 }

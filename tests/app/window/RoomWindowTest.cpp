@@ -485,6 +485,21 @@ TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
   EXPECT_EQ(messages().sentence(), QStringLiteral("\"mylook\" was fitted to this volume's values."));
   QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
   EXPECT_EQ(scene().transferFunction, mine.transferFunction);
+  EXPECT_FALSE(messages().isVisible()) << "it is fitted no longer";
+
+  presets.use(QStringLiteral("mylook"));
+  ASSERT_TRUE(messages().isVisible());
+  session().setCamera(orbited(scene().camera, 0.3, 0.0));
+  EXPECT_TRUE(messages().isVisible()) << "that holds from every side";
+  TransferFunction edited = scene().transferFunction;
+  edited.points.back().opacity *= 0.5;
+  session().setTransferFunction(edited, {nextGestureId(), QStringLiteral("move point")});
+  EXPECT_FALSE(messages().isVisible()) << "the curve is another";
+
+  presets.use(QStringLiteral("mylook"));
+  ASSERT_TRUE(messages().isVisible());
+  undo().undo();
+  EXPECT_FALSE(messages().isVisible()) << "it is not in use";
 }
 
 TEST_F(Looks, aPresetThatShowsNothingOffersToFitItAtOnce) {
