@@ -314,7 +314,7 @@ void PresetController::sayHowItWasFitted(const Preset& preset) {
   const auto number = [](double value) { return digitsNumber(value, 4); };
   const auto leaveIt = [this, preset, name, volume = m_context.session.scene().volume] {
     if (m_context.session.scene().volume == volume)
-      show(preset, tr("use preset %1").arg(name));
+      show(preset, tr("use preset %1 as it is").arg(name));
   };
   say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 HU), tissue begins at "
          "%4 "
@@ -329,7 +329,7 @@ void PresetController::offerAsSaved(const Preset& preset) {
   const QString name = presetWords(QString::fromStdString(preset.name));
   const auto takeAsSaved = [this, preset, name, volume = m_context.session.scene().volume] {
     if (m_context.session.scene().volume == volume)
-      show(preset, tr("use preset %1").arg(name));
+      show(preset, tr("use preset %1 as saved").arg(name));
   };
   say(tr("\"%1\" was fitted to this volume's values.").arg(name), {tr("Use as saved"), takeAsSaved});
 }

@@ -486,6 +486,7 @@ TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
   QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
   EXPECT_EQ(scene().transferFunction, mine.transferFunction);
   EXPECT_FALSE(messages().isVisible()) << "it is fitted no longer";
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use preset mylook as saved")) << "told from the step before";
 
   presets.use(QStringLiteral("mylook"));
   ASSERT_TRUE(messages().isVisible());
