@@ -2,6 +2,8 @@
 #include "app/WindowHarness.h"
 #include "app/presets/PresetStore.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/FindWidget.h"
+#include "widgets/controls/TrackSlider.h"
 #include "widgets/theme/LookStyle.h"
 
 #include <QCheckBox>
@@ -302,6 +304,15 @@ void writeBallWithoutUnit(const std::filesystem::path& path) {
         const double radius = glm::length(glm::dvec3(x, y, z) - glm::dvec3((side - 1) / 2.0));
         file.put(static_cast<char>(static_cast<unsigned char>(std::max(0.0, 200.0 - 20.0 * radius))));
       }
+}
+
+TEST_F(Room, theToolsOfTheCurveHaveRoomBesideThePointInHand) {
+  setSize({1440, 900});
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  TransferFunctionEditor& editor = *curves().valueEditor();
+  editor.canvas()->selectPoints({2});
+  EXPECT_TRUE(widgetNamed<TrackSlider>(editor, "Shift")->isVisible());
+  EXPECT_FALSE(editor.findChild<QToolButton*>(QStringLiteral("moreCurveTools"))->isVisible());
 }
 
 /// Looks, as they are compared, named and told of.
