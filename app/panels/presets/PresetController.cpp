@@ -229,6 +229,21 @@ std::optional<Preset> PresetController::fitted(const QString& name) const {
                                     : *found;
 }
 
+bool PresetController::isFitted(const Preset& look) const {
+  const QString name = QString::fromStdString(look.name);
+  const Preset* saved = isBuiltIn(name) ? nullptr : m_own.find(name);
+  return saved && liesElsewhere(look.transferFunction, saved->transferFunction) &&
+         look.transferFunction == fitted(name)->transferFunction;
+}
+
+std::vector<std::string> PresetController::namesOfFitted() const {
+  std::vector<std::string> names;
+  for (const Preset& preset : fittedPresets())
+    if (isFitted(preset))
+      names.push_back(preset.name);
+  return names;
+}
+
 QString PresetController::nameShown() const {
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
   const QString name = QString::fromStdString(preset.name);
@@ -246,7 +261,7 @@ void PresetController::use(const QString& name) {
     isBuiltIn(name) ? sayHowItWasFitted(known) : offerToFit(known);
   else if (showsNothing(preset->transferFunction, m_context.document.histogram()))
     offerWhereNothingShows(known);
-  else if (!isBuiltIn(name) && liesElsewhere(preset->transferFunction, known.transferFunction))
+  else if (isFitted(*preset))
     offerAsSaved(known);
 }
 

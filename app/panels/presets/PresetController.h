@@ -42,6 +42,11 @@ public:
   /// All presets as they are shown of the volume that is open, in the order of the list.
   std::vector<Preset> fittedPresets() const;
 
+  /// Whether a look is one's own preset, its curve moved onto the values of the volume that is open.
+  bool isFitted(const Preset& look) const;
+  /// Those of `fittedPresets` of which that holds, by name.
+  std::vector<std::string> namesOfFitted() const;
+
   /// What the look that is shown is called: the preset in use, marked as the user's where it was changed.
   QString nameShown() const;
 

@@ -327,6 +327,22 @@ protected:
         return action->trigger();
     FAIL() << "no preset " << preset.toStdString();
   }
+  PresetController& presets() { return *window->findChild<PresetController*>(); }
+  /// Opens a ball without unit; one's own preset "mylook" is of data with far larger values.
+  Preset openWithPresetOfOtherValues() {
+    Preset mine;
+    mine.name = "mylook";
+    mine.modality = "MR";
+    mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
+    mine.transferFunction = {
+        1.0,
+        {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
+    PresetStore(UserFolders::below(folder.path()).presets).save(mine);
+    writeBallWithoutUnit(folder.path() / "ball.nrrd");
+    EXPECT_TRUE(open(pathTo("ball.nrrd")));
+    presets().refresh();
+    return mine;
+  }
   QStringList names() {
     const auto& look = view().order().comparison.look;
     return look ? QStringList{QString::fromStdString(look->names[0]), QString::fromStdString(look->names[1])}
@@ -479,18 +495,8 @@ TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
 }
 
 TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
-  Preset mine;
-  mine.name = "mylook";
-  mine.modality = "MR";
-  mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
-  mine.transferFunction = {
-      1.0, {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
-  PresetStore(UserFolders::below(folder.path()).presets).save(mine);
-  writeBallWithoutUnit(folder.path() / "ball.nrrd");
-  ASSERT_TRUE(open(pathTo("ball.nrrd")));
-  auto& presets = *window->findChild<PresetController*>();
-  presets.refresh();
-  presets.use(QStringLiteral("mylook"));
+  const Preset mine = openWithPresetOfOtherValues();
+  presets().use(QStringLiteral("mylook"));
   EXPECT_NE(scene().transferFunction, mine.transferFunction) << "fitting is what happens unasked";
   ASSERT_TRUE(messages().isVisible());
   EXPECT_EQ(messages().sentence(), QStringLiteral("\"mylook\" was fitted to this volume's values."));
@@ -499,7 +505,7 @@ TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
   EXPECT_FALSE(messages().isVisible()) << "it is fitted no longer";
   EXPECT_EQ(undo().undoText(), QStringLiteral("use preset mylook as saved")) << "told from the step before";
 
-  presets.use(QStringLiteral("mylook"));
+  presets().use(QStringLiteral("mylook"));
   ASSERT_TRUE(messages().isVisible());
   session().setCamera(orbited(scene().camera, 0.3, 0.0));
   EXPECT_TRUE(messages().isVisible()) << "that holds from every side";
@@ -508,10 +514,22 @@ TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
   session().setTransferFunction(edited, {nextGestureId(), QStringLiteral("move point")});
   EXPECT_FALSE(messages().isVisible()) << "the curve is another";
 
-  presets.use(QStringLiteral("mylook"));
+  presets().use(QStringLiteral("mylook"));
   ASSERT_TRUE(messages().isVisible());
   undo().undo();
   EXPECT_FALSE(messages().isVisible()) << "it is not in use";
+}
+
+TEST_F(Looks, ofWhichACurveWasFittedSayThatInTheirNames) {
+  openWithPresetOfOtherValues();
+  setLayout(CompareLayout::sideBySide);
+  presets().compare(QStringLiteral("mylook"));
+  EXPECT_EQ(names().value(0), QStringLiteral("mylook, fitted"));
+  presets().use(QStringLiteral("mylook"));
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("mylook, fitted"), QStringLiteral("mylook, fitted")}));
+  ASSERT_TRUE(messages().isVisible());
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("mylook, fitted"), QStringLiteral("mylook")}));
 }
 
 TEST_F(Looks, aPresetThatShowsNothingOffersToFitItAtOnce) {
