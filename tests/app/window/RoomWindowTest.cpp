@@ -335,8 +335,7 @@ protected:
     mine.modality = "MR";
     mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
     mine.transferFunction = {
-        1.0,
-        {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
+        1.0, {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
     PresetStore(UserFolders::below(folder.path()).presets).save(mine);
     writeBallWithoutUnit(folder.path() / "ball.nrrd");
     EXPECT_TRUE(open(pathTo("ball.nrrd")));
