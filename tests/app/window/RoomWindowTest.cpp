@@ -519,6 +519,23 @@ TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
   EXPECT_FALSE(messages().isVisible()) << "it is not in use";
 }
 
+// How smooth normals are is the volume's where presets ask for nothing.
+TEST_F(Looks, ofTwoPresetsTheOneThatIsEditedIsCalledModified) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::sideBySide);
+  choose(0, QStringLiteral("CT bone"));
+  choose(1, QStringLiteral("CT skin"));
+  Shading shading = scene().shading;
+  shading.gradientSmoothing += 2.0;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("smooth normals")});
+  for (const Scene& side : view().scenesOfSides())
+    EXPECT_EQ(side.shading.gradientSmoothing, shading.gradientSmoothing);
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT skin")}));
+  shading.specular *= 0.5;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("duller")});
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT skin, modified")}));
+}
+
 TEST_F(Looks, ofWhichACurveWasFittedSayThatInTheirNames) {
   openWithPresetOfOtherValues();
   setLayout(CompareLayout::sideBySide);
