@@ -56,7 +56,7 @@ FileSources MainWindow::fileSources() {
   return {[this] { return sessionDocument(); },
           [this] {
             return FigureLooks{m_picture.comparison().comparedLook(), m_picture.comparison().remembered(),
-                               m_panels.presets().fittedPresets()};
+                               m_panels.presets().fittedPresets(), m_panels.presets().namesOfFitted()};
           },
           [this] {
             const TransferFunctionCanvas& canvas = *m_panels.curve().valueEditor()->canvas();
@@ -80,6 +80,7 @@ void MainWindow::connectPictureAndPanels() {
           &ComparisonController::compareWith);
   connect(&m_panels.presets(), &PresetController::ownCompareRequested, comparison,
           &ComparisonController::compareOwn);
+  comparison->setIsFitted([this](const Preset& look) { return m_panels.presets().isFitted(look); });
   const auto fillPresets = [this](QMenu* menu, int side) { m_panels.presets().fillMenu(*menu, side); };
   connect(comparison, &ComparisonController::presetMenuAsked, this, fillPresets);
   connect(&m_context.view, &CompareView::presetMenuAsked, this, fillPresets);

@@ -14,6 +14,7 @@ struct Gesture {
   std::uint64_t id = 0;
   QString text;
   bool isWhole = false; ///< the text tells what became of it, so that no numbers follow
+  QString unit = {};    ///< of the number that follows; empty where it has none
 };
 
 /// An id no other gesture of this program run has.

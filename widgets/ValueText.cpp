@@ -78,9 +78,12 @@ QString opacityText(double opacity) {
   return plainNumber(opacity, std::clamp(2 - static_cast<int>(std::floor(std::log10(opacity))), 2, 6));
 }
 
+QString withUnit(const QString& numbers, const QString& unit) {
+  return unit.isEmpty() ? numbers : numbers + QChar(0x00a0) + unit;
+}
+
 QString valueText(double value, const QString& unit, int decimals) {
-  const QString number = plainNumber(value, decimals);
-  return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
+  return withUnit(plainNumber(value, decimals), unit);
 }
 
 int decimalsOfSpan(double span) {

@@ -31,7 +31,10 @@ QString numberList(const std::vector<double>& numbers);
 /// An opacity for reading: three significant digits, at most six decimals, no trailing zeros.
 QString opacityText(double opacity);
 
-/// A number for reading, with its unit: "−310 HU". An empty unit adds nothing.
+/// Numbers as text with their unit behind them. An empty unit adds nothing.
+QString withUnit(const QString& numbers, const QString& unit);
+
+/// A number for reading, with its unit: "−310 HU".
 QString valueText(double value, const QString& unit, int decimals);
 
 /// An error in 8-bit levels that is promised, two digits, rounded up: "0.66".

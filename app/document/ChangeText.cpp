@@ -159,7 +159,7 @@ QString changeText(const Scene& before, const Scene& after, const Gesture& gestu
   other.camera = after.camera;
   const QString number = changedNumber(other, after);
   if (!number.isEmpty())
-    return QStringLiteral("%1 %2").arg(called, number);
+    return QStringLiteral("%1 %2").arg(called, withUnit(number, gesture.unit));
   other.transferFunction = after.transferFunction;
   if (before.transferFunction != after.transferFunction && other == after)
     if (const auto point = changedPoint(before.transferFunction, after.transferFunction))
@@ -168,7 +168,7 @@ QString changeText(const Scene& before, const Scene& after, const Gesture& gestu
   other.shading = after.shading;
   if (before.shading != after.shading && other == after)
     if (const QString range = changedRange(before.shading, after.shading); !range.isEmpty())
-      return QStringLiteral("%1 %2").arg(called, range);
+      return QStringLiteral("%1 %2").arg(called, withUnit(range, gesture.unit));
   return called;
 }
 

@@ -380,11 +380,15 @@ void ComparisonController::takeSnapshot() {
 QString ComparisonController::ownName() const {
   const OpenDocument::PresetInUse own = m_context.document.presetInUse();
   const QString name = presetWords(QString::fromStdString(own.name));
-  return own.name.empty() || !own.isModified ? name : tr("%1, modified", "a preset").arg(name);
+  if (own.name.empty())
+    return name;
+  if (own.isModified)
+    return tr("%1, modified", "a preset").arg(name);
+  return m_isFitted(m_context.session.preset()) ? fittedWords(QString::fromStdString(own.name)) : name;
 }
 
 std::optional<ComparedLook> ComparisonController::comparedLook() const {
-  return m_compared.comparedLook(ownName());
+  return m_compared.comparedLook(ownName(), m_compared.look && m_isFitted(*m_compared.look));
 }
 
 void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {

@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -66,6 +67,10 @@ public:
   /// The look remembered as "before", of the volume that is open.
   const std::optional<Preset>& remembered() const { return m_snapshot; }
 
+  /// Who knows whether a look is a preset whose curve was moved onto the values of the volume: its name says
+  /// so.
+  void setIsFitted(std::function<bool(const Preset&)> isFitted) { m_isFitted = std::move(isFitted); }
+
   /// A scene has been opened. A picture that tells its sides is shown with those. An unlit image (imageLook)
   /// is shown alone: no model of light tells it from another. What is opened after either has the layout from
   /// before, unless someone chose one meanwhile.
@@ -119,6 +124,7 @@ private:
   QAction* m_swap = nullptr;            ///< enabled while there are two pictures
   ComparisonState m_compared;
   std::optional<Preset> m_snapshot;
+  std::function<bool(const Preset&)> m_isFitted = [](const Preset&) { return false; };
   std::optional<int> m_workedIn; ///< the side of two models: 0 left, 1 right; absent where in neither yet
   bool m_hasPhysical = false;    ///< the scene
   std::shared_ptr<const Volume> m_volume; ///< that they belong to

@@ -40,7 +40,7 @@ std::vector<ShadingModel> ComparisonState::models(bool isSingle, ShadingModel of
 }
 
 // Both looks are named after their presets; what was remembered says so where the names tell no difference.
-std::optional<ComparedLook> ComparisonState::comparedLook(const QString& own) const {
+std::optional<ComparedLook> ComparisonState::comparedLook(const QString& own, bool isFitted) const {
   if (!look)
     return std::nullopt;
   const bool isBefore = isSnapshot(*look);
@@ -52,6 +52,8 @@ std::optional<ComparedLook> ComparisonState::comparedLook(const QString& own) co
                           : name;
   else if (lookFrom)
     name = ComparisonController::tr("%1, modified", "a preset").arg(name);
+  else if (isFitted)
+    name = fittedWords(QString::fromStdString(look->name));
   const QString ownName = own.isEmpty() ? ComparisonController::tr("Now") : own;
   ComparedLook compared{*look, {name.toStdString(), ownName.toStdString()}};
   compared.shown.isWhole = look->isWhole || isBefore;

@@ -41,8 +41,9 @@ struct ComparisonState {
   /// The models in the pictures, from left to right, where the scene has `ofScene`.
   std::vector<ShadingModel> models(bool isSingle, ShadingModel ofScene) const;
 
-  /// The look, with the names of both, where the preset in use is called `own` (empty: there is none).
-  std::optional<ComparedLook> comparedLook(const QString& own) const;
+  /// The look, with the names of both, where the preset in use is called `own` (empty: there is none);
+  /// `isFitted`: its curve was moved onto the values of the volume.
+  std::optional<ComparedLook> comparedLook(const QString& own, bool isFitted = false) const;
 
   /// Models are compared from now on.
   void endLook();

@@ -235,6 +235,27 @@ TEST_F(PropertiesPanelTest, qualityIsEditedOnItsOwn) {
   EXPECT_EQ(edits.front(), quality);
 }
 
+TEST_F(PropertiesPanelTest, aStepOfOneIsOneVoxel) {
+  auto& field = *rowNamed<ValueSlider>(m_panel, "Step")->findChild<NumberField*>();
+  const auto typed = [&field](const char* keys) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, QString::fromLatin1(keys));
+    QTest::keyClick(&field, Qt::Key_Return);
+    return field.text();
+  };
+  const QSize size = field.sizeHint();
+  EXPECT_EQ(typed("1"), QStringLiteral("1\u00a0voxel"));
+  EXPECT_EQ(field.sizeHint(), size) << "the row stays as it is";
+  EXPECT_EQ(typed("2 voxels"), QStringLiteral("2\u00a0voxels"));
+  EXPECT_EQ(typed("1 voxel"), QStringLiteral("1\u00a0voxel"));
+  EXPECT_EQ(typed("0.5"), QStringLiteral("0.5\u00a0voxels"));
+  Quality quality;
+  quality.stepVoxels = 1.0;
+  m_panel.setQuality(quality);
+  EXPECT_EQ(field.text(), QStringLiteral("1\u00a0voxel"));
+}
+
 TEST_F(PropertiesPanelTest, everyControlHasAnAccessibleNameAndAToolTip) {
   const auto hasToolTip = [](const QWidget* widget) {
     for (; widget; widget = widget->parentWidget())

@@ -40,6 +40,11 @@ QString describedFor(const NumberSpec& spec) {
   return spec.unit.isEmpty() ? spec.help : QObject::tr("In %1. %2").arg(spec.unit, spec.help);
 }
 
+QString unitBehind(const NumberSpec& spec, double number) {
+  const bool isOne = plainNumber(number, spec.decimals) == plainNumber(1.0, spec.decimals);
+  return isOne && !spec.unitOfOne.isEmpty() ? spec.unitOfOne : spec.unit;
+}
+
 QString changeText(const QString& label) {
   return QObject::tr("change %1").arg(inSentence(label));
 }

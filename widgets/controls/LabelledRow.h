@@ -28,6 +28,7 @@ struct NumberSpec {
   QString called = {};            ///< what undo calls the number; empty: by its label
   QString help;                   ///< one sentence: what it does to the picture
   QString unit = {};              ///< empty where the number has none
+  QString unitOfOne = {};         ///< behind 1, where it has another word there: "voxel"; empty: the same
   SliderScale scale;              ///< of the track
   double lowest = scale.lowest;   ///< smallest number that can be typed
   double highest = scale.highest; ///< largest number that can be typed
@@ -43,6 +44,9 @@ QString toolTipOf(const NumberSpec& spec, bool isRange);
 
 /// What assistive technology says of a slider beside its name: the unit, then the help.
 QString describedFor(const NumberSpec& spec);
+
+/// The unit behind a number, as it is written with the row's decimals.
+QString unitBehind(const NumberSpec& spec, double number);
 
 /// What undo shows: "change ambient light".
 QString changeText(const QString& label);

@@ -59,6 +59,24 @@ void NumberField::setNumber(double number) {
   m_number = number;
   forgetRefusal();
   setValue(number);
+  if (!m_unitOfOne.isEmpty())
+    showUnit();
+}
+
+void NumberField::setUnit(const QString& unit, const QString& ofOne) {
+  m_unit = unit;
+  m_unitOfOne = ofOne;
+  showUnit();
+}
+
+void NumberField::showUnit() {
+  const bool isOne = !m_unitOfOne.isEmpty() && textFromValue(m_number) == textFromValue(1.0);
+  if (const QString shown = withUnit({}, isOne ? m_unitOfOne : m_unit); shown != suffix())
+    setSuffix(shown);
+}
+
+QString NumberField::usualSuffix() const {
+  return m_unitOfOne.isEmpty() ? suffix() : withUnit({}, m_unit);
 }
 
 void NumberField::commit() {
@@ -91,7 +109,7 @@ QStringList NumberField::widestTexts() const {
   const double last = std::pow(10.0, -decimals());
   QStringList texts;
   for (const double number : {minimum(), minimum() + last, maximum() - last, maximum()})
-    texts << textFromValue(number) + suffix();
+    texts << textFromValue(number) + usualSuffix();
   return texts << *m_leastText;
 }
 
@@ -141,8 +159,11 @@ QString NumberField::unitOf(const QString& text) const {
 // Without suffix, in the user's locale.
 std::optional<double> NumberField::read(const QString& text) const {
   QString plain = withHyphen(text.chopped(unitOf(text).size())).trimmed();
-  if (const QString unit = suffix().trimmed(); !unit.isEmpty() && plain.endsWith(unit)) // typed by hand
-    plain = plain.chopped(unit.size()).trimmed();
+  for (const QString& unit : {suffix().trimmed(), m_unit, m_unitOfOne})
+    if (!unit.isEmpty() && plain.endsWith(unit)) { // typed by hand
+      plain = plain.chopped(unit.size()).trimmed();
+      break;
+    }
   const bool isPercent = m_takesPercent && plain.endsWith(QLatin1Char('%'));
   if (isPercent)
     plain = plain.chopped(1).trimmed();
@@ -169,7 +190,8 @@ void NumberField::fixup(QString& text) const {
 }
 
 void NumberField::refuse(const QString& text) {
-  const QString lowest = textFromValue(minimum()) + suffix(), highest = textFromValue(maximum()) + suffix();
+  const QString unit = usualSuffix();
+  const QString lowest = textFromValue(minimum()) + unit, highest = textFromValue(maximum()) + unit;
   m_refusal = (m_takesPercent ? tr("%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.")
                               : tr("%1 does not fit: give a number from %2 to %3."))
                   .arg(text.trimmed(), lowest, highest);

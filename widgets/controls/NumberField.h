@@ -31,6 +31,9 @@ public:
   /// Takes what was typed, as Enter does.
   void commit();
 
+  /// The unit behind the number; `ofOne` is the word behind 1 where that is another, and can be typed, too.
+  void setUnit(const QString& unit, const QString& ofOne = {});
+
   /// Shows numbers as `write` does them, which may round more than `decimals` says.
   void setShownAs(QString (*write)(double));
 
@@ -70,11 +73,14 @@ private:
   void refuse(const QString& text);
   void forgetRefusal();
   void reportIfChanged();
+  void showUnit();
+  QString usualSuffix() const; ///< that behind most numbers
   QStringList widestTexts() const;
   /// The suffix, where a text ends with it.
   QString unitOf(const QString& text) const;
 
   double m_number = 0.0;
+  QString m_unit, m_unitOfOne; ///< empty: none, or the same
   bool m_takesPercent = false;
   QString m_refusal;
   QTimer* m_refusalStands;            ///< in a field that was left with what is refused

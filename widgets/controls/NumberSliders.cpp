@@ -58,14 +58,15 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
 void ValueSlider::setSpec(const NumberSpec& spec) {
   m_spec = spec;
   m_label->setText(spec.label);
-  m_field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
+  m_field->setUnit(spec.unit, spec.unitOfOne);
   m_field->setLimits(spec.lowest, spec.highest, spec.decimals);
   m_slider->setScale(spec.scale);
   m_slider->setDecimals(spec.decimals);
   m_field->setAccessibleName(spec.label);
   m_slider->setAccessibleName(spec.label);
   m_slider->setAccessibleDescription(describedFor(spec));
-  m_slider->setReadOut([spec](double value) { return valueText(value, spec.unit, spec.decimals); });
+  m_slider->setReadOut(
+      [spec](double value) { return valueText(value, unitBehind(spec, value), spec.decimals); });
   if (isEnabled())
     setToolTip(toolTipOf(spec, false));
 }
@@ -83,7 +84,7 @@ void ValueSlider::setUnavailable(const QString& reason) {
 void ValueSlider::edit(double value, std::uint64_t gestureId) {
   m_field->setNumber(value);
   m_slider->setValues({value});
-  emit valueEdited(value, {gestureId, changeText(m_spec)});
+  emit valueEdited(value, {gestureId, changeText(m_spec), false, unitBehind(m_spec, value)});
 }
 
 RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
@@ -123,7 +124,7 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_slider->setScale(spec.scale);
   m_slider->setDecimals(spec.decimals);
   for (NumberField* field : {m_lower, m_upper}) {
-    field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
+    field->setUnit(spec.unit);
     field->setLimits(spec.lowest, spec.highest, spec.decimals);
   }
   m_lower->setAccessibleName(
@@ -151,7 +152,7 @@ void RangeSlider::setUnavailable(const QString& reason) {
 
 void RangeSlider::edit(double lower, double upper, std::uint64_t gestureId) {
   setRange(lower, upper);
-  emit rangeEdited(lower, upper, {gestureId, changeText(m_spec)});
+  emit rangeEdited(lower, upper, {gestureId, changeText(m_spec), false, m_spec.unit});
 }
 
 } // namespace limn

@@ -151,12 +151,14 @@ QWidget* TransferFunctionEditor::makeControlRow() {
 void TransferFunctionEditor::addLeading(QWidget* control, int place) {
   m_row->insertWidget(place < 0 ? m_leading : place, control);
   ++m_leading;
+  control->installEventFilter(this);
   placeTools();
 }
 
 void TransferFunctionEditor::addTrailing(QWidget* control) {
   m_row->insertWidget(m_row->count() - 1, control);
   ++m_trailing;
+  control->installEventFilter(this);
   placeTools();
 }
 
@@ -312,13 +314,16 @@ int TransferFunctionEditor::toolsWithRoom() const {
   const auto widthOf = [this](const QWidget* widget) {
     return widget->sizeHint().width() + m_row->spacing();
   };
+  const auto roomOf = [&widthOf](const QWidget* control) { // which may be shown only at times
+    return control->isHidden() ? 0 : widthOf(control);
+  };
   const QMargins margins = layout()->contentsMargins();
   const QWidget* numbers = m_pinIsLatest ? static_cast<QWidget*>(m_tissue) : m_fields;
   int room = width() - margins.left() - margins.right() - widthOf(numbers) - widthOf(m_showAll);
   for (int i = 0; i < m_leading; ++i)
-    room -= widthOf(m_row->itemAt(i)->widget());
+    room -= roomOf(m_row->itemAt(i)->widget());
   for (int i = 0; i < m_trailing; ++i)
-    room -= widthOf(m_row->itemAt(m_row->count() - 2 - i)->widget());
+    room -= roomOf(m_row->itemAt(m_row->count() - 2 - i)->widget());
   int whole = 0;
   for (const QWidget* tool : m_tools)
     whole += widthOf(tool);
@@ -394,6 +399,8 @@ bool TransferFunctionEditor::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_morePanel && event->type() == QEvent::Hide)
     QMetaObject::invokeMethod(this, &TransferFunctionEditor::takeBackMore,
                               Qt::QueuedConnection); // once it is closed
+  if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent)
+    placeTools(); // a control of the row takes room, or does so no longer
   return QWidget::eventFilter(watched, event);
 }
 

@@ -157,6 +157,10 @@ std::vector<std::string> foldersOf(const std::vector<Preset>& own) {
   return {folders.begin(), folders.end()};
 }
 
+QString fittedWords(const QString& english) {
+  return QObject::tr("%1, fitted", "a preset").arg(presetWords(english));
+}
+
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,
                       Look look) {
   QImage image(size * devicePixelRatio, QImage::Format_ARGB32_Premultiplied);

@@ -63,6 +63,9 @@ inline QString presetWords(const QString& english) {
   return QCoreApplication::translate("limn::Preset", english.toUtf8().constData());
 }
 
+/// What a preset is called whose curve was moved onto the values of the volume that is open.
+QString fittedWords(const QString& english);
+
 /// How a preset of the list is used at present.
 enum class PresetUse { none, shown, modified };
 

@@ -26,6 +26,7 @@ NumberSpec stepSpec() {
           .help = QualitySection::tr("The distance between samples along a ray, in voxels: smaller is closer "
                                      "to exact, larger is faster."),
           .unit = QualitySection::tr("voxels"),
+          .unitOfOne = QualitySection::tr("voxel"),
           .scale = {0.05, 4.0, true},
           .lowest = 0.01,
           .highest = 16.0,

@@ -32,6 +32,7 @@ NumberSpec untilLevelsSpec() {
               PhysicalSection::tr("The standard error that may be left, RMS over the picture, in 255 levels "
                                   "of brightness; half of it takes four times as long."),
           .unit = PhysicalSection::tr("levels"),
+          .unitOfOne = PhysicalSection::tr("level"),
           .scale = {0.1, 20.0, true},
           .lowest = 0.01,
           .highest = 255.0,

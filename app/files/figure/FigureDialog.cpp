@@ -254,7 +254,8 @@ void FigureDialog::refreshSources() {
                                firstWindow(*scene.volume, histogram),
                                looks.presets,
                                allTurningThere(m_context.session.views()),
-                               histogram};
+                               histogram,
+                               looks.fitted};
   std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();
   std::vector<std::size_t> first;

@@ -21,7 +21,8 @@ class SavingController;
 struct FigureLooks {
   std::optional<ComparedLook> compared; ///< unless models are
   std::optional<Preset> remembered;     ///< as "before"
-  std::vector<Preset> presets;          ///< fitted, in the order of the list
+  std::vector<Preset> presets;          ///< as they are shown, in the order of the list
+  std::vector<std::string> fitted;      ///< names of those that were moved onto the volume's values
 };
 
 /// Asks what a figure of what is open shows, previews it while it is put together, and writes or copies it.

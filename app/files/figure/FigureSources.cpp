@@ -98,9 +98,12 @@ void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from)
 }
 
 void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  for (const Preset& preset : from.presets)
+  for (const Preset& preset : from.presets) {
+    const QString name = QString::fromStdString(preset.name);
+    const bool isFitted = std::ranges::count(from.fitted, preset.name) > 0;
     sources.push_back(withLook(QObject::tr("Preset: %1"), withPreset(from.scene, preset, true),
-                               presetWords(QString::fromStdString(preset.name))));
+                               isFitted ? fittedWords(name) : presetWords(name)));
+  }
 }
 
 } // namespace

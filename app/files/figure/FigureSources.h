@@ -24,7 +24,8 @@ struct FigureIngredients {
   GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
   std::vector<NamedView> views;
-  Histogram histogram; ///< of the volume
+  Histogram histogram;             ///< of the volume
+  std::vector<std::string> fitted; ///< names of those presets that were moved onto its values
 };
 
 /// All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,

@@ -187,10 +187,18 @@ void PresetController::markShown() {
   goOnWithPreview();
   if (m_context.session.scene().volume != m_volume)
     showStanding();
+  if (m_said && m_said->of != curvesShown()) {
+    if (m_context.messages.sentence() == m_said->sentence)
+      m_context.messages.hide(); // it was about another preset, or about a curve that is another now
+    m_said.reset();
+  }
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
-  if (!m_saidOf.empty() && m_saidOf != preset.name && m_context.messages.sentence() == m_said)
-    m_context.messages.hide(); // it was about another preset
   m_browser.setCurrent(QString::fromStdString(preset.name), preset.isModified);
+}
+
+PresetController::Curves PresetController::curvesShown() const {
+  const Scene& scene = m_context.session.scene();
+  return {m_context.document.presetInUse().name, scene.transferFunction, scene.keep.looks};
 }
 
 const Preset* PresetController::find(const QString& name) const {
@@ -221,6 +229,21 @@ std::optional<Preset> PresetController::fitted(const QString& name) const {
                                     : *found;
 }
 
+bool PresetController::isFitted(const Preset& look) const {
+  const QString name = QString::fromStdString(look.name);
+  const Preset* saved = isBuiltIn(name) ? nullptr : m_own.find(name);
+  return saved && liesElsewhere(look.transferFunction, saved->transferFunction) &&
+         look.transferFunction == fitted(name)->transferFunction;
+}
+
+std::vector<std::string> PresetController::namesOfFitted() const {
+  std::vector<std::string> names;
+  for (const Preset& preset : fittedPresets())
+    if (isFitted(preset))
+      names.push_back(preset.name);
+  return names;
+}
+
 QString PresetController::nameShown() const {
   const OpenDocument::PresetInUse preset = m_context.document.presetInUse();
   const QString name = QString::fromStdString(preset.name);
@@ -238,7 +261,7 @@ void PresetController::use(const QString& name) {
     isBuiltIn(name) ? sayHowItWasFitted(known) : offerToFit(known);
   else if (showsNothing(preset->transferFunction, m_context.document.histogram()))
     offerWhereNothingShows(known);
-  else if (!isBuiltIn(name) && liesElsewhere(preset->transferFunction, known.transferFunction))
+  else if (isFitted(*preset))
     offerAsSaved(known);
 }
 
@@ -306,7 +329,7 @@ void PresetController::sayHowItWasFitted(const Preset& preset) {
   const auto number = [](double value) { return digitsNumber(value, 4); };
   const auto leaveIt = [this, preset, name, volume = m_context.session.scene().volume] {
     if (m_context.session.scene().volume == volume)
-      show(preset, tr("use preset %1").arg(name));
+      show(preset, tr("use preset %1 as it is").arg(name));
   };
   say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 HU), tissue begins at "
          "%4 "
@@ -321,7 +344,7 @@ void PresetController::offerAsSaved(const Preset& preset) {
   const QString name = presetWords(QString::fromStdString(preset.name));
   const auto takeAsSaved = [this, preset, name, volume = m_context.session.scene().volume] {
     if (m_context.session.scene().volume == volume)
-      show(preset, tr("use preset %1").arg(name));
+      show(preset, tr("use preset %1 as saved").arg(name));
   };
   say(tr("\"%1\" was fitted to this volume's values.").arg(name), {tr("Use as saved"), takeAsSaved});
 }
@@ -354,8 +377,7 @@ void PresetController::offerWhereNothingShows(const Preset& preset) {
 }
 
 void PresetController::say(const QString& sentence, const MessageBar::Action& action) {
-  m_said = sentence;
-  m_saidOf = m_context.document.presetInUse().name;
+  m_said = Said{sentence, curvesShown()};
   m_context.messages.show(action.text.isEmpty() ? MessageBar::Kind::note : MessageBar::Kind::warning,
                           sentence, {}, action);
 }

@@ -42,6 +42,11 @@ public:
   /// All presets as they are shown of the volume that is open, in the order of the list.
   std::vector<Preset> fittedPresets() const;
 
+  /// Whether a look is one's own preset, its curve moved onto the values of the volume that is open.
+  bool isFitted(const Preset& look) const;
+  /// Those of `fittedPresets` of which that holds, by name.
+  std::vector<std::string> namesOfFitted() const;
+
   /// What the look that is shown is called: the preset in use, marked as the user's where it was changed.
   QString nameShown() const;
 
@@ -77,6 +82,18 @@ signals:
   void ownCompareRequested(); ///< what is shown, with what becomes of it; the picture at the left stays
 
 private:
+  /// What a sentence about a preset is about: the one in use and the curves that are shown.
+  struct Curves {
+    std::string preset; ///< empty: none
+    TransferFunction ofScene;
+    std::vector<TransferFunction> ofLabels;
+    bool operator==(const Curves&) const = default;
+  };
+  struct Said {
+    QString sentence;
+    Curves of;
+  };
+
   void connectBrowser();
   void list();
   void addKeepingLight();
@@ -92,6 +109,7 @@ private:
   void say(const QString& sentence, const MessageBar::Action& action = {});
   const Preset* find(const QString& name) const;
   std::optional<Preset> fitted(const QString& name) const;
+  Curves curvesShown() const;
   void showStanding();
   void goOnWithPreview();
 
@@ -104,8 +122,7 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< that the list is ordered for
   QString m_previewed;                    ///< what is seen for a while; empty: nothing
   Scene m_previewedFrom;                  ///< the session's, then
-  QString m_said;                         ///< in the message bar
-  std::string m_saidOf;                   ///< the preset in use that it is about; empty: of none
+  std::optional<Said> m_said;             ///< in the message bar, until the curves are others
 };
 
 } // namespace limn

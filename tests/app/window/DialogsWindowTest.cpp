@@ -3,6 +3,9 @@
 #include "app/frame/dialogs/DialogController.h"
 #include "support/Places.h"
 #include "widgets/FindWidget.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/controls/NumberSliders.h"
+#include "widgets/controls/TrackSlider.h"
 #include "widgets/properties/PropertiesPanel.h"
 
 #include <QCheckBox>
@@ -150,6 +153,28 @@ TEST_F(DialogsWindow, theHistoryTellsWhatWasChosenAndSwitched) {
   quality.stepVoxels = 0.25;
   session().setQuality(quality, {nextGestureId(), QStringLiteral("change step between samples")});
   EXPECT_TRUE(undo().undoText().endsWith(QStringLiteral("→ 0.25"))) << undo().undoText().toStdString();
+}
+
+TEST_F(DialogsWindow, theHistoryTellsNumbersWithTheirUnits) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  auto& properties = *window->findChild<PropertiesPanel*>();
+  ASSERT_EQ(scene().shading.gradientSmoothing, 0.0);
+  QTest::keyClick(rowNamed<ValueSlider>(properties, "Smooth normals")->findChild<TrackSlider*>(),
+                  Qt::Key_End);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change smoothing of normals 0 → 6\u00a0mm"));
+  auto* step = rowNamed<ValueSlider>(properties, "Step")->findChild<NumberField*>();
+  const auto type = [step](const char* keys) {
+    step->selectAll();
+    QTest::keyClicks(step, QString::fromLatin1(keys));
+    QTest::keyClick(step, Qt::Key_Return);
+  };
+  type("2");
+  type("1");
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change step between samples 2 → 1\u00a0voxel"));
+  type("4");
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change step between samples 1 → 4\u00a0voxels"));
+  QTest::keyClick(rowNamed<ValueSlider>(properties, "Dark hollows")->findChild<TrackSlider*>(), Qt::Key_End);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change dark hollows 0 → 100\u00a0%"));
 }
 
 TEST_F(DialogsWindow, aPanelGoesIntoAWindowOfItsOwnAndBack) {

@@ -178,7 +178,7 @@ TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
   QTest::keyClick(rowNamed<ValueSlider>(properties(), "Exposure")->findChild<TrackSlider*>(), Qt::Key_End);
   EXPECT_EQ(scene().shading.physical.exposureEv, 4.0);
   EXPECT_EQ(undo().count(), steps + 1);
-  EXPECT_EQ(undo().undoText(), QStringLiteral("change exposure 0 → 4"));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("change exposure 0 → 4\u00a0EV"));
   ASSERT_TRUE(rest());
   EXPECT_EQ(lastSide().paths->paths, paths);
   undo().undo();

@@ -2,6 +2,8 @@
 #include "app/WindowHarness.h"
 #include "app/presets/PresetStore.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/FindWidget.h"
+#include "widgets/controls/TrackSlider.h"
 #include "widgets/theme/LookStyle.h"
 
 #include <QCheckBox>
@@ -304,6 +306,15 @@ void writeBallWithoutUnit(const std::filesystem::path& path) {
       }
 }
 
+TEST_F(Room, theToolsOfTheCurveHaveRoomBesideThePointInHand) {
+  setSize({1440, 900});
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  TransferFunctionEditor& editor = *curves().valueEditor();
+  editor.canvas()->selectPoints({2});
+  EXPECT_TRUE(widgetNamed<TrackSlider>(editor, "Shift")->isVisible());
+  EXPECT_FALSE(editor.findChild<QToolButton*>(QStringLiteral("moreCurveTools"))->isVisible());
+}
+
 /// Looks, as they are compared, named and told of.
 class Looks : public Room {
 protected:
@@ -315,6 +326,21 @@ protected:
       if (action->text() == preset)
         return action->trigger();
     FAIL() << "no preset " << preset.toStdString();
+  }
+  PresetController& presets() { return *window->findChild<PresetController*>(); }
+  /// Opens a ball without unit; one's own preset "mylook" is of data with far larger values.
+  Preset openWithPresetOfOtherValues() {
+    Preset mine;
+    mine.name = "mylook";
+    mine.modality = "MR";
+    mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
+    mine.transferFunction = {
+        1.0, {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
+    PresetStore(UserFolders::below(folder.path()).presets).save(mine);
+    writeBallWithoutUnit(folder.path() / "ball.nrrd");
+    EXPECT_TRUE(open(pathTo("ball.nrrd")));
+    presets().refresh();
+    return mine;
   }
   QStringList names() {
     const auto& look = view().order().comparison.look;
@@ -467,23 +493,58 @@ TEST_F(Looks, ownPresetsOfValuesWithoutUnitsKnowTheirData) {
 }
 
 TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
-  Preset mine;
-  mine.name = "mylook";
-  mine.modality = "MR";
-  mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
-  mine.transferFunction = {
-      1.0, {{0.0, glm::dvec3(0.5), 0.0}, {20000.0, glm::dvec3(0.8), 0.3}, {90000.0, glm::dvec3(1.0), 1.0}}};
-  PresetStore(UserFolders::below(folder.path()).presets).save(mine);
-  writeBallWithoutUnit(folder.path() / "ball.nrrd");
-  ASSERT_TRUE(open(pathTo("ball.nrrd")));
-  auto& presets = *window->findChild<PresetController*>();
-  presets.refresh();
-  presets.use(QStringLiteral("mylook"));
+  const Preset mine = openWithPresetOfOtherValues();
+  presets().use(QStringLiteral("mylook"));
   EXPECT_NE(scene().transferFunction, mine.transferFunction) << "fitting is what happens unasked";
   ASSERT_TRUE(messages().isVisible());
   EXPECT_EQ(messages().sentence(), QStringLiteral("\"mylook\" was fitted to this volume's values."));
   QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
   EXPECT_EQ(scene().transferFunction, mine.transferFunction);
+  EXPECT_FALSE(messages().isVisible()) << "it is fitted no longer";
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use preset mylook as saved")) << "told from the step before";
+
+  presets().use(QStringLiteral("mylook"));
+  ASSERT_TRUE(messages().isVisible());
+  session().setCamera(orbited(scene().camera, 0.3, 0.0));
+  EXPECT_TRUE(messages().isVisible()) << "that holds from every side";
+  TransferFunction edited = scene().transferFunction;
+  edited.points.back().opacity *= 0.5;
+  session().setTransferFunction(edited, {nextGestureId(), QStringLiteral("move point")});
+  EXPECT_FALSE(messages().isVisible()) << "the curve is another";
+
+  presets().use(QStringLiteral("mylook"));
+  ASSERT_TRUE(messages().isVisible());
+  undo().undo();
+  EXPECT_FALSE(messages().isVisible()) << "it is not in use";
+}
+
+// How smooth normals are is the volume's where presets ask for nothing.
+TEST_F(Looks, ofTwoPresetsTheOneThatIsEditedIsCalledModified) {
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::sideBySide);
+  choose(0, QStringLiteral("CT bone"));
+  choose(1, QStringLiteral("CT skin"));
+  Shading shading = scene().shading;
+  shading.gradientSmoothing += 2.0;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("smooth normals")});
+  for (const Scene& side : view().scenesOfSides())
+    EXPECT_EQ(side.shading.gradientSmoothing, shading.gradientSmoothing);
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT skin")}));
+  shading.specular *= 0.5;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("duller")});
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT skin, modified")}));
+}
+
+TEST_F(Looks, ofWhichACurveWasFittedSayThatInTheirNames) {
+  openWithPresetOfOtherValues();
+  setLayout(CompareLayout::sideBySide);
+  presets().compare(QStringLiteral("mylook"));
+  EXPECT_EQ(names().value(0), QStringLiteral("mylook, fitted"));
+  presets().use(QStringLiteral("mylook"));
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("mylook, fitted"), QStringLiteral("mylook, fitted")}));
+  ASSERT_TRUE(messages().isVisible());
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("mylook, fitted"), QStringLiteral("mylook")}));
 }
 
 TEST_F(Looks, aPresetThatShowsNothingOffersToFitItAtOnce) {

@@ -283,5 +283,25 @@ TEST_F(TransferFunctionEditorTest, whatFindsNoRoomStandsBehindAButtonAndWorksThe
       << "as before";
 }
 
+TEST_F(TransferFunctionEditorTest, whatIsHiddenInTheRowTakesNoRoom) {
+  auto* more = m_editor.findChild<QToolButton*>(QStringLiteral("moreCurveTools"));
+  auto* whose = new QToolButton;
+  whose->setText(QString(40, QLatin1Char('n')));
+  whose->hide();
+  m_editor.addLeading(whose);
+  m_editor.canvas()->selectPoints({1});
+  int width = 1600;
+  m_editor.resize(width, 300);
+  while (!more->isVisible() && width > 300)
+    m_editor.resize(--width, 300);
+  ASSERT_GT(width, 300);
+  m_editor.resize(width + 1, 300); // the least that has room for all
+  EXPECT_FALSE(more->isVisible());
+  whose->show();
+  EXPECT_TRUE(more->isVisible());
+  whose->hide();
+  EXPECT_FALSE(more->isVisible());
+}
+
 } // namespace
 } // namespace limn

@@ -5,7 +5,9 @@
 #include "app/figures/FigureOptions.h"
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/figure/FigurePreview.h"
+#include "app/panels/presets/PresetController.h"
 #include "app/picture/ComparisonController.h"
+#include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/planes/PlaneDeck.h"
@@ -251,6 +253,24 @@ TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
     EXPECT_EQ(compared.panels[side].name,
               side == 0 ? QStringLiteral("CT bone and veil") : QStringLiteral("CT bone and veil, modified"));
   }
+}
+
+TEST_F(FigureWindow, aPresetThatIsFittedToTheVolumeSaysSoInItsName) {
+  Preset mine;
+  mine.name = "mylook";
+  mine.modality = "MR";
+  mine.landmarks = Landmarks{0.0, 20000.0, 90000.0};
+  mine.transferFunction = {1.0, {{0.0, glm::dvec3(0.5), 0.0}, {90000.0, glm::dvec3(1.0), 1.0}}};
+  PresetStore(UserFolders::below(folder.path()).presets).save(mine);
+  window->findChild<PresetController*>()->refresh();
+  ASSERT_TRUE(ask());
+  auto& choice = part<QComboBox>("panelSource-a");
+  const int fitted = choice.findText(QStringLiteral("Preset: mylook, fitted"));
+  ASSERT_GE(fitted, 0);
+  choice.setFocus();
+  while (choice.currentIndex() != fitted && choice.currentIndex() + 1 < choice.count())
+    QTest::keyClick(&choice, Qt::Key_Down);
+  EXPECT_EQ(dialog().askedFigure().panels[0].name, QStringLiteral("mylook, fitted"));
 }
 
 TEST_F(FigureWindow, twoPresetsWithAModelEachAreNamedByBothAsOnScreen) {
