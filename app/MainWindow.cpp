@@ -16,6 +16,7 @@
 #include "widgets/view/panels/ViewPanels.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -34,16 +35,19 @@ void connectMeasures(MeasureController& controller, MeasureSection& section) {
 
 } // namespace
 
-MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& memory, QWidget* parent)
-    : QMainWindow(parent), m_context(*this, std::move(folders), memory), m_picture(m_context),
-      m_panels(m_context), m_files(m_context, fileSources()), m_frame(m_context) {
+MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& memory, QWidget* parent,
+                       std::unique_ptr<OpenWork> open)
+    : QMainWindow(parent), m_context(*this, std::move(folders), memory, std::move(open)),
+      m_picture(m_context), m_panels(m_context), m_files(m_context, fileSources()), m_frame(m_context) {
   setObjectName(QStringLiteral("limnWindow"));
   setMinimumSize(800, 560);
   connectPictureAndPanels();
   connectFiles();
   m_frame.title().show();
   m_picture.comparison().begin();
-  m_context.followers.tell(m_context.session.scene());
+  connect(&m_frame, &Frame::languageChosen, this, &MainWindow::languageChosen);
+  if (!m_context.session.scene().volume)
+    m_context.followers.tell(m_context.session.scene());
   view().emptyPanel().takeFocus();
 }
 
@@ -184,6 +188,46 @@ void MainWindow::closeVolume() {
   m_picture.showVolume(nullptr);
   m_files.safety().sayWhatIsKept();
   m_frame.title().show();
+}
+
+bool MainWindow::isBusy() const {
+  return QApplication::activeModalWidget() || QApplication::activePopupWidget() || m_files.isBusy() ||
+         m_picture.regions().isBusy() || m_frame.dialogs().isBusy();
+}
+
+WindowHandover MainWindow::handOver() {
+  WindowHandover handed;
+  handed.session = sessionDocument();
+  handed.picture = m_picture.memory();
+  handed.panels = m_panels.memory();
+  handed.remarks = m_files.remarks().memory();
+  handed.frame = m_frame.memory();
+  handed.keepsSessions = m_files.safety().keeps();
+  end();
+  handed.keeper = m_files.safety().giveKeeper();
+  handed.open = m_context.giveOpen();
+  return handed;
+}
+
+void MainWindow::takeOver(WindowHandover before) {
+  const Scene& scene = m_context.session.scene();
+  m_context.followers.tell(scene);
+  m_panels.showVolume(scene.volume, m_context.document.histogram());
+  m_picture.showVolume(scene.volume.get());
+  m_context.session.tellBeside();
+  m_picture.restore(before.session);
+  m_panels.restore(before.session);
+  m_picture.takeOver(before.picture);
+  m_panels.takeOver(before.panels);
+  m_files.remarks().takeOver(before.remarks);
+  m_frame.title().show();
+  if (before.keepsSessions) {
+    m_files.safety().begin(std::move(before.keeper));
+    m_files.safety().noteChange();
+  }
+  if (scene.volume)
+    view().setFocus();
+  m_frame.takeOver(before.frame);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

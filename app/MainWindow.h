@@ -11,6 +11,18 @@
 
 namespace limn {
 
+/// What a window gives to the one that takes its place.
+struct WindowHandover {
+  std::unique_ptr<OpenWork> open;
+  SessionDocument session; ///< what is shown beside it
+  PictureArea::Memory picture;
+  Panels::Memory panels;
+  RemarksController::Memory remarks;
+  Frame::Memory frame;
+  bool keepsSessions = false;
+  std::unique_ptr<SessionKeeper> keeper; ///< null: there is none
+};
+
 /// The window: the picture in the middle, presets left, properties right, the curve below. Its four parts
 /// register what they offer; it connects what passes between them, and holds nothing that a part could hold.
 class MainWindow : public QMainWindow {
@@ -18,9 +30,11 @@ class MainWindow : public QMainWindow {
 
 public:
   /// `folders` is where settings, presets and unsaved sessions are kept, `memory` how much it may take for
-  /// volumes and what engines make of them (default: MemoryBudget's, each time).
+  /// volumes and what engines make of them (default: MemoryBudget's, each time). `open` is what the window
+  /// before gave away, shown once this one has taken over; null: nothing is open.
   explicit MainWindow(UserFolders folders = UserFolders::ofThisUser(),
-                      const std::optional<MemoryBudget>& memory = {}, QWidget* parent = nullptr);
+                      const std::optional<MemoryBudget>& memory = {}, QWidget* parent = nullptr,
+                      std::unique_ptr<OpenWork> open = nullptr);
   ~MainWindow() override;
 
   /// Starts loading a volume, DICOM folder, scene, session or Limn picture.
@@ -44,12 +58,27 @@ public:
   /// Offers a tour of the window to who has not seen it.
   void offerTour() { m_frame.tour().offer(); }
 
+  /// Whether something is under way, or asked, that would be lost with the window.
+  bool isBusy() const;
+
+  /// Gives all that it shows to another window, and is to be destroyed before that is made. Nobody is asked:
+  /// nothing is lost.
+  WindowHandover handOver();
+
+  /// Goes on where the window before was left. Once shown: pictures have their shape then. What is open came
+  /// with the constructor.
+  void takeOver(WindowHandover before);
+
   /// What a session file of this moment says, but for where its volume is and its own place.
   SessionDocument sessionDocument() const;
 
   ThumbnailController& thumbnails() { return m_panels.thumbnails(); }
   CompareView& view() { return m_context.view; }
   const VolumeLoader& loader() const { return m_files.opening().loader(); }
+
+signals:
+  /// In the settings: "system" or a code.
+  void languageChosen(const QString& language);
 
 protected:
   void closeEvent(QCloseEvent* event) override;

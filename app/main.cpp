@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/EndSignals.h"
 #include "app/MainWindow.h"
+#include "app/SpokenWindow.h"
 #include "app/commands/CommandLine.h"
 #include "app/guide/GuideWindow.h"
 #include "app/language/Language.h"
@@ -93,13 +94,15 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   });
 }
 
-// Theme and language as asked for, or as set.
-void dress(QApplication& application, const std::string& theme, const std::string& language) {
+// Theme and language as asked for, or as set. Returns that language.
+QString dress(QApplication& application, const std::string& theme, const std::string& language) {
   const Settings settings;
-  useLanguage(application, language.empty() ? settings.language() : QString::fromStdString(language));
+  const QString spoken = language.empty() ? settings.language() : QString::fromStdString(language);
+  useLanguage(application, spoken);
   applyTheme(application, themeNamed(theme.empty() ? settings.theme() : QString::fromStdString(theme)));
   QApplication::setWindowIcon(programIcon());
   QApplication::setDesktopFileName(QStringLiteral("org.limn.Limn")); // whose icon Wayland shows
+  return spoken;
 }
 
 void runGuideWindow(const std::string& words) {
@@ -120,11 +123,12 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
                 "There is no display to open a window on; `limn render` makes pictures without one.");
   QSurfaceFormat::setDefaultFormat(limnSurfaceFormat());
   QApplication application(argc, argv);
-  dress(application, arguments.theme, arguments.language);
-  MainWindow window(UserFolders::ofThisUser(), arguments.options.read.memory);
+  const QString language = dress(application, arguments.theme, arguments.language);
+  SpokenWindow spoken(UserFolders::ofThisUser(), arguments.options.read.memory, language);
+  MainWindow& window = spoken.window(); // the first
   const EndSignals endSignals;
-  QObject::connect(&endSignals, &EndSignals::endAsked, &window, [&window] {
-    window.endUnasked();
+  QObject::connect(&endSignals, &EndSignals::endAsked, &spoken, [&spoken] {
+    spoken.window().endUnasked();
     QApplication::exit(0); // also where a dialog is open
   });
   window.show();

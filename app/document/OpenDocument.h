@@ -82,4 +82,11 @@ private:
   SessionDocument m_settled;
 };
 
+/// All that is open: the scene with its history, and what is known of it. It may go from a window to another
+/// that takes its place.
+struct OpenWork {
+  Session session;
+  OpenDocument document{session};
+};
+
 } // namespace limn

@@ -263,6 +263,12 @@ void Session::replaceViews(const std::vector<NamedView>& views) {
   emit viewsChanged(m_views);
 }
 
+void Session::tellBeside() {
+  emit planesChanged(m_planes);
+  emit measurementsChanged(m_measurements);
+  emit viewsChanged(m_views);
+}
+
 void Session::replace(const Scene& scene) {
   m_scene = scene;
   emit sceneChanged(m_scene);

@@ -104,6 +104,9 @@ public:
   const std::vector<NamedView>& views() const { return m_views; }
   void setViews(const std::vector<NamedView>& views, const QString& what);
 
+  /// Tells once more of planes, measurements and views, to who has just come.
+  void tellBeside();
+
   /// Of maps of labels that steps hold in memory, as far as they are packed.
   std::size_t labelBytes() const;
 

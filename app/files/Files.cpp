@@ -106,11 +106,26 @@ void RemarksController::followScene(const Scene& scene) {
     return;
   const bool isPlacedAnew = scene.volume && scene.volume->sharesVoxelsWith(*m_volume);
   m_volume = isPlacedAnew ? scene.volume : nullptr;
-  if (!isPlacedAnew || m_said.isEmpty() || m_context.messages.sentence() != m_said ||
-      m_context.messages.isHidden())
+  if (!isPlacedAnew || !isSaid())
     return;
   m_context.messages.hide();
   say();
+}
+
+bool RemarksController::isSaid() const {
+  return !m_said.isEmpty() && m_context.messages.sentence() == m_said && !m_context.messages.isHidden();
+}
+
+RemarksController::Memory RemarksController::memory() const {
+  return {m_notes, m_figure, isSaid()};
+}
+
+void RemarksController::takeOver(const Memory& memory) {
+  m_notes = memory.notes;
+  m_figure = memory.figure;
+  m_volume = m_context.session.scene().volume;
+  if (memory.isSaid)
+    say();
 }
 
 // Only of a series that was opened itself, not of what names one.
@@ -273,6 +288,10 @@ QStringList Files::underWay() const {
     if (dialog->isWorking())
       underWay << dialog->windowTitle() + QStringLiteral(": ") + dialog->said();
   return underWay;
+}
+
+bool Files::isBusy() const {
+  return m_opening.loader().isLoading() || !underWay().isEmpty() || !m_saving.unwritten().isEmpty();
 }
 
 // Asked once, whatever would be lost.

@@ -77,11 +77,22 @@ public:
   /// Whether it has looks to offer once something else has been answered.
   bool isWaiting() const { return m_isWaiting; }
 
+  /// What it knows, for a window that takes this one's place.
+  struct Memory {
+    std::vector<Message> notes;
+    QString figure;
+    bool isSaid = false; ///< still
+  };
+  Memory memory() const;
+  /// Of the same volume, which is shown already.
+  void takeOver(const Memory& memory);
+
 signals:
   /// The figure that was opened, of which the window shows a part, is to be seen whole.
   void figureAsked(const QString& file);
 
 private:
+  bool isSaid() const;
   void say();
   void lookForLooks(const LoadedScene& loaded, const Request& request);
   void offer(const std::shared_ptr<const Volume>& volume, const QStringList& looks);
@@ -115,8 +126,13 @@ public:
   /// somebody says to end it all the same.
   bool mayQuit();
 
+  /// Whether something is being read or drawn into a file, or waits to be saved elsewhere.
+  bool isBusy() const;
+
   /// Says what there is to say of what was opened, keeps it from being lost, and remembers where it lies.
   void noteOpened(const LoadedScene& loaded, const Request& request);
+
+  RemarksController& remarks() { return m_remarks; }
 
 signals:
   void closeRequested();

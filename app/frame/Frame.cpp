@@ -41,8 +41,8 @@ QList<QWidget*> panelsOf(const WindowContext& context) {
          context.docks.contentsAt(Qt::RightDockWidgetArea);
 }
 
-// How the window looks and which language it speaks are choices in the settings, kept for the next time. The
-// data of the actions are the words there.
+// How the window looks and which language it speaks (addLanguages) are choices in the settings, kept for the
+// next time. The data of the actions are the words there.
 void addThemes(WindowContext& context) {
   QActionGroup* themes = context.actions.addGroup();
   const auto add = [&](const char* word, const QString& text) {
@@ -59,27 +59,6 @@ void addThemes(WindowContext& context) {
     const QString theme = chosen->data().toString();
     context.settings.setTheme(theme);
     applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed(theme));
-  });
-}
-
-void addLanguages(WindowContext& context) {
-  QActionGroup* languages = context.actions.addGroup();
-  const auto add = [&](const QString& code, const QString& text) {
-    context.actions.addChoice(
-        *languages, QStringLiteral("language-") + code, code,
-        {.text = text, .toolTip = Frame::tr("The window uses it from the next start.")});
-  };
-  add(QStringLiteral("system"), Frame::tr("Follow the system"));
-  for (const Language& language : languagesSpoken())
-    add(language.code, language.name);
-  checkOnly(*languages, context.settings.language());
-  context.actions.addSetting(
-      {.row = 2,
-       .label = Frame::tr("Language"),
-       .choice = languages,
-       .consequence = Frame::tr("The window speaks this language when it is opened the next time.")});
-  QObject::connect(languages, &QActionGroup::triggered, &context.window, [&context](const QAction* chosen) {
-    context.settings.setLanguage(chosen->data().toString());
   });
 }
 
@@ -154,6 +133,14 @@ FocusMode::FocusMode(WindowContext& context)
 
 void FocusMode::leave() {
   m_action->setChecked(false);
+}
+
+bool FocusMode::isOn() const {
+  return m_action->isChecked();
+}
+
+void FocusMode::enter() {
+  m_action->setChecked(true);
 }
 
 // What the user had closed before stays closed.
@@ -241,6 +228,7 @@ TitleController::TitleController(WindowContext& context)
 }
 
 void TitleController::show() {
+  m_context.window.setWindowModified(m_context.document.isEdited());
   m_context.window.setWindowTitle(titleOf(m_context.document, m_patientInTitle->isChecked()));
   if (m_context.settings.patientIsShown() || !namesSomebody(m_context.document))
     m_context.patient.hide();
@@ -260,11 +248,48 @@ void TitleController::ask() {
                          {tr("Do not show it"), [this] { choose(false); }});
 }
 
+// The words of a window are those of the language it is made in: another one comes with another window.
+void Frame::addLanguages() {
+  ActionList& actions = m_context.actions;
+  QActionGroup* languages = actions.addGroup();
+  const auto add = [&](const QString& code, const QString& text) {
+    actions.addChoice(*languages, QStringLiteral("language-") + code, code,
+                      {.text = text, .toolTip = tr("The window speaks it at once.")});
+  };
+  add(QStringLiteral("system"), tr("Follow the system"));
+  for (const Language& language : languagesSpoken())
+    add(language.code, language.name);
+  checkOnly(*languages, m_context.settings.language());
+  actions.addSetting(
+      {.row = 2,
+       .label = tr("Language"),
+       .choice = languages,
+       .consequence = tr("The window speaks this language as soon as no file is being read or written and no "
+                         "other dialog is open.")});
+  connect(languages, &QActionGroup::triggered, this, [this](const QAction* chosen) {
+    const QString language = chosen->data().toString();
+    m_context.settings.setLanguage(language);
+    emit languageChosen(language);
+  });
+}
+
+Frame::Memory Frame::memory() const {
+  return {m_focus.isOn(), !m_context.tour.isHidden(), m_dialogs.memory()};
+}
+
+void Frame::takeOver(const Memory& memory) {
+  if (memory.isPictureOnly)
+    m_focus.enter();
+  if (memory.offersTour)
+    m_tour.offer();
+  m_dialogs.takeOver(memory.dialogs);
+}
+
 Frame::Frame(WindowContext& context)
-    : QObject(&context.window), m_focus(context), m_panels(context.actions, panelsOf(context)),
-      m_title(context), m_dialogs(context), m_tour(context) {
+    : QObject(&context.window), m_context(context), m_focus(context),
+      m_panels(context.actions, panelsOf(context)), m_title(context), m_dialogs(context), m_tour(context) {
   addThemes(context);
-  addLanguages(context);
+  addLanguages();
   const QAction* quit =
       context.actions.add(QStringLiteral("quit"),
                           {.text = tr("&Quit"), .place = {Menu::file, 3, 2}, .shortcut = QKeySequence::Quit});

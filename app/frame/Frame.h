@@ -52,6 +52,9 @@ public:
   /// Brings everything back: a window is remembered as it is without this mode.
   void leave();
 
+  bool isOn() const;
+  void enter();
+
 private:
   void set(bool isOn);
 
@@ -113,8 +116,27 @@ public:
   TitleController& title() { return m_title; }
   TourController& tour() { return m_tour; }
   FocusMode& focusMode() { return m_focus; }
+  const DialogController& dialogs() const { return m_dialogs; }
+
+  /// What is seen of it, for a window that takes this one's place.
+  struct Memory {
+    bool isPictureOnly = false;
+    bool offersTour = false;
+    DialogController::Memory dialogs;
+  };
+  Memory memory() const;
+  /// Once the window is shown.
+  void takeOver(const Memory& memory);
+
+signals:
+  /// "system" or a code, as the settings have it from now on.
+  void languageChosen(const QString& language);
 
 private:
+  void addLanguages();
+
+  WindowContext& m_context;
+
   FocusMode m_focus;
   PanelCycle m_panels;
   TitleController m_title;

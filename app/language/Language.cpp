@@ -7,6 +7,7 @@
 
 #include <clocale>
 #include <cstdio>
+#include <memory>
 
 namespace limn {
 namespace {
@@ -24,9 +25,20 @@ QString codeOf(const QLocale& locale) {
   return locale.name().section(QLatin1Char('_'), 0, 0);
 }
 
+const QString wordsName = QStringLiteral("limnWords");
+
 bool install(QCoreApplication& application, const QString& file, const QString& folder) {
-  auto* words = new QTranslator(&application);
-  return words->load(file, folder) && QCoreApplication::installTranslator(words);
+  auto words = std::make_unique<QTranslator>();
+  if (!words->load(file, folder) || !QCoreApplication::installTranslator(words.get()))
+    return false;
+  words->setObjectName(wordsName);
+  words.release()->setParent(&application);
+  return true;
+}
+
+void removeWords(QCoreApplication& application) {
+  for (QTranslator* words : application.findChildren<QTranslator*>(wordsName, Qt::FindDirectChildrenOnly))
+    delete words; // which takes it out of use
 }
 
 } // namespace
@@ -53,6 +65,7 @@ void useLanguage(QCoreApplication& application, const QString& asked) {
   keepNumbersOfFiles();
   const Speech speech = speechFor(asked, QLocale::system());
   QLocale::setDefault(speech.locale);
+  removeWords(application);
   if (speech.code == english)
     return;
   const QString embedded = QStringLiteral(":/translations");

@@ -33,8 +33,8 @@ Speech speechFor(const QString& asked, const QLocale& system);
 void keepNumbersOfFiles();
 
 /// Makes the window speak: words, those of Qt's own dialogs too, and numbers on the screen. The C library
-/// keeps to the C locale, so that files are the same everywhere. To be called once, before the first widget
-/// is made.
+/// keeps to the C locale, so that files are the same everywhere. Widgets that are there keep their words: to
+/// be called before those are made that shall have the new ones.
 void useLanguage(QCoreApplication& application, const QString& asked);
 
 } // namespace limn

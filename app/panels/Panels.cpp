@@ -199,6 +199,11 @@ void EarlierLook::follow(const Scene& scene) {
   m_use->setEnabled(m_earlier && scene.volume);
 }
 
+void EarlierLook::setEarlier(const std::optional<Shaped>& earlier) {
+  m_earlier = earlier;
+  m_use->setEnabled(m_earlier && m_context.session.scene().volume);
+}
+
 void EarlierLook::use() {
   const std::shared_ptr<const Volume>& volume = m_context.session.scene().volume;
   if (!m_earlier || !volume)
@@ -398,6 +403,16 @@ void Panels::restore(const SessionDocument& session) {
   m_curves.takeInHand(session.labelInHand ? std::optional(static_cast<std::size_t>(*session.labelInHand))
                                           : std::nullopt);
   m_context.docks.show(session.panel);
+}
+
+Panels::Memory Panels::memory() const {
+  return {m_switchedOff, m_projections, m_earlier.earlier()};
+}
+
+void Panels::takeOver(const Memory& memory) {
+  m_switchedOff = memory.switchedOff;
+  m_projections = memory.projections;
+  m_earlier.setEarlier(memory.earlier);
 }
 
 } // namespace limn

@@ -78,15 +78,17 @@ class EarlierLook : public QObject {
 public:
   explicit EarlierLook(WindowContext& context);
 
-private:
-  void follow(const Scene& scene);
-  void use();
-
   /// A look, and the data that it was shaped on.
   struct Shaped {
     Preset look; ///< knows the landmarks of those data
     bool isHounsfield = false;
   };
+  const std::optional<Shaped>& earlier() const { return m_earlier; }
+  void setEarlier(const std::optional<Shaped>& earlier);
+
+private:
+  void follow(const Scene& scene);
+  void use();
 
   WindowContext& m_context;
   QAction* m_use;                       ///< shows that look, as one undo step; out of use while there is none
@@ -125,6 +127,16 @@ public:
   /// What a session file says of them.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
+
+  /// What they know beside that, for a window that takes this one's place.
+  struct Memory {
+    std::map<std::string, Scene> switchedOff;
+    ProjectionCurves projections;
+    std::optional<EarlierLook::Shaped> earlier;
+  };
+  Memory memory() const;
+  /// Of the same volume, which is shown already.
+  void takeOver(const Memory& memory);
 
 private:
   void addHistory();

@@ -132,6 +132,16 @@ void CameraController::showScene(const Scene& scene) {
   showSteps();
 }
 
+CameraController::Memory CameraController::memory() const {
+  return {m_history, m_context.view.turnsAbout()};
+}
+
+void CameraController::takeOver(const Memory& memory) {
+  m_history = memory.history;
+  m_context.view.setTurnsAbout(memory.turnsAboutMm);
+  showSteps();
+}
+
 void CameraController::showSteps() {
   m_back->setEnabled(m_history.canGoBack());
   m_forward->setEnabled(m_history.canGoForward());

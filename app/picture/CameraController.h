@@ -49,6 +49,15 @@ public:
   /// Looks from there, as one step that can be gone back.
   void lookAs(const Camera& camera) { move(camera, nextGestureId()); }
 
+  /// From where one has looked, and the place that turns go about, for a window that takes this one's place.
+  struct Memory {
+    CameraHistory history;
+    std::optional<glm::dvec3> turnsAboutMm; ///< world
+  };
+  Memory memory() const;
+  /// Of the same volume, which is shown already.
+  void takeOver(const Memory& memory);
+
 private:
   void addActions();
   void turnAboutSeen(const Ray& ray, int side);

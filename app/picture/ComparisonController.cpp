@@ -169,10 +169,11 @@ void ComparisonController::showOneOfBoth(ShadingModel model) {
   QUndoStack& steps = m_context.session.undoStack();
   steps.beginMacro(text);
   steps.push(new ComparisonEdit(
-      text, [this, before, after] { showCompared(before, after); }, nothing));
+      text, [shower = m_shower, before, after] { (*shower)->showCompared(before, after); }, nothing));
   m_context.session.setShading(shading, {nextGestureId(), text});
   showCompared(after, before);
-  steps.push(new ComparisonEdit(text, nothing, [this, before, after] { showCompared(after, before); }));
+  steps.push(new ComparisonEdit(
+      text, nothing, [shower = m_shower, before, after] { (*shower)->showCompared(after, before); }));
   steps.endMacro();
 }
 
@@ -238,8 +239,8 @@ void ComparisonController::note(const ComparisonState& before, const QString& te
   const ComparisonState after = m_compared;
   if (after != before)
     m_context.session.undoStack().push(new ComparisonEdit(
-        text, [this, before, after] { showCompared(before, after); },
-        [this, before, after] { showCompared(after, before); }));
+        text, [shower = m_shower, before, after] { (*shower)->showCompared(before, after); },
+        [shower = m_shower, before, after] { (*shower)->showCompared(after, before); }));
 }
 
 void ComparisonController::showCompared(const ComparisonState& wanted, const ComparisonState& other) {
@@ -320,8 +321,8 @@ void ComparisonController::swapSides() {
     show();
     if (const ComparisonState after = m_compared; after != before)
       m_context.session.undoStack().push(new ComparisonEdit(
-          text, [this, before, after] { showSwapped(before, after); },
-          [this, before, after] { showSwapped(after, before); }));
+          text, [shower = m_shower, before, after] { (*shower)->showSwapped(before, after); },
+          [shower = m_shower, before, after] { (*shower)->showSwapped(after, before); }));
     return;
   }
   const ComparedLook both = *comparedLook();
@@ -431,6 +432,24 @@ void ComparisonController::show() {
   m_swap->setEnabled(scene.volume && !isSingle);
   emit modelsShown(m_compared.models(isSingle, scene.shading.model));
   emit shown();
+}
+
+ComparisonController::Memory ComparisonController::memory() const {
+  return {m_compared,     m_snapshot, m_context.view.wipePosition(), m_workedIn,
+          m_beforeOpened, m_shower,   m_context.view.compareLayout()};
+}
+
+// Where the words of the window are longer its panels are wider: two pictures that were seen stay two.
+void ComparisonController::takeOver(const Memory& memory) {
+  m_compared = memory.compared;
+  m_compared.isAsked = m_compared.isAsked || (m_volume && memory.shown == CompareLayout::sideBySide);
+  m_snapshot = memory.snapshot;
+  m_workedIn = memory.workedIn;
+  m_beforeOpened = memory.beforeOpened;
+  m_shower = memory.shower;
+  *m_shower = this;
+  m_context.view.setWipePosition(memory.wipe);
+  fitLayout();
 }
 
 void ComparisonController::describe(SessionDocument& session) const {

@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -79,6 +80,20 @@ public:
   /// Shows models or looks and layout of the moment. Nothing of another volume is compared.
   void show();
 
+  /// What it knows, for the controller of a window that takes this one's place.
+  struct Memory {
+    ComparisonState compared;
+    std::optional<Preset> snapshot;
+    double wipe = 0.5;
+    std::optional<int> workedIn;
+    std::optional<std::pair<CompareLayout, bool>> beforeOpened;
+    std::shared_ptr<ComparisonController*> shower;
+    CompareLayout shown = CompareLayout::single;
+  };
+  Memory memory() const;
+  /// Of the same volume, which is shown already; from now on this shows what undo steps of before lead to.
+  void takeOver(const Memory& memory);
+
   /// Layout, models, looks and border in a session file.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
@@ -130,6 +145,8 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
   /// What was wanted, and whether somebody asked for it, while what was opened brings a layout of its own.
   std::optional<std::pair<CompareLayout, bool>> m_beforeOpened;
+  /// Who shows what undo steps lead to, which outlive this where another window takes their session over.
+  std::shared_ptr<ComparisonController*> m_shower = std::make_shared<ComparisonController*>(this);
 };
 
 } // namespace limn

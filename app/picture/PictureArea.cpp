@@ -232,4 +232,14 @@ void PictureArea::restore(const SessionDocument& session) {
   m_crosshair.restore(session);
 }
 
+PictureArea::Memory PictureArea::memory() const {
+  return {m_camera.memory(), m_comparison.memory(), m_context.view.tool()};
+}
+
+void PictureArea::takeOver(const Memory& memory) {
+  m_camera.takeOver(memory.camera);
+  m_comparison.takeOver(memory.comparison);
+  m_context.view.setTool(memory.tool);
+}
+
 } // namespace limn

@@ -13,6 +13,7 @@
 #include "app/picture/RegionController.h"
 #include "app/picture/TurnedBoxController.h"
 #include "app/picture/ViewsController.h"
+#include "widgets/view/gestures/ViewDrag.h"
 
 #include <optional>
 
@@ -51,6 +52,7 @@ public:
 
   ComparisonController& comparison() { return m_comparison; }
   RegionController& regions() { return m_regions; }
+  const RegionController& regions() const { return m_regions; }
   PlaneController& planes() { return m_planes; }
   MeasureController& measures() { return m_measures; }
   CrosshairController& crosshair() { return m_crosshair; }
@@ -62,6 +64,16 @@ public:
   /// What a session file says of it.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
+
+  /// What it knows beside that, for a window that takes this one's place.
+  struct Memory {
+    CameraController::Memory camera;
+    ComparisonController::Memory comparison;
+    ViewTool tool = ViewTool::rotate;
+  };
+  Memory memory() const;
+  /// Of the same volume, which is shown already.
+  void takeOver(const Memory& memory);
 
 signals:
   /// The label at this place in the list shall be in hand.

@@ -60,15 +60,17 @@ void SaveNotes::sayFailure(const QString& sentence) {
 }
 
 WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
-                             const std::optional<MemoryBudget>& itsMemory)
-    : window(itsWindow), folders(std::move(itsFolders)), memory(itsMemory), settings(folders.settings),
-      session(&window), document(session), actions(window), docks(window), m_column(columnIn(window)),
+                             const std::optional<MemoryBudget>& itsMemory, std::unique_ptr<OpenWork> open)
+    : m_open(open ? std::move(open) : std::make_unique<OpenWork>()), window(itsWindow),
+      folders(std::move(itsFolders)), memory(itsMemory), settings(folders.settings), session(m_open->session),
+      document(m_open->document), actions(window), docks(window), m_column(columnIn(window)),
       recovery(addBar("recoveryBar")), unsafe(addBar("unsafeBar")), kept(addBar("keptBar")),
       patient(addBar("patientBar")), tour(addBar("tourBar")), messages(addBar("messageBar")),
       unwritten(addBar("unwrittenBar")),
       view(*new CompareView(enginesOf(openGl, memory), chosenEngine(engineFacts(settings.engine())).engine,
                             window.centralWidget())),
       planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
+  session.setParent(&window);
   m_column.addWidget(&planes, 1);
   // What is said of that which was just opened goes before what was left for it.
   new MessageOrder({&unsafe, &recovery, &messages, &kept, &unwritten, &patient, &tour}, &window);
@@ -79,6 +81,16 @@ WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
   QObject::connect(&session, &Session::sceneChanged, &window,
                    [this](const Scene& scene) { followers.tell(scene); });
   QObject::connect(&session.undoStack(), &QUndoStack::indexChanged, &window, [this] { leaveUndone(); });
+}
+
+// Widgets that go say a last time what they show.
+std::unique_ptr<OpenWork> WindowContext::giveOpen() {
+  for (const QObject* child : window.findChildren<QObject*>())
+    QObject::disconnect(child, nullptr, &session, nullptr);
+  session.disconnect();
+  session.undoStack().disconnect();
+  session.setParent(nullptr);
+  return std::move(m_open);
 }
 
 MessageBar& WindowContext::addBar(const char* name) {

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -74,8 +75,13 @@ private:
 struct WindowContext {
   /// Fills the middle of `window`. `folders` is where settings, presets and unsaved sessions are kept,
   /// `memory` how much it may take for volumes and what engines make of them (default: MemoryBudget's, each
-  /// time).
-  WindowContext(QMainWindow& window, UserFolders folders, const std::optional<MemoryBudget>& memory);
+  /// time). `open` comes from the window before; null: nothing is open.
+  WindowContext(QMainWindow& window, UserFolders folders, const std::optional<MemoryBudget>& memory,
+                std::unique_ptr<OpenWork> open = nullptr);
+
+  /// Gives what is open to another window; nothing in this one changes it any more. What this returns must
+  /// outlive the window.
+  std::unique_ptr<OpenWork> giveOpen();
 
   /// What is known of who may draw, where the user wishes for `setting` (absent: whichever is faster).
   EngineFacts engineFacts(std::optional<Engine> setting);
@@ -97,14 +103,15 @@ private:
   // Before the session, whose undo stack tells of its end.
   QString m_saidOfStep;               ///< the sentence about an undo step
   std::optional<UndoStep> m_stepSaid; ///< that step; absent: of none anything is said
+  std::unique_ptr<OpenWork> m_open;   ///< null once it was given away
 
 public:
   QMainWindow& window;
   UserFolders folders;
   std::optional<MemoryBudget> memory;
   Settings settings;
-  Session session;
-  OpenDocument document;
+  Session& session;
+  OpenDocument& document;
   OpenGlOffer openGl = openGlOffer();
   ActionList actions;
   Docks docks;

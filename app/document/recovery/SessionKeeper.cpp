@@ -131,8 +131,8 @@ Autosave::~Autosave() {
 }
 
 void Autosave::takeOutcome(const std::optional<QString>& problem) {
-  const bool isNew = m_isFailing != problem.has_value();
-  m_isFailing = problem.has_value();
+  const bool isNew = m_problem.has_value() != problem.has_value();
+  m_problem = problem;
   if (problem)
     noteChange(); // there may be room again although nothing changes
   if (isNew && problem)
@@ -148,6 +148,8 @@ void Autosave::noteChange() {
 }
 
 void Autosave::save() {
+  if (!m_current)
+    return;
   Shared::State state = m_shared->numbered(m_current());
   const std::lock_guard guard(m_shared->mutex);
   m_shared->waiting = std::move(state);

@@ -5,6 +5,7 @@
 #include "io/scenefile/SessionFile.h"
 
 #include <QObject>
+#include <QString>
 #include <QTimer>
 
 #include <condition_variable>
@@ -32,6 +33,12 @@ public:
 
   static constexpr int intervalMs = 2000;
 
+  /// From now on `current` tells the session; empty: nobody does, and the file stays as it is.
+  void follow(std::function<std::optional<SessionDocument>()> current) { m_current = std::move(current); }
+
+  /// Why what changed last is not on the disk; absent where it is, or soon will be.
+  const std::optional<QString>& problem() const { return m_problem; }
+
   /// Says that the session may have changed.
   void noteChange();
 
@@ -56,7 +63,7 @@ private:
   std::shared_ptr<Shared> m_shared;
   std::function<std::optional<SessionDocument>()> m_current;
   QTimer m_timer;
-  bool m_isFailing = false;
+  std::optional<QString> m_problem;
   std::jthread m_thread;
 };
 

@@ -62,10 +62,12 @@ SessionSafety::SessionSafety(WindowContext& context, std::function<SessionDocume
   connect(&context.session, &Session::viewsChanged, this, &SessionSafety::noteChange);
 }
 
-void SessionSafety::begin() {
+void SessionSafety::begin(std::unique_ptr<SessionKeeper> keeper) {
+  const auto current = [this] { return m_context.document.unsaved(m_session()); };
   try {
-    m_keeper = std::make_unique<SessionKeeper>(m_context.folders.sessions,
-                                               [this] { return m_context.document.unsaved(m_session()); });
+    m_keeper =
+        keeper ? std::move(keeper) : std::make_unique<SessionKeeper>(m_context.folders.sessions, current);
+    m_keeper->autosave().follow(current);
     connect(m_keeper.get(), &SessionKeeper::abandonedFound, this, &SessionSafety::offerAbandoned);
     connect(&m_keeper->autosave(), &Autosave::failed, this, &SessionSafety::sayUnsafe);
     connect(&m_keeper->autosave(), &Autosave::recovered, &m_context.unsafe, &QWidget::hide);
@@ -74,8 +76,16 @@ void SessionSafety::begin() {
     sayUnsafe(m_notKept);
     return;
   }
+  if (const std::optional<QString>& problem = m_keeper->autosave().problem())
+    sayUnsafe(*problem);
   offerAbandoned();
   tellUnfinished();
+}
+
+std::unique_ptr<SessionKeeper> SessionSafety::giveKeeper() {
+  if (m_keeper)
+    m_keeper->autosave().follow({});
+  return std::move(m_keeper);
 }
 
 void SessionSafety::noteChange() {
@@ -88,8 +98,7 @@ std::function<void()> SessionSafety::savingOfNow() {
 }
 
 std::optional<QString> SessionSafety::keepUnsaved() {
-  const bool keeps = m_keeper || !m_notKept.isEmpty();
-  if (!keeps || !m_context.document.scene().volume || !m_context.document.isEdited())
+  if (!keeps() || !m_context.document.scene().volume || !m_context.document.isEdited())
     return std::nullopt;
   if (!m_keeper)
     return m_notKept;

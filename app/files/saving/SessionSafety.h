@@ -18,8 +18,15 @@ public:
   /// `session` tells the session of the moment.
   SessionSafety(WindowContext& context, std::function<SessionDocument()> session);
 
-  /// From now on the session is autosaved, and what an earlier window left behind is offered.
-  void begin();
+  /// From now on the session is autosaved, and what an earlier window left behind is offered. `keeper` goes
+  /// on with what it kept for the window before; null: there was none.
+  void begin(std::unique_ptr<SessionKeeper> keeper = nullptr);
+
+  /// Whether sessions are kept, or should be.
+  bool keeps() const { return m_keeper || !m_notKept.isEmpty(); }
+
+  /// Gives the keeper to another window: what is on the disk stays there meanwhile. Null: there is none.
+  std::unique_ptr<SessionKeeper> giveKeeper();
 
   /// Says that the session may have changed.
   void noteChange();

@@ -24,6 +24,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -398,11 +400,38 @@ void DialogController::addHelp() {
        .toolTip = tr("Checks what this computer's driver draws where renderers are known to fail.")});
   const QAction* about =
       actions.add(QStringLiteral("about"), {.text = tr("&About Limn"), .place = {Menu::help, 1, 5}});
-  connect(guide, &QAction::triggered, this, &DialogController::showGuide);
+  connect(guide, &QAction::triggered, this,
+          [this] { showGuide(guidePlaceOf(m_context.window.focusWidget())); });
   connect(shortcuts, &QAction::triggered, this,
           [this] { showShortcuts(m_context.actions, &m_context.window); });
   connect(stability, &QAction::triggered, this, &DialogController::showStability);
   connect(about, &QAction::triggered, this, [this] { showAbout(&m_context.window); });
+}
+
+bool DialogController::isBusy() const {
+  if (m_stability && m_stability->isChecking())
+    return true;
+  const QList<QDialog*> dialogs = m_context.window.findChildren<QDialog*>();
+  return std::ranges::any_of(dialogs, [this](const QDialog* dialog) {
+    return dialog->isVisible() && dialog != m_settings && dialog != m_guide;
+  });
+}
+
+DialogController::Memory DialogController::memory() const {
+  Memory memory{m_settings && m_settings->isVisible(), {}};
+  if (!m_guide || !m_guide->isVisible())
+    return memory;
+  const GuideView& page = m_guide->page();
+  const int heading = page.headingAtTop();
+  memory.guidePlace = heading < 0 ? guidePlaceOf(nullptr) : page.headings()[heading].anchor;
+  return memory;
+}
+
+void DialogController::takeOver(const Memory& memory) {
+  if (memory.guidePlace)
+    showGuide(*memory.guidePlace);
+  if (memory.showsSettings)
+    showSettings();
 }
 
 void DialogController::showSettings() {
@@ -425,8 +454,7 @@ void DialogController::showStability() {
 }
 
 // It stays while it is hidden, where the reader left it.
-void DialogController::showGuide() {
-  const QString place = guidePlaceOf(m_context.window.focusWidget());
+void DialogController::showGuide(const QString& place) {
   if (!m_guide)
     m_guide = new GuideWindow(&m_context.window);
   m_guide->show();

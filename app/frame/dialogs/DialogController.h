@@ -10,6 +10,8 @@
 #include <QProcess>
 #include <QString>
 
+#include <optional>
+
 class QAction;
 class QActionGroup;
 class QCheckBox;
@@ -57,6 +59,8 @@ public:
   StabilityDialog(const QString& program, const QString& folder, QWidget* parent);
   ~StabilityDialog() override;
 
+  bool isChecking() const { return m_process.state() != QProcess::NotRunning; }
+
 private:
   void start();
   void showEnd(int exitCode, QProcess::ExitStatus status);
@@ -95,11 +99,22 @@ class DialogController : public QObject {
 public:
   explicit DialogController(WindowContext& context);
 
+  /// Whether stability is being checked, or a dialog asks or tells something that would be lost with it.
+  bool isBusy() const;
+
+  /// Which of them are shown, for a window that takes this one's place.
+  struct Memory {
+    bool showsSettings = false;
+    std::optional<QString> guidePlace; ///< absent: the guide is not shown
+  };
+  Memory memory() const;
+  void takeOver(const Memory& memory);
+
 private:
   void addHelp();
   void showSettings();
   void showStability();
-  void showGuide();
+  void showGuide(const QString& place);
 
   WindowContext& m_context;
   QPointer<SettingsDialog> m_settings;

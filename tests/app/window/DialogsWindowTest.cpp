@@ -47,13 +47,13 @@ TEST_F(DialogsWindow, theSettingsShowAndChangeWhatStays) {
   EXPECT_TRUE(named("patientInTitle")->isChecked());
 }
 
-TEST_F(DialogsWindow, thatALanguageComesWithTheNextStartIsSaidBesideTheChoice) {
+TEST_F(DialogsWindow, thatALanguageMayHaveToWaitIsSaidBesideTheChoice) {
   named("settings")->trigger();
   auto* dialog = window->findChild<SettingsDialog*>();
   ASSERT_TRUE(dialog && dialog->isVisible());
   const auto said = [&]() -> const QLabel* {
     for (const QLabel* label : dialog->findChildren<QLabel*>())
-      if (label->isVisible() && label->text().contains(QStringLiteral("the next time")))
+      if (label->isVisible() && label->text().contains(QStringLiteral("as soon as")))
         return label;
     return nullptr;
   };
