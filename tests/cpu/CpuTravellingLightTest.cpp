@@ -72,7 +72,8 @@ TEST(CpuTravellingLight, aToleranceHasItFoundForEachSample) {
 constexpr glm::ivec2 nearPicture{72, 64};
 
 Scene nearScene(const TravelCase& one) {
-  Scene scene = shadowedHead(3.0);
+  static const Scene head = shadowedHead(3.0);
+  Scene scene = head;
   one.apply(scene);
   return scene;
 }
