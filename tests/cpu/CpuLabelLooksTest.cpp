@@ -40,6 +40,8 @@ void expectAsTheReference(const Scene& scene, const std::string& what) {
 }
 
 TEST(CpuLooks, eightOfThemTakeLittleMoreTimeThanNone) {
+  const glm::ivec2 size(test::isTimeJudged() ? 256 : 64);
+  const int runs = test::isTimeJudged() ? 5 : 1;
   const Scene plain = sceneToTime();
   const Scene looks = withEightLooks(plain);
   struct Way {
@@ -55,11 +57,11 @@ TEST(CpuLooks, eightOfThemTakeLittleMoreTimeThanNone) {
     without.quality.toleranceLevels = with.quality.toleranceLevels = way.tolerance;
     CpuRenderer one, other;
     std::vector<double> msWithout, msWith;
-    one.render(without, {256, 256});
-    other.render(with, {256, 256});
-    for (int run = 0; run < 5; ++run) { // in turns: a machine that slows slows both
-      msWithout.push_back(lookMsOf([&] { one.render(without, {256, 256}); }));
-      msWith.push_back(lookMsOf([&] { other.render(with, {256, 256}); }));
+    one.render(without, size);
+    other.render(with, size);
+    for (int run = 0; run < runs; ++run) { // in turns: a machine that slows slows both
+      msWithout.push_back(lookMsOf([&] { one.render(without, size); }));
+      msWith.push_back(lookMsOf([&] { other.render(with, size); }));
     }
     test::judgeMs(way.name, medianLookMs(msWith), 1.6 * medianLookMs(msWithout));
   }

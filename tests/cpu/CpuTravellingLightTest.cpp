@@ -21,7 +21,9 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <numeric>
+#include <string>
 
 namespace limn {
 namespace {
@@ -91,6 +93,27 @@ TEST(CpuTravellingLight, aToleranceIsKeptAndSpent) {
   }
 }
 
+constexpr glm::ivec2 nearPicture{72, 64};
+
+Scene nearScene(const TravelCase& one) {
+  static const Scene head = shadowedHead(3.0);
+  Scene scene = head;
+  one.apply(scene);
+  return scene;
+}
+
+// With light found for each sample, once for all tests that lie near it.
+const Image& sampledPicture(const TravelCase& one) {
+  static std::map<std::string, Image> pictures;
+  Image& picture = pictures[one.what];
+  if (picture.pixels.empty()) {
+    Scene scene = nearScene(one);
+    scene.quality.light = LightDetail::sampled;
+    picture = CpuRenderer().render(scene, nearPicture);
+  }
+  return picture;
+}
+
 TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
   // What it reaches on voxels of 3 mm, with a quarter to spare. An eighth of the voxels' bytes is few nodes:
   // of both lights 56 000 and 14 000.
@@ -105,16 +128,13 @@ TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
                                Bounds{"occlusion alone", {8.2, 1.56}, {13.2, 2.75}},
                                Bounds{"enhanced, with gradient opacity", {13.5, 1.32}, {32.3, 2.65}},
                                Bounds{"looks of labels", {9.2, 2.05}, {37.0, 3.5}}}) {
-    Scene scene = shadowedHead(3.0);
-    std::ranges::find(travelCases, std::string(bounds.what), &TravelCase::what)->apply(scene);
-    CpuRenderer renderer;
-    const glm::ivec2 size{72, 64};
-    scene.quality.light = LightDetail::sampled;
-    const Image sampled = renderer.render(scene, size);
+    const TravelCase& one = *std::ranges::find(travelCases, std::string(bounds.what), &TravelCase::what);
+    Scene scene = nearScene(one);
+    const Image& sampled = sampledPicture(one);
     for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse}) {
       CpuRenderer own;
       scene.quality.light = detail;
-      const ImageError error = imageError(own.render(scene, size), sampled);
+      const ImageError error = imageError(own.render(scene, nearPicture), sampled);
       const bool isFine = detail == LightDetail::fine;
       const Bound& bound = isFine ? bounds.fine : bounds.coarse;
       std::cout << bounds.what << (isFine ? ", fine" : ", coarse") << ": 99.9th percentile " << error.p99_9
@@ -123,7 +143,7 @@ TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
       EXPECT_LE(error.mean, bound.mean) << bounds.what;
       if (isFine) { // whose nodes serve what moves next
         scene.quality.light = LightDetail::coarse;
-        const ImageError moving = imageError(own.render(scene, size), sampled);
+        const ImageError moving = imageError(own.render(scene, nearPicture), sampled);
         std::cout << bounds.what << ", moving with fine nodes: 99.9th percentile " << moving.p99_9
                   << ", mean " << moving.mean << " levels\n";
         EXPECT_LE(moving.p99_9, bounds.coarse.p99_9) << bounds.what;
@@ -136,14 +156,9 @@ TEST(CpuTravellingLight, lookedUpOnAGridItLiesNear) {
 // The bounds that are asked of pictures at rest, on every kind of scene.
 TEST(CpuTravellingLight, alongPathsThatARaysSamplesShareItLiesNear) {
   for (const TravelCase& one : travelCases) {
-    Scene scene = shadowedHead(3.0);
-    one.apply(scene);
-    CpuRenderer renderer;
-    const glm::ivec2 size{72, 64};
-    scene.quality.light = LightDetail::sampled;
-    const Image sampled = renderer.render(scene, size);
+    Scene scene = nearScene(one);
     scene.quality.light = LightDetail::spread;
-    const ImageError error = imageError(renderer.render(scene, size), sampled);
+    const ImageError error = imageError(CpuRenderer().render(scene, nearPicture), sampledPicture(one));
     std::cout << one.what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean << " levels\n";
     EXPECT_LE(error.p99_9, 5.0) << one.what;
     EXPECT_LE(error.mean, 0.5) << one.what;
@@ -370,9 +385,9 @@ double travelMs(const std::function<void()>& work) {
 }
 
 TEST(CpuTravellingLight, isFoundWhileAHandMovesAndLookedUpAtLittleCost) {
-  Scene scene = shadowedHead(1.0);
+  Scene scene = shadowedHead(test::isTimeJudged() ? 1.0 : 4.0);
   std::cout << "voxels: " << scene.volume->voxelCount() << "\n";
-  const glm::ivec2 size{512, 512};
+  const glm::ivec2 size(test::isTimeJudged() ? 512 : 64);
   CpuRenderer renderer;
   scene.quality.light = LightDetail::coarse;
   renderer.render(withoutTravel(scene), size);

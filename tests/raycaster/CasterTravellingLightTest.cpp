@@ -178,9 +178,9 @@ double processorMsOf(const std::function<void()>& work) {
 }
 
 TEST_F(CasterTravellingLight, aFrameFromNodesCostsLittleMore) {
-  constexpr glm::ivec2 size{512, 512};
+  const glm::ivec2 size(test::isTimeJudged() ? 512 : 64);
   for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced}) {
-    Scene lit = shadowedHead(1.0, model);
+    Scene lit = shadowedHead(test::isTimeJudged() ? 1.0 : 4.0, model);
     lit.quality.light = LightDetail::coarse;
     lit.shading.lightAxes = LightAxes::world; // or light would be found anew for each frame
     Scene plain = withoutTravel(lit);

@@ -178,6 +178,26 @@ std::vector<Case> cases() {
   return all;
 }
 
+constexpr glm::ivec2 caseSize{192, 192};
+
+// A case as a driver in floats and a card draw it, once for all tests.
+struct DrawnCase {
+  Case of;
+  Image inFloats, onACard;
+};
+
+const std::vector<DrawnCase>& drawnCases() {
+  static const std::vector<DrawnCase> all = [] {
+    RayCaster floats;
+    RayCaster rounded = card();
+    std::vector<DrawnCase> drawn;
+    for (const Case& one : cases())
+      drawn.push_back({one, floats.render(one.scene, caseSize), rounded.render(one.scene, caseSize)});
+    return drawn;
+  }();
+  return all;
+}
+
 // A value moves by 3/512 of what its cell changes by at most, and a projection that classifies one value
 // shows that as the steepest piece of the function does: premultiplied colours and opacity in levels per
 // range.
@@ -197,22 +217,19 @@ double mostLevelsOfValue(const Scene& scene) {
 }
 
 TEST_F(FilterWeights3D, theErrorOfACardsPictureIsWhatIsToldOfIt) {
-  constexpr glm::ivec2 size(192, 192);
-  RayCaster floats;
   RayCaster rounded = card();
-  EXPECT_EQ(floats.filterBits(), mostFilterBits);
+  EXPECT_EQ(RayCaster().filterBits(), mostFilterBits);
   EXPECT_EQ(rounded.filterBits(), cardBits);
   const DrawScene draw = [&](const Scene& scene, const glm::ivec2& s) { return rounded.render(scene, s); };
   std::cout
       << "| scene | p99.9 | largest | told p99.9 | with own weights, largest |\n|---|---|---|---|---|\n";
-  for (Case& one : cases()) {
+  for (const auto& [one, exact, onACard] : drawnCases()) {
     SCOPED_TRACE(one.what);
-    const Image exact = floats.render(one.scene, size);
-    const ImageError error = imageError(draw(one.scene, size), exact);
-    const ImageError told = errorOfFilter(one.scene, size, draw, cardBits);
+    const ImageError error = imageError(onACard, exact);
+    const ImageError told = errorOfFilter(one.scene, caseSize, draw, cardBits);
     Scene weighed = one.scene;
     weighed.quality.ownWeights = true;
-    const ImageError own = imageError(draw(weighed, size), exact);
+    const ImageError own = imageError(draw(weighed, caseSize), exact);
     std::cout << "| " << one.what << " | " << error.p99_9 << " | " << error.largest << " | " << told.p99_9
               << " | " << own.largest << " |\n";
     EXPECT_LE(error.p99_9, one.mostP99_9);
@@ -228,20 +245,15 @@ TEST_F(FilterWeights3D, theErrorOfACardsPictureIsWhatIsToldOfIt) {
 // differs is decided by float rounding where a place lies between two weights: of these scenes by 2.3 % of
 // the percentile at most, and by no more than twice that.
 TEST_F(FilterWeights3D, theProcessorRoundsToTheSameError) {
-  constexpr glm::ivec2 size(192, 192);
-  RayCaster floats;
-  RayCaster rounded = card();
   CpuRenderer exact;
   CpuRenderer asCard(0, CpuRenderer::EmptySpace::skipped, CpuRenderer::Weights::eightBits);
   std::cout
       << "| scene | processor: p99.9 | largest | OpenGL: p99.9 | apart: p99.9 |\n|---|---|---|---|---|\n";
-  for (const Case& one : cases()) {
+  for (const auto& [one, inFloats, byDriver] : drawnCases()) {
     SCOPED_TRACE(one.what);
-    const Image inFloats = exact.render(one.scene, size);
-    const Image byProcessor = asCard.render(one.scene, size);
-    const Image byDriver = rounded.render(one.scene, size);
-    const ImageError error = imageError(byProcessor, inFloats);
-    const double driver = imageError(byDriver, floats.render(one.scene, size)).p99_9;
+    const Image byProcessor = asCard.render(one.scene, caseSize);
+    const ImageError error = imageError(byProcessor, exact.render(one.scene, caseSize));
+    const double driver = imageError(byDriver, inFloats).p99_9;
     const double apart = imageError(byProcessor, byDriver).p99_9;
     std::cout << "| " << one.what << " | " << error.p99_9 << " | " << error.largest << " | " << driver
               << " | " << apart << " |\n";

@@ -166,10 +166,26 @@ protected:
   std::vector<std::string> blocks;
 };
 
-TEST_F(JobsOfTheGuide, drawTheSame64PicturesByEveryEngine) {
+TEST_F(JobsOfTheGuide, drawTheSamePicturesByEveryEngine) {
   ASSERT_EQ(runBlock(1), 0);
-  const auto byXargs = pictures("pictures");
+  std::map<std::string, std::string> byXargs = pictures("pictures");
   EXPECT_EQ(byXargs.size(), 64u);
+  // The turns of a volume, preset and model differ in one figure: for the other engines two of the eight will do.
+  const auto isAnotherTurn = [](const std::string& text, const char* first, const char* second) {
+    return text.find(first) == std::string::npos && text.find(second) == std::string::npos;
+  };
+  std::vector<std::string> lines = linesOf(test::bytesOfFile(folder.path() / "jobs.txt"));
+  std::erase_if(lines,
+                [&](const std::string& line) { return isAnotherTurn(line, "--turn 0/8 ", "--turn 5/8 "); });
+  ASSERT_EQ(lines.size(), 16u);
+  {
+    std::ofstream file(folder.path() / "jobs.txt");
+    for (const std::string& line : lines)
+      file << line << '\n';
+  }
+  std::erase_if(byXargs, [&](const auto& picture) {
+    return isAnotherTurn(picture.first, "_turn-0-of-8", "_turn-5-of-8");
+  });
   std::string missing;
   for (const auto& [index, needs, by] :
        {std::tuple{2, "parallel", std::string("sh")},

@@ -33,6 +33,12 @@ protected:
     ASSERT_TRUE(rest());
   }
 
+  // The head is small in the middle: of what no ray meets, a large picture is drawn at once.
+  void lookFromAfar() {
+    session().setCamera(zoomed(scene().camera, 0.1));
+    ASSERT_TRUE(rest());
+  }
+
   QImage saved(const char* name, const PictureOptions& options) {
     saving().writePicture(pathTo(name), options);
     return written(name);
@@ -64,8 +70,8 @@ protected:
 };
 
 TEST_F(SavedPicture, isAsLargeAsAskedFor) {
-  PictureOptions options;
-  options.marks = noMarks;
+  lookFromAfar();
+  PictureOptions options{.marks = noMarks};
   const QImage shown = saved("shown.png", options);
   EXPECT_EQ(shown.size(), view().size() * view().devicePixelRatioF());
   options.size = PictureOptions::Size::twice;
@@ -82,8 +88,7 @@ TEST_F(SavedPicture, isAsLargeAsAskedFor) {
 }
 
 TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {
-  PictureOptions options;
-  options.marks = noMarks;
+  PictureOptions options{.marks = noMarks};
   options.ground = PictureOptions::Ground::transparent;
   const QImage clear = saved("clear.png", options);
   ASSERT_TRUE(clear.hasAlphaChannel());
@@ -94,8 +99,8 @@ TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {
 }
 
 TEST_F(SavedPicture, saysWhereItsFormatKnowsNoTransparentGround) {
-  PictureOptions options;
-  options.marks = noMarks;
+  lookFromAfar();
+  PictureOptions options{.marks = noMarks};
   options.ground = PictureOptions::Ground::transparent;
   messages().hide();
   saved("clear.png", options);
@@ -111,8 +116,7 @@ TEST_F(SavedPicture, saysWhereItsFormatKnowsNoTransparentGround) {
 }
 
 TEST_F(SavedPicture, takesTheMarksAlongThatAreAskedFor) {
-  PictureOptions options;
-  options.marks = noMarks;
+  PictureOptions options{.marks = noMarks};
   const QImage bare = saved("bare.png", options);
   options.marks.warning = true;
   const QImage warned = saved("warned.png", options);
@@ -130,8 +134,7 @@ TEST_F(SavedPicture, takesTheMarksAlongThatAreAskedFor) {
 }
 
 TEST_F(SavedPicture, isNoSmallerBecauseAMessageStandsOpen) {
-  PictureOptions options;
-  options.marks = noMarks;
+  PictureOptions options{.marks = noMarks};
   const QSize size = saved("before.png", options).size();
   ASSERT_TRUE(open(pathTo("missing.nii")));
   ASSERT_TRUE(messages().isVisible());
@@ -140,6 +143,7 @@ TEST_F(SavedPicture, isNoSmallerBecauseAMessageStandsOpen) {
 }
 
 TEST_F(SavedPicture, isOpenedAgainAsOneOrTwoAsItWasSaved) {
+  lookFromAfar();
   const PictureOptions options{.marks = noMarks};
   ASSERT_FALSE(saved("one.png", options).isNull());
   setLayout(CompareLayout::wipe);
@@ -159,6 +163,7 @@ TEST_F(SavedPicture, isOpenedAgainAsOneOrTwoAsItWasSaved) {
 }
 
 TEST_F(SavedPicture, bringsALayoutThatGoesWithIt) {
+  lookFromAfar();
   setLayout(CompareLayout::wipe);
   ASSERT_TRUE(rest());
   ASSERT_FALSE(saved("two.png", {.marks = noMarks}).isNull());
@@ -196,6 +201,7 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
 
 // A full disk, or a folder that went meanwhile, takes no picture that minutes were spent on.
 TEST_F(SavedPicture, thatWasDrawnButNotWrittenIsSavedElsewhere) {
+  lookFromAfar();
   const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
   const QSize size = saved("usual.png", options).size();
   saving().writePicture(pathTo("gone/twice.png"), options);
@@ -241,6 +247,7 @@ TEST_F(SavedPicture, thatIsBeingSavedElsewhereIsNotCalledUnwrittenAfterwards) {
 }
 
 TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOrDismissed) {
+  lookFromAfar();
   const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
   for (const char* name : {"gone/first.png", "gone/second.png", "gone/third.png"}) {
     saving().writePicture(pathTo(name), options);
@@ -282,6 +289,7 @@ TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOr
 
 // Pixels alone are kept, and of those no more than have room: whatever fails, the memory is not filled.
 TEST_F(SavedPicture, ofThoseThatCouldNotBeWrittenTheOldestGoWhereTheyHaveNoRoomAndItIsSaid) {
+  lookFromAfar();
   const PictureOptions options{.size = PictureOptions::Size::twice, .marks = noMarks};
   const QSize size = saved("usual.png", options).size();
   const std::size_t bytes = sizeof(glm::vec4) * static_cast<std::size_t>(size.width()) * size.height();
@@ -321,8 +329,7 @@ TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {
     if (match.hasMatch())
       percents.push_back(match.captured(1).toInt());
   });
-  PictureOptions options;
-  options.marks = noMarks;
+  PictureOptions options{.marks = noMarks};
   options.size = PictureOptions::Size::print;
   options.printCm = 20.0; // 2,362 pixels: seconds, of which is told many times
   ASSERT_FALSE(saved("two.png", options).isNull());
@@ -372,6 +379,7 @@ TEST_F(SavedPicture, theTimeToDrawIsToldAsSoonAsItIsKnown) {
 
 // Two pictures touch in the file: the line between them on screen is in no promise.
 TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
+  lookFromAfar();
   setLayout(CompareLayout::sideBySide);
   ASSERT_TRUE(rest());
   QString promised;
@@ -388,6 +396,7 @@ TEST_F(SavedPicture, ofTwoIsAsLargeAsTheDialogSays) {
 
 // Two pictures beside each other share an odd width, of which each has whole pixels.
 TEST_F(SavedPicture, isAsWideInPixelsAsAskedForAndKeepsItsShape) {
+  lookFromAfar();
   const QSize shown = view().size() * view().devicePixelRatioF();
   const auto save = [this](const char* name, const QString& width) {
     QString promised;
@@ -554,6 +563,7 @@ TEST_F(SavedPicture, theDialogIsAsHighAsItsRows) {
 }
 
 TEST_F(SavedPicture, theAnswersAreRemembered) {
+  lookFromAfar();
   const auto answer = [this] {
     onceAsked<PictureDialog>([](PictureDialog& dialog) {
       dialog.findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(1);
