@@ -109,7 +109,6 @@ EngineFacts WindowContext::engineFacts(std::optional<Engine> setting) {
 MakingOptions WindowContext::drawnLikeTheView() const {
   MakingOptions order;
   order.engine = view.engine();
-  order.followsLight = drawsWithOpenGl(view.engine());
   return order;
 }
 

@@ -48,7 +48,7 @@ constexpr double nearlyExact = 6.0;
 // picture by all of it. Seen: 1.9 times (tests/raycaster/FilterWeightsTest.cpp).
 constexpr double safetyOfFilter = 2.0;
 
-// What a grid of light adds is compared in so many pixels, because light found for each sample takes long. A
+// What few paths, or a grid of light, add is compared in so many pixels, because many paths take long. A
 // handful of them lies beyond the percentile, which is told from the half of a hundredth that is off most
 // instead.
 constexpr Sample ofLight{1.0 / 20.0, 112.0 * 112.0, 192.0 * 192.0};
@@ -92,10 +92,13 @@ double rounded(double rung) {
 // The qualities that are tried: rung by rung, a fineness or, where steps are equal, the step of that rung.
 class Ladder {
 public:
-  Ladder(const Quality& quality, Projection projection, StepControl control)
-      : m_quality(quality), m_isLocal(control != StepControl::equal && integrates(projection)),
-        m_isByCells(control == StepControl::cells && m_isLocal), m_start(startFor(*quality.toleranceLevels)),
-        m_isEqual(!m_isLocal || (!m_isByCells && showsSurface(projection))) {
+  Ladder(const Scene& scene, StepControl control)
+      : m_quality(scene.quality), m_isLocal(control != StepControl::equal && integrates(scene.projection)),
+        m_isByCells(control == StepControl::cells && m_isLocal),
+        m_mostFineness(hasTravellingLight(scene) ? mostLitFineness : Fineness::most),
+        m_start(startFor(*scene.quality.toleranceLevels)),
+        m_isEqual(!m_isLocal || (!m_isByCells && showsSurface(scene.projection))) {
+    const Quality& quality = scene.quality;
     const double tolerance = *quality.toleranceLevels;
     m_quality.jitter = false;
     if (quality.earlyTermination < 1.0)
@@ -112,7 +115,7 @@ public:
 
   bool isLocal() const { return m_isLocal; }
   bool isByCells() const { return m_isByCells; }
-  int last() const { return m_isLocal ? static_cast<int>(Fineness::most) : 16; }
+  int last() const { return m_isLocal ? static_cast<int>(m_mostFineness) : 16; }
   double start() const { return m_start; }
 
   // Equal steps from 2 voxels on.
@@ -133,6 +136,7 @@ private:
 
   Quality m_quality;
   bool m_isLocal, m_isByCells;
+  double m_mostFineness;
   double m_start;
   bool m_isEqual;
 };
@@ -232,8 +236,9 @@ double rungsToHalve(const Found& a, const Found& b) {
   return std::clamp((b.rung - a.rung) / (halvings == 0.0 ? 1e-9 : halvings), 0.5, 2.0);
 }
 
-// Whether what comes of light is looked up on a grid: the ray caster's filter has no such scenes.
-bool looksUpLight(const Scene& scene) {
+// Whether what comes of light is found by little more than what shows: the ray caster's filter has no such
+// scenes.
+bool isLightRough(const Scene& scene) {
   return hasTravellingLight(scene) && !scene.quality.toleranceLevels &&
          scene.quality.light != LightDetail::sampled;
 }
@@ -355,12 +360,41 @@ Message whyNot(double tolerance, double error, bool resolves) {
           .arg(levelsText(tolerance), levelsText(error));
 }
 
+// A surface is met exactly: the light on its way to it is off alone, by less the more paths it comes along.
+WithinTolerance surfaceInLight(const Scene& scene, const glm::ivec2& size, const DrawScene& draw) {
+  const double tolerance = *scene.quality.toleranceLevels;
+  const double last = mostLitFineness - rungsPerHalving;
+  const auto drawn = [&](double fineness) {
+    Scene finer = scene;
+    finer.quality.fineness = fineness;
+    return draw(finer, size);
+  };
+  WithinTolerance found{scene, 0.0, 0.0, false, {}};
+  found.scene.quality.jitter = false;
+  for (double fineness = std::min(usualFineness(tolerance), last); !found.holds; ++fineness) {
+    const ImageError error = scaled(imageError(drawn(fineness), drawn(fineness + rungsPerHalving)), safety);
+    found.scene.quality.fineness = fineness;
+    found.estimateLevels = error.p99_9;
+    found.meanLevels = error.mean;
+    found.holds = error.p99_9 <= tolerance;
+    if (fineness + 1.0 > last)
+      break;
+  }
+  if (!found.holds)
+    found.sentence = whyNot(tolerance, found.estimateLevels, true);
+  return found;
+}
+
 } // namespace
 
 Message describe(const WithinTolerance& found) {
   const Quality& quality = found.scene.quality;
-  if (quality.fineness && !integrates(found.scene.projection))
+  const bool isLit = hasTravellingLight(found.scene);
+  if (quality.fineness && !isLit && !integrates(found.scene.projection))
     return Message::tr("exact but for rounding, found cell by cell");
+  if (quality.fineness && isLit)
+    return Message::tr("estimated within %1, with steps and paths of light of fineness %2")
+        .arg(levelsText(found.estimateLevels), Message::rounded(*quality.fineness, 3));
   const Message steps =
       quality.fineness
           ? Message::tr("error-controlled steps of fineness %1").arg(Message::rounded(*quality.fineness, 3))
@@ -374,7 +408,7 @@ Message describe(const WithinTolerance& found) {
 
 ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits,
                          bool isWhole) {
-  if (looksUpLight(scene)) {
+  if (isLightRough(scene)) {
     Scene sampled = scene;
     sampled.quality.light = LightDetail::sampled;
     const glm::ivec2 compared = comparedSize(size, ofLight);
@@ -400,13 +434,16 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
   if (control == StepControl::cells && integrates(scene.projection) && hasTravellingLight(scene))
     control = StepControl::local;
   const double tolerance = *scene.quality.toleranceLevels;
+  if (control == StepControl::cells && showsSurface(scene.projection) && !integrates(scene.projection) &&
+      hasTravellingLight(scene))
+    return surfaceInLight(scene, comparedSize(size, fine), draw);
   if (control == StepControl::cells && !integrates(scene.projection)) {
     WithinTolerance exact{scene, 0.0, 0.0, true, {}};
     exact.scene.quality.jitter = false;
     exact.scene.quality.fineness = usualFineness(tolerance); // any
     return exact;
   }
-  Ladder ladder(scene.quality, scene.projection, control);
+  Ladder ladder(scene, control);
   const double termination = scene.quality.earlyTermination < 1.0 ? shareOfTermination * tolerance : 0.0;
   Comparison comparison(scene, comparedSize(size, ladder.isByCells() ? fineByCells : fine), draw, ladder);
   // Of a picture, errors of the step show at edges and those of early ends in opaque tissue: its percentile

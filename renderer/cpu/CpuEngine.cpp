@@ -134,7 +134,7 @@ public:
     facts.plan = renderer.plan(scene);
     facts.steepestPerMm = renderer.steepestPerMm();
     facts.takesAllSamples = renderer.limitation().empty();
-    facts.goesByCells = true;
+    facts.goesByCells = facts.findsLightOfSamples = true;
     return facts;
   }
   std::optional<PathFigures> pathFigures(const Scene& scene, const glm::ivec2& size) override {

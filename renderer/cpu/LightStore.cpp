@@ -87,7 +87,7 @@ Thoroughness ofPaths(const Quality& quality) {
   if (quality.light == LightDetail::moving)
     return ofMotion;
   if (const std::optional<double> fineness = finenessOf(quality)) {
-    const double finer = std::exp2(*fineness - usualFineness(1.0));
+    const double finer = std::exp2(std::min(*fineness, mostLitFineness) - usualFineness(1.0));
     return {static_cast<int>(std::lround(ofSamples.directions * finer)),
             std::min(ofSamples.step / static_cast<float>(std::sqrt(finer)), 2.0f * ofSamples.step)};
   }

@@ -224,6 +224,9 @@ double litStep(const Quality& quality) {
   return quality.light == LightDetail::moving ? sampledStep(fineness) : std::exp2(-fineness) / 4.0;
 }
 
+// Of rays of 1,000 lengths at the finest.
+constexpr int mostLitSamples = 1 << 20;
+
 // Whether scalars that show lie between such as do not: a step may run over all of them.
 bool showsBand(const PiecewiseTable& table) {
   bool hasShown = false;
@@ -282,7 +285,11 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
     terms.visibleBox = withinBrick(terms.visibleBox, *m_brick);
   terms.centre = centreIndex(grid);
   terms.lengthMm = smallestSpacingMm(grid);
-  terms.stepLengths = isInFineSteps ? litStep(scene.quality) : scene.quality.stepVoxels;
+  terms.stepLengths = scene.quality.stepVoxels;
+  if (isInFineSteps) {
+    terms.stepLengths = litStep(scene.quality);
+    terms.mostSamples = mostLitSamples;
+  }
   terms.samplesFirst = m_samplesFirst && mayBeSampledFirst(terms);
   if (terms.samplesFirst) {
     terms.stepLengths = sampledStep(*terms.fineness);

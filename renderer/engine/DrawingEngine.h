@@ -37,6 +37,7 @@ struct DrawingFacts {
   bool takesAllSamples = true; ///< false: rays end at a limit, past which a smaller step changes nothing
   bool isReady = true;         ///< nothing need be compiled before it is drawn
   bool goesByCells = false; ///< a tolerance is kept cell by cell (scene/steps/CellRule), not in local steps
+  bool findsLightOfSamples = false; ///< light that travels may be found for each sample, to compare with
   int filterBits = mostFilterBits;  ///< of the weights by which its filter mixes voxels (SceneFacts)
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far pictures whose light is found along few paths, or looked up on nodes, lie from those whose light is
-// found along a thousand (which lie within a level of the reference, CpuTravellingLight.found*): volumes with scene files of their own, each under three lights from above left
-// (shadows of 5° softness, occlusion of 15 mm, both), drawn by the CPU engine on all threads. Told are errors
-// in levels and times of the processor, at rest (spread) and while something moves (moving), on fine nodes that
-// are there and, with OpenGL, on coarse ones: of finding the nodes, and of a picture beside one without light on its way. Held fixed: a view
-// from a little aside of the whole grid, 160², steps of half a voxel, no pre-integration.
+// found along a thousand (which lie within a level of the reference, CpuTravellingLight.found*): volumes with
+// scene files of their own, each under three lights from above left (shadows of 5° softness, occlusion of
+// 15 mm, both), drawn by the CPU engine on all threads. Told are errors in levels and times of the processor,
+// at rest (spread), while something moves (moving), and on fine and coarse nodes: of finding these, and of a
+// picture beside one without light on its way. Held fixed: a view from a little aside of the whole grid, 160²,
+// steps of half a voxel, no pre-integration.
 //
 // limn_light_error VOLUME SCENE [VOLUME SCENE]...
 #include "accuracy/ImageError.h"

@@ -336,7 +336,7 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
   const Sitting sitting{scenes, size, counted};
   if (order.engine == Engine::reference)
     return makeWithReference(sitting, order);
-  if (order.engine == Engine::cpu || (order.followsLight && std::ranges::any_of(scenes, hasTravellingLight)))
+  if (order.engine == Engine::cpu)
     return makeWithCpu(sitting, order);
   if (order.engine)
     return makeWithGl(sitting, order, {order.textureMb, true});

@@ -49,9 +49,6 @@ struct MakingOptions {
   double textureMb = anyMb;
   EngineMemory memory; ///< is asked which engine is the faster; found by a trial where it does not know
   Effort effort; ///< threads of the CPU engine and the reference; told and asked between strips or tiles
-  /// Whether the CPU engine takes the ray caster's place where light travels: the window's pictures at rest
-  /// have theirs along paths, which no shader follows.
-  bool followsLight = false;
 };
 
 /// Who draws a scene where nobody chose, as `makeEach` finds out: the CPU engine without OpenGL and where the

@@ -111,6 +111,7 @@ struct PictureTerms {
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
   TravelTerms travel;
+  int mostSamples = limn::mostSamples; ///< of a ray, in equal steps
   std::optional<double> fineness; ///< of error-controlled steps; absent: equal steps
   bool samplesFirst = false;      ///< equal steps first, cells where those do not do
   bool looksAtLeaps = false;      ///< each, as something may show between samples in which nothing does

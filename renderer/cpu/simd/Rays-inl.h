@@ -193,7 +193,7 @@ private:
     const VD length = hn::Sub(span.end, span.begin);
     const VD wanted =
         hn::Ceil(hn::Mul(length, allOf((1.0 - stepCountGuard) / (m_terms.stepLengths * m_terms.lengthMm))));
-    const VD samples = limited(wanted, one, allOf(double(mostSamples)));
+    const VD samples = limited(wanted, one, allOf(double(m_terms.mostSamples)));
     const VD stepMm = hn::Div(length, samples);
     HWY_ALIGN double offsets[HWY_MAX_BYTES / 4];
     for (int lane = 0; lane < atOnce(); ++lane)

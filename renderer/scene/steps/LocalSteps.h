@@ -34,6 +34,9 @@ struct Fineness {
   static constexpr double most = 24.0;
 };
 
+/// Where light travels (DEFINITION section 11) a tolerance asks for no more: a pixel has 16,384 paths.
+inline constexpr double mostLitFineness = 8.0;
+
 /// The whole rungs of a fineness, and by what the part that is left multiplies every step, 1/√2 … 1.
 int wholeRungs(double fineness);
 double ladderScale(double fineness);

@@ -43,6 +43,12 @@ bool isKnown(const PictureState& state) {
   return std::ranges::all_of(state.sides, [](const SideState& side) { return levelsOf(side).has_value(); });
 }
 
+bool isLightMeasured(const PictureState& state) {
+  return std::ranges::all_of(state.sides, [](const SideState& side) {
+    return side.isLightMeasured || side.measuredLevels || side.chance;
+  });
+}
+
 bool isResolved(const PictureState& state) {
   return std::ranges::all_of(state.sides, [](const SideState& side) {
     return side.isResolved || side.measuredLevels || side.chance;
@@ -90,6 +96,8 @@ QString worstText(const SideState& worst) {
 QString estimateText(const PictureState& state) {
   if (!isResolved(state))
     return QObject::tr("not resolved");
+  if (!isLightMeasured(state))
+    return QObject::tr("shadows not measured");
   if (hasPaths(state))
     for (const SideState& side : state.sides)
       if (side.paths && !side.paths->rmsLevels)
@@ -144,7 +152,8 @@ QString badgeText(const PictureState& state) {
     return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
   if (!state.resting)
     return QObject::tr("○ preview");
-  const bool isWithin = isResolved(state) && isKnown(state) && *levelsOf(worstOf(state)) <= screenLevels;
+  const bool isWithin = isResolved(state) && isLightMeasured(state) && isKnown(state) &&
+                        *levelsOf(worstOf(state)) <= screenLevels;
   if (isWithin && isChecked(state))
     return QObject::tr("● exact to the screen");
   if (state.refines)
@@ -234,6 +243,10 @@ QString explanationOf(const PictureState& state) {
     return QObject::tr("Not resolved: a band of the curve is narrower than what the value changes by within "
                        "one step, so the picture may miss it and no number would be right. Pre-integrated "
                        "steps, or smaller ones, see it.");
+  if (!isLightMeasured(state))
+    return QObject::tr(
+        "OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by; the "
+        "processor can (Draw with, in the settings).");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
   if (const std::optional<PathFigures>& paths = worstOf(state).paths; paths && paths->rmsLevels)

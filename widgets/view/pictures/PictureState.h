@@ -47,6 +47,7 @@ struct SideState {
   bool isRough = true;                   ///< the estimate comes from small pictures
   std::optional<ErrorByChance> chance;   ///< of the error of what is shown, once it is final
   std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
+  bool isLightMeasured = true;           ///< false: what a grid of light is off by is in no figure told
   std::optional<PathFigures> paths{};    ///< of the picture at rest, where light is physical
   std::optional<PathFigures> onTheWay{}; ///< of what is shown while it gets more paths: rows of two pictures
   std::optional<double> msPerPath{};     ///< drawing time of a path of each pixel, where light is physical

@@ -44,6 +44,8 @@ void Pictures::noteShown() {
   for (int i = 0; i < m_count; ++i) {
     shown.push_back(m_sides[i].shownScene());
     m_isResolved[i] = isResolved(*m_engine, shown.back());
+    m_isLightMeasured[i] =
+        !hasTravellingLight(shown.back()) || m_engine->facts(shown.back()).findsLightOfSamples;
   }
   m_limitation = translated(m_engine->limitation());
   if (m_count > 0)
@@ -119,6 +121,7 @@ SideState Pictures::stateOf(int index) const {
   }
   state.chance = m_chance.error(index);
   state.isResolved = m_isResolved[index];
+  state.isLightMeasured = m_isLightMeasured[index];
   return state;
 }
 
@@ -170,7 +173,7 @@ double Pictures::makeReady(const Scene& scene, const Effort& effort, double budg
 int Pictures::finestLevel() const {
   int finest = 0;
   for (int i = 0; i < m_count; ++i)
-    finest = std::max(finest, m_sides[i].finestLevel());
+    finest = std::max(finest, m_sides[i].finestLevel(*m_engine));
   return finest;
 }
 

@@ -100,6 +100,7 @@ private:
   Refinement m_refinement;
   ChanceCheck m_chance;
   std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
+  std::array<bool, 2> m_isLightMeasured{true, true};
   QString m_limitation; ///< of the scenes at their own step
   int m_count = 0;
 };

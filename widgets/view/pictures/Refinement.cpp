@@ -200,9 +200,11 @@ RestTurn Refinement::endTightening() {
   return RestTurn::worked;
 }
 
-// By small pictures, and only where the driver's weights or what light is found by are coarse: no smaller
-// step mends what they add.
+// By small pictures, and only where the driver's weights or a grid of light are coarse: no smaller step mends
+// what they add.
 void Refinement::measureFilter(DrawingEngine& engine, std::span<SidePicture> sides) {
+  if (haveTravellingLight(sides) && !engine.facts(sides.front().scene()).findsLightOfSamples)
+    return;
   const DrawScene draw = [&](const Scene& scene, const glm::ivec2& size) {
     m_sheet->resize(size);
     m_sheet->draw(engine, scene, {{0, 0}, size});

@@ -91,9 +91,10 @@ void SidePicture::drawFollowed(DrawingEngine& engine) {
   m_coarseQuality = {};
 }
 
-// Paths of light take longer than a hand may wait: what moves has it from nodes.
-int SidePicture::finestLevel() const {
-  return hasTravellingLight(m_scene) ? wholeLevel : 0;
+// Paths of light at rest take longer than a hand may wait.
+int SidePicture::finestLevel(DrawingEngine& engine) const {
+  const bool followsLight = hasTravellingLight(m_scene) && engine.facts(m_scene).findsLightOfSamples;
+  return followsLight || hasSampledLight(m_scene) ? wholeLevel : 0;
 }
 
 double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns& seen) {

@@ -27,7 +27,7 @@ public:
 
   /// The finest level at which the coarse picture is drawn, however fast that is: 0 unless light makes the
   /// full one take minutes.
-  int finestLevel() const;
+  int finestLevel(DrawingEngine& engine) const;
 
   /// Draws the coarse picture, as far as its columns will be seen (level 0: the full one, all of it), and
   /// returns the time, ms. Of physical light that was followed before and is only shown otherwise, it is

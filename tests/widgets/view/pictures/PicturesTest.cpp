@@ -358,26 +358,6 @@ TEST_F(PicturesWithoutWindow, anotherRequestDropsWhatIsFinished) {
   EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scenes[0], pictureSize));
 }
 
-// No shader follows paths of light: what moves has it from nodes, and the processor draws what rests.
-TEST_F(PicturesWithoutWindow, withOpenGlTheProcessorDrawsLightThatRests) {
-  Pictures pictures(makeRayCasterEngine(), makeGlScreen());
-  Scene scene = phantomWith(ShadingModel::classic);
-  scene.shading.lightDirection = glm::normalize(glm::dvec3(1, 1, -1));
-  scene.shading.shadow.strength = 0.7;
-  finish(pictures, {scene});
-  ASSERT_TRUE(pictures.state().resting);
-  const Image rests = CpuRenderer(0, CpuRenderer::Tolerance::stepsFirst).render(scene, pictureSize);
-  EXPECT_EQ(*pictures.side(0).picture().image, rests);
-  EXPECT_NE(RayCaster().render(scene, pictureSize), rests) << "by itself it looks nodes up";
-  pictures.want({scene}, pictureSize);
-  pictures.drawCoarsely(pictures.finestLevel(), {});
-  EXPECT_FALSE(pictures.side(0).complete());
-  // Without light on its way all is as before.
-  scene.shading.shadow = {};
-  finish(pictures, {scene});
-  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scene, pictureSize));
-}
-
 // Every engine answers what is done at rest, in pieces; one that cannot tell what effects cost says nothing.
 TEST_F(PicturesWithoutWindow, whatIsDoneAtRestEndsWithEveryEngine) {
   const auto withOpenGl = [] { return std::make_unique<Pictures>(makeRayCasterEngine(), makeGlScreen()); };
