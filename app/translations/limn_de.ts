@@ -228,8 +228,8 @@
         <translation>wählen Sie eines, das Limn von einem Volumen gespeichert hat, oder eine Darstellung</translation>
     </message>
     <message>
-        <source>The labels %1 are not where they are expected (%2).</source>
-        <translation>Die Labels %1 sind nicht dort, wo sie erwartet werden (%2).</translation>
+        <source>The labels %1 are not where they are expected (%2); put them there or beside the volume.</source>
+        <translation>Die Labels %1 sind nicht dort, wo sie erwartet werden (%2); legen Sie sie dorthin oder neben das Volumen.</translation>
     </message>
 </context>
 <context>
@@ -1996,10 +1996,6 @@
         <translation>○ fast exakt</translation>
     </message>
     <message>
-        <source>Shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer; with a tolerance the processor finds them for each sample, in minutes to hours.</source>
-        <translation>Schatten und Verdeckung kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen; mit einer Toleranz findet der Prozessor sie für jeden Abtastpunkt, in Minuten bis Stunden.</translation>
-    </message>
-    <message>
         <source>step %1 of the smallest voxel spacing, %2 mm</source>
         <translation>Schrittweite %1 des kleinsten Voxelabstands, %2&#xa0;mm</translation>
     </message>
@@ -2215,6 +2211,15 @@
     <message>
         <source>mean ± standard deviation of %1 voxel</source>
         <translation>Mittelwert ± Standardabweichung von %1 Voxel</translation>
+    </message>
+    <message>
+        <source>%1, fitted</source>
+        <comment>a preset</comment>
+        <translation>%1, angepasst</translation>
+    </message>
+    <message>
+        <source>Shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer; with a tolerance the processor follows more paths, which takes some minutes.</source>
+        <translation>Schatten und Verdeckung kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen; mit einer Toleranz folgt der Prozessor mehr Pfaden, was einige Minuten dauert.</translation>
     </message>
 </context>
 <context>
@@ -3321,10 +3326,6 @@
         <translation>Langsamer und weniger genau als eine andere Stellung: %1.</translation>
     </message>
     <message>
-        <source>From there it refines while nothing moves, but shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer: where they show, the picture may stay &quot;not exact&quot;. With &quot;exact&quot; the processor finds them for each sample, in minutes to hours.</source>
-        <translation>Von dort wird es feiner, solange sich nichts bewegt; Schatten und Verdeckung aber kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen: Wo sie zu sehen sind, kann das Bild „nicht exakt“ bleiben. Mit „exakt“ findet sie der Prozessor für jede Abtastung, in Minuten bis Stunden.</translation>
-    </message>
-    <message>
         <source>From there it refines while nothing moves.</source>
         <translation>Von dort wird es feiner, solange sich nichts bewegt.</translation>
     </message>
@@ -3343,6 +3344,10 @@
     <message>
         <source>Levels and times of the steps are those of the picture before it is refined.</source>
         <translation>Stufen und Zeiten der Schritte sind die des Bildes, bevor es verfeinert wird.</translation>
+    </message>
+    <message>
+        <source>From there it refines while nothing moves, but shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer: where they show, the picture may stay &quot;not exact&quot;. With &quot;exact&quot; the processor follows more paths, which takes some minutes.</source>
+        <translation>Von dort wird es feiner, solange sich nichts bewegt; Schatten und Verdeckung aber kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen: Wo sie zu sehen sind, kann das Bild „nicht exakt“ bleiben. Mit „exakt“ folgt der Prozessor mehr Pfaden, was einige Minuten dauert.</translation>
     </message>
 </context>
 <context>
@@ -4148,10 +4153,6 @@
         <translation>Be&amp;enden</translation>
     </message>
     <message>
-        <source>The window speaks this language when it is opened the next time.</source>
-        <translation>Das Fenster verwendet diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
-    </message>
-    <message>
         <source>Follow the system</source>
         <translation>Wie das System</translation>
     </message>
@@ -4172,12 +4173,16 @@
         <translation>Farbschema</translation>
     </message>
     <message>
-        <source>The window uses it from the next start.</source>
-        <translation>Gilt, sobald das Fenster das nächste Mal geöffnet wird.</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The window speaks it at once.</source>
+        <translation>Das Fenster verwendet sie sofort.</translation>
+    </message>
+    <message>
+        <source>The window speaks this language as soon as no file is being read or written and no other dialog is open.</source>
+        <translation>Das Fenster verwendet diese Sprache, sobald keine Datei gelesen oder geschrieben wird und kein anderer Dialog offen ist.</translation>
     </message>
 </context>
 <context>
@@ -9135,6 +9140,10 @@
         <source>%1 voxel that %2 had before belongs to no mask now; open a mask that has it, too, once more.</source>
         <translation>%1 Voxel, das vorher zu %2 gehörte, gehört jetzt zu keiner Maske; öffnen Sie eine Maske, die es auch hat, noch einmal.</translation>
     </message>
+    <message>
+        <source>estimated within %1, with steps and paths of light of fineness %2</source>
+        <translation>nach Schätzung auf %1 genau, mit Schritten und Lichtpfaden der Feinheit %2</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9372,10 +9381,6 @@
     <message>
         <source>The volume of this picture is not where the picture expects it: %1.</source>
         <translation>Das Volumen dieses Bildes ist nicht dort, wo das Bild es erwartet: %1.</translation>
-    </message>
-    <message>
-        <source>The labels of %1 are not where it expects them: %2.</source>
-        <translation>Die Labels von %1 sind nicht dort, wo sie erwartet werden: %2.</translation>
     </message>
     <message>
         <source>Locate labels…</source>
@@ -9913,6 +9918,10 @@
     <message>
         <source>Time for a picture</source>
         <translation>Zeit für ein Bild</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
     </message>
 </context>
 <context>
@@ -11044,6 +11053,14 @@
         <source>Use as saved</source>
         <translation>Wie gespeichert verwenden</translation>
     </message>
+    <message>
+        <source>use preset %1 as it is</source>
+        <translation>Preset %1 unverändert verwenden</translation>
+    </message>
+    <message>
+        <source>use preset %1 as saved</source>
+        <translation>Preset %1 wie gespeichert verwenden</translation>
+    </message>
 </context>
 <context>
     <name>limn::ProfileChart</name>
@@ -11203,6 +11220,10 @@
     <message>
         <source>Opacity at which rays stop</source>
         <translation>Deckkraft, bei der Strahlen enden</translation>
+    </message>
+    <message>
+        <source>voxel</source>
+        <translation>Voxel</translation>
     </message>
 </context>
 <context>
@@ -11490,10 +11511,6 @@
         <translation>%1 wird geschrieben</translation>
     </message>
     <message>
-        <source>Too late to cancel: the file was being written.</source>
-        <translation>Zu spät zum Abbrechen: Die Datei wurde gerade geschrieben.</translation>
-    </message>
-    <message>
         <source>Replace the changed session?</source>
         <translation>Geänderte Sitzung ersetzen?</translation>
     </message>
@@ -11520,6 +11537,10 @@
     <message>
         <source>Lost, because the memory kept for pictures that could not be written is full of later ones: %1.</source>
         <translation>Verloren, weil der Speicher für nicht geschriebene Bilder voll von späteren ist: %1.</translation>
+    </message>
+    <message>
+        <source>Too late to cancel: the file is being written.</source>
+        <translation>Zum Abbrechen ist es zu spät: Die Datei wird geschrieben.</translation>
     </message>
 </context>
 <context>

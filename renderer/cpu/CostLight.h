@@ -23,7 +23,7 @@ public:
     return m_light.has_value();
   }
 
-  /// Takes none from here on: it is found for each sample.
+  /// Takes none from here on: it is found along paths.
   void useNone() { m_light = LightVolumes(); }
 
   /// Only after one of these.

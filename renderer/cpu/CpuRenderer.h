@@ -63,7 +63,7 @@ public:
                     const LightVolumes* light = nullptr);
 
   /// What is found on nodes of the light that travels in a scene, as for a picture of it; none where none
-  /// does, or it is found for each sample.
+  /// does, or it is found along paths.
   LightVolumes lightOf(const Scene& scene);
 
   /// The picture whose light terms are not limited (DEFINITION section 4).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light on its way drawn by the CPU engine (DEFINITION section 11): found for each sample as the reference
-// finds it, looked up on a grid, and without a trace where there is none.
+// Light on its way drawn by the CPU engine (DEFINITION section 11): along many paths as the reference finds
+// it, along few, looked up on a grid, and without a trace where there is none.
 #include "accuracy/ImageError.h"
 #include "accuracy/Tolerance.h"
 #include "cpu/CpuRenderer.h"
@@ -102,7 +102,7 @@ Scene nearScene(const TravelCase& one) {
   return scene;
 }
 
-// With light found for each sample, once for all tests that lie near it.
+// With light found along many paths, once for all tests that lie near it.
 const Image& sampledPicture(const TravelCase& one) {
   static std::map<std::string, Image> pictures;
   Image& picture = pictures[one.what];
