@@ -71,9 +71,9 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
 // Whoever asks for a tolerance is told what it came to.
 std::optional<PictureAccuracy> accuracyOf(const Scene& asked, const MadePicture& picture, int threads,
                                           const Progress& progress) {
-  if (picture.paths && picture.paths->p99_9Levels)
-    return PictureAccuracy{*picture.paths->p99_9Levels, sentenceOf(*picture.paths).english()};
-  if (!asked.quality.toleranceLevels || isPhysical(asked))
+  if (picture.paths)
+    return accuracyOf(*picture.paths);
+  if (!asked.quality.toleranceLevels)
     return std::nullopt;
   reportOrStop(progress, -1.0, "Integrating some pixels exactly");
   const std::optional<ErrorByChance> chance = chanceOf(picture.scene, picture.image, {threads, {}, {}});
