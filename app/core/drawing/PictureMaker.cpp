@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -395,6 +396,17 @@ DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled) {
     redrawReference(picture, scene, wanted, threads, isCancelled);
     pixels = std::move(picture.pixels);
   };
+}
+
+// What was asked for is brought down by as much as was found more.
+Message noteBeyondTolerance(const Scene& asked, const ErrorByChance& found) {
+  const std::optional<double>& tolerance = asked.quality.toleranceLevels;
+  if (!tolerance || found.levels <= *tolerance)
+    return {};
+  const double less = std::max(0.01, std::floor(100.0 * *tolerance * *tolerance / found.levels) / 100.0);
+  return Message::tr("Single pixels lie farther off than the tolerance of %1, which is kept by an estimate; "
+                     "ask for less, such as --tolerance %2, for a picture that keeps it in these, too.")
+      .arg(levels(*tolerance), Message::rounded(less, 2));
 }
 
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort) {

@@ -92,6 +92,10 @@ DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled);
 /// not settle, or where the voxels stay on disk. Throws Cancelled.
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort);
 
+/// Where pixels drawn at random say more than the tolerance that a picture was asked to keep, by estimate, a
+/// sentence that says so, and what to ask for; otherwise empty.
+Message noteBeyondTolerance(const Scene& asked, const ErrorByChance& found);
+
 /// Two pictures of one height side by side.
 Image sideBySide(const Image& left, const Image& right);
 

@@ -40,6 +40,16 @@ TEST(PathDrawing, aQualityWithPathsGoesBeforeTheScenesOwnEnd) {
   EXPECT_NE(exactnessOf(picture).find("after 8 paths a pixel"), std::string::npos) << exactnessOf(picture);
 }
 
+TEST(NoteBeyondTolerance, saysThatPixelsLieFartherOffAndWhatToAskFor) {
+  Scene scene = pathScene(UntilPaths{1});
+  EXPECT_TRUE(noteBeyondTolerance(scene, {9.0, 0.0, 9.0, chancePixels}).empty()) << "nothing was asked for";
+  scene.quality.toleranceLevels = 0.5;
+  EXPECT_TRUE(noteBeyondTolerance(scene, {0.5, 0.0, 0.5, chancePixels}).empty()) << "it is kept";
+  const std::string note = noteBeyondTolerance(scene, {0.67, 0.0, 0.6, chancePixels}).english();
+  EXPECT_NE(note.find("farther off than the tolerance of 0.5 levels"), std::string::npos) << note;
+  EXPECT_NE(note.find("--tolerance 0.37"), std::string::npos) << note;
+}
+
 TEST(PathDrawing, aPictureThatMemoryDoesNotHoldIsRefusedInASentence) {
   CpuRenderer renderer(1);
   const Scene scene = pathScene(UntilPaths{1});
