@@ -27,7 +27,7 @@ struct MadePicture {
   /// Known to have steps that see the transfer function, so that pictures of smaller ones tell its error
   /// (accuracy/ErrorEstimate).
   bool canBeEstimated = false;
-  ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance)
+  ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance); see tellsFilter
   Message steps;       ///< with which it keeps its tolerance, a sentence; empty where none were looked for
   /// Of a picture of physical light.
   std::optional<PathFigures> paths{};
@@ -52,6 +52,10 @@ struct MakingOptions {
   /// Whether the CPU engine takes the ray caster's place where light travels: the window's pictures at rest
   /// have theirs along paths, which no shader follows.
   bool followsLight = false;
+  /// Whether pictures tell `ofFilter`, for which others are drawn beside each; otherwise those alone whose
+  /// tolerance that may exceed.
+  bool tellsFilter = false;
+  bool isFilm = false; ///< of such pictures the first stands for all
 };
 
 /// Who draws a scene where nobody chose, as `makeEach` finds out: the CPU engine without OpenGL and where the
