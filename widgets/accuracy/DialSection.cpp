@@ -5,8 +5,8 @@
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/PointUse.h"
 #include "widgets/accuracy/StopSlider.h"
-#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

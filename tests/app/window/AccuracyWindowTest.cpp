@@ -15,8 +15,8 @@
 #include "widgets/accuracy/MeasuredSection.h"
 #include "widgets/accuracy/StopSlider.h"
 #include "widgets/accuracy/WishSection.h"
-#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/controls/WorkRow.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/panels/PictureStatus.h"
 

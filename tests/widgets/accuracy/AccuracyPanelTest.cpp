@@ -12,8 +12,8 @@
 #include "widgets/accuracy/MeasuredSection.h"
 #include "widgets/accuracy/StopSlider.h"
 #include "widgets/accuracy/WishSection.h"
-#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QAccessible>
 #include <QCheckBox>
