@@ -68,18 +68,20 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
   note(line);
 }
 
-// Whoever asks for a tolerance is told what it came to.
-std::optional<PictureAccuracy> accuracyOf(const Scene& asked, const MadePicture& picture, int threads,
+// Whoever asks for a tolerance is told what it came to, and of more than that by a note.
+std::optional<PictureAccuracy> accuracyOf(const Scene& asked, MadePicture& picture, int threads,
                                           const Progress& progress) {
-  if (picture.paths && picture.paths->p99_9Levels)
-    return PictureAccuracy{*picture.paths->p99_9Levels, sentenceOf(*picture.paths).english()};
-  if (!asked.quality.toleranceLevels || isPhysical(asked))
+  if (picture.paths)
+    return accuracyOf(*picture.paths);
+  if (!asked.quality.toleranceLevels)
     return std::nullopt;
   reportOrStop(progress, -1.0, "Integrating some pixels exactly");
   const std::optional<ErrorByChance> chance = chanceOf(picture.scene, picture.image, {threads, {}, {}});
   reportOrStop(progress, 1.0, "Integrating some pixels exactly");
   if (!chance)
     return std::nullopt;
+  if (const Message note = noteBeyondTolerance(asked, *chance); !note.empty())
+    picture.notes.push_back(note);
   return PictureAccuracy{chance->levels, describe(*chance).english()};
 }
 
@@ -127,7 +129,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   scene.shading.physical.filtersNoise |= arguments.filtersNoise;
   const auto start = std::chrono::steady_clock::now();
   reportOrStop(progress, -1.0, "Drawing");
-  const MadePicture picture = pictureOf(scene, arguments, make);
+  MadePicture picture = pictureOf(scene, arguments, make);
   reportOrStop(progress, 1.0, "Drawing");
   requireWhole(loaded.volumePath, *scene.volume);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;

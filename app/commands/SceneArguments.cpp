@@ -191,7 +191,8 @@ void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command
       .option(
           "--tolerance", arguments.toleranceLevels,
-          "error-controlled steps that keep within LEVELS of 255 (99.9th percentile) of the exact picture")
+          "error-controlled steps that by an estimate keep within LEVELS of 255 (99.9th percentile) of the "
+          "exact picture; what pixels drawn at random say of it is printed")
       .within(0.01, 255.0);
 }
 

@@ -7,9 +7,13 @@
 #include "app/document/Settings.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
+#include "widgets/controls/TimeLeft.h"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -24,6 +28,34 @@ struct TurntableArguments {
 };
 
 const EngineWords turntableEngines = engineWords({Engine::rayCaster, Engine::cpu});
+
+// Says which frame is drawn and how long the rest takes: on a terminal in one line, elsewhere, such as in a
+// file of what was said, in a line now and then.
+class FrameTeller {
+public:
+  FrameTeller(int frames, const Progress& terminal) : m_frames(frames), m_terminal(terminal) {
+    m_left.begin();
+  }
+
+  void operator()(double fraction) {
+    const int frame = std::min(m_frames, static_cast<int>(fraction * m_frames) + 1);
+    const std::string what = "Drawing frame " + std::to_string(frame) + " of " + std::to_string(m_frames) +
+                             m_left.text(fraction).toStdString();
+    if (m_terminal.report)
+      return m_terminal.report(fraction, what);
+    constexpr std::chrono::seconds pause(10);
+    if (const auto now = std::chrono::steady_clock::now(); !m_told || now - *m_told >= pause) {
+      m_told = now;
+      note(what + ".");
+    }
+  }
+
+private:
+  int m_frames;
+  const Progress& m_terminal;
+  TimeLeft m_left;
+  std::optional<std::chrono::steady_clock::time_point> m_told;
+};
 
 // What would be refused after the work is refused before it.
 void requirePlace(const std::string& out, int frames) {
@@ -51,8 +83,9 @@ void runTurntable(const TurntableArguments& arguments) {
   order.engine = chosen(turntableEngines, arguments.engine, "--engine");
   order.memory = settings.engineMemory();
   order.effort.threads = arguments.threads;
-  if (progress.report)
-    order.effort.report = [report = progress.report](double fraction) { report(fraction, "Drawing"); };
+  FrameTeller teller(turntable.frames, progress);
+  if (!isQuiet)
+    order.effort.report = std::ref(teller);
   const DescribeScene describe = [&](const Scene& scene) {
     requireWhole(loaded.volumePath, *scene.volume); // before each frame is written
     const auto shareable = [&](const std::string& path) {

@@ -242,7 +242,9 @@ Figure withErrors(Figure figure, const MakingOptions& order) {
   std::vector<Image> images;
   bool canBeEstimated = true;
   ImageError ofFilter;
-  makeEach(scenes, size, order, [&](std::size_t index, MadePicture picture) {
+  MakingOptions told = order;
+  told.tellsFilter = true;
+  makeEach(scenes, size, told, [&](std::size_t index, MadePicture picture) {
     if (index % 3 == 0) {
       canBeEstimated = picture.canBeEstimated;
       ofFilter = picture.ofFilter;

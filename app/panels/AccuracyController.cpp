@@ -347,8 +347,10 @@ void AccuracyController::showOnScreen(const PictureState& state) {
   const Scene scene = m_context.view.sceneOfSide(measuredSide());
   PictureState alone = state; // of two pictures the status bar tells the worse
   alone.sides = {state.sides[index]};
+  // What was measured the panel knows itself.
+  const bool isTold = levelsOf(state.sides[index]) && !tellsMeasured(state.sides[index]);
   m_panel.setOnScreen(qualityShown(scene.quality, state.sides[index]),
-                      levelsOf(state.sides[index]) ? pictureStatusText(alone, scene).estimate : QString());
+                      isTold ? pictureStatusText(alone, scene).estimate : QString());
 }
 
 // While something is measured the pictures at rest do not refine: each would slow the other down.

@@ -321,6 +321,7 @@ void Panels::addEffects() {
   });
   connect(&m_effects, &EffectsPanel::effectSwitched, this, &Panels::switchEffect);
   connect(&m_effects, &EffectsPanel::measureRequested, &m_context.view, &CompareView::measureEffects);
+  connect(&m_effects, &EffectsPanel::cancelRequested, &m_context.view, &CompareView::stopMeasuringEffects);
 }
 
 // What is off may be so because nothing in the picture calls for it: only what was switched off here is

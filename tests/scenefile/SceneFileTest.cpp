@@ -62,6 +62,13 @@ TEST(SceneFile, whatAPictureSaysOfItsErrorChangesNoScene) {
   const Scene scene = unusualScene();
   const std::string text = sceneToJson(scene, "v", PictureAccuracy{0.5, "within half a level"});
   EXPECT_NE(text.find("within half a level"), std::string::npos);
+  const std::string filtered =
+      sceneToJson(scene, "v", PictureAccuracy{{}, "of paths", AccuracyOfPaths{24, 3.5, 2.0, 19.0}});
+  EXPECT_EQ(parseScene(filtered, "test.json").scene, scene);
+  EXPECT_EQ(filtered.find("within_levels"), std::string::npos) << "not known";
+  for (const char* key :
+       {"\"paths\"", "\"rms_levels\"", "\"filter_rms_levels\"", "\"filter_largest_levels\""})
+    EXPECT_NE(filtered.find(key), std::string::npos) << key;
   EXPECT_EQ(parseScene(text, "test.json").scene, scene);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/EffectsPanel.h"
 
+#include "widgets/controls/WorkRow.h"
+
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -53,7 +55,11 @@ TEST_F(EffectsPanelTest, asksForCostsAndShowsThemWithTheirMethodAndPictureSize) 
   times.fraction = 0.25;
   panel.setTimes(times);
   EXPECT_FALSE(button()->isEnabled());
-  EXPECT_TRUE(button()->text().contains(QStringLiteral("25 %")));
+  EXPECT_TRUE(says(QStringLiteral("Measuring… 25 %")));
+  QSignalSpy cancelled(&panel, &EffectsPanel::cancelRequested);
+  auto* work = panel.findChild<WorkRow*>();
+  QTest::mouseClick(work->findChild<QPushButton*>(), Qt::LeftButton);
+  EXPECT_EQ(cancelled.count(), 1);
   panel.setTimes({false,
                   1.0,
                   {std::nullopt, EffectCost{-12.4, 0.5, {}, 43.4}},

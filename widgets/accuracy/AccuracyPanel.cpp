@@ -6,7 +6,7 @@
 #include "widgets/accuracy/MeasuredSection.h"
 #include "widgets/accuracy/PointUse.h"
 #include "widgets/accuracy/WishSection.h"
-#include "widgets/accuracy/WorkRow.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QCoreApplication>
 #include <QEvent>

@@ -31,7 +31,7 @@ public:
   void setMovingMs(double ms);
 
   /// The quality with which that picture stands on screen once it rests, refined or not, and what is told of
-  /// its error there ("estimated within 0.7 of 255 levels"); absent before.
+  /// its error there ("estimated within 0.7 of 255 levels"), but for what was measured; absent before.
   void setOnScreen(const std::optional<Quality>& quality, const QString& told = {});
 
   /// What was measured, as last told; absent before.

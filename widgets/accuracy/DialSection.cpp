@@ -5,8 +5,8 @@
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/PointUse.h"
 #include "widgets/accuracy/StopSlider.h"
-#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -50,11 +50,11 @@ QString drawnText(const OperatingPoint& point) {
 }
 
 // A picture that is closer to the exact one than it was asked to be; the status bar has the same number. What
-// was measured is of one direction.
+// was measured is of one direction and of a smaller picture, so that what is told of this one goes first.
 QString onScreenText(const OperatingPoint& onScreen, const OperatingPoint& asked,
                      const MeasuredAccuracy* measured, bool isSameView, const QString& told) {
   const std::optional<std::size_t> index =
-      measured && isSameView ? indexOf(onScreen, measured->report.points) : std::nullopt;
+      measured && isSameView && told.isEmpty() ? indexOf(onScreen, measured->report.points) : std::nullopt;
   if (index && onScreen == asked)
     return {};
   if (index)
@@ -186,9 +186,10 @@ QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measure
     parts << tr("Levels and times of the steps are those of the picture before it is refined.");
   const bool refines = !scene.quality.toleranceLevels && !m_points.empty();
   if (refines && hasTravellingLight(scene))
-    parts << tr("From there it refines while nothing moves, but shadows and occlusion come from few paths or "
-                "a grid of light, which smaller steps do not make finer: where they show, the picture may stay "
-                "\"not exact\". With \"exact\" the processor follows more paths, which takes some minutes.");
+    parts << tr(
+        "From there it refines while nothing moves, but shadows and occlusion come from few paths or "
+        "a grid of light, which smaller steps do not make finer: where they show, the picture may stay "
+        "\"not exact\". With \"exact\" the processor follows more paths, which takes some minutes.");
   else if (refines)
     parts << tr("From there it refines while nothing moves.");
   parts << tr("A level is the smallest step of brightness on a screen, of 255.");

@@ -22,8 +22,8 @@ public:
   explicit DialSection(QWidget* parent = nullptr);
 
   /// Shows where a scene stands, and at which point its picture on screen does, which may be refined, with
-  /// what the status bar tells of that picture's error; `measured` is null where nothing that holds for it
-  /// was measured.
+  /// what the status bar tells of that picture's error, but for what was measured; `measured` is null where
+  /// nothing that holds for it was measured.
   void show(const Scene& scene, const MeasuredAccuracy* measured,
             const std::optional<OperatingPoint>& onScreen, const QString& told = {});
 

@@ -3,7 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/PointUse.h"
-#include "widgets/accuracy/WorkRow.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QCheckBox>
 #include <QLabel>

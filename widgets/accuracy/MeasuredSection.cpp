@@ -4,8 +4,8 @@
 #include "accuracy/sweep/FigureText.h"
 #include "widgets/Translated.h"
 #include "widgets/accuracy/AccuracyChart.h"
-#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -81,7 +81,7 @@ PanelLabels panelLabels(const FigurePanel& panel) {
       continue;
     }
     const Label& label = keep.labels->labels()[place];
-    const QColor color = toQColor(hasOutline ? label.color : shownColor(*panel.scene.volume, keep, place));
+    const QColor color = toQColor(shownColor(*panel.scene.volume, keep, place));
     labels.rows.push_back({color, QString::fromStdString(label.name)});
     if (look > 0)
       labels.curves.push_back({color, keep.looks[look - 1]});

@@ -59,12 +59,12 @@ std::uint32_t opaqueOf(const glm::dvec3& color) {
 }
 
 // Of a segmentation: labels that are shown, but for the background.
-std::vector<std::uint32_t> colorsOf(const Region& keep) {
+std::vector<std::uint32_t> colorsOf(const Region& keep, const ShownColors& shown) {
   const std::vector<Label>& labels = keep.labels->labels();
   std::vector<std::uint32_t> colors(ownLabels(keep), 0);
   for (std::size_t place = 0; place < colors.size(); ++place)
     if (labels[place].value != 0 && keep.weights[place] > 0.0)
-      colors[place] = opaqueOf(labels[place].color);
+      colors[place] = opaqueOf(shown.of(place));
   return colors;
 }
 
@@ -133,9 +133,11 @@ void PlanePictures::paintLabelsOver(std::vector<std::uint32_t>& pixels, const Pl
     return;
   // What was cut away is one label more, under which the others lie.
   const std::shared_ptr<const LabelMap>& map = keep.isCut ? keep.uncut : keep.labels;
-  if (content.settings.outlinesRegion && keep.kind == Region::Kind::labels && map)
-    paintLabels(pixels, placesIn(m_labels, map, content, plane), colorsOf(keep),
+  if (content.settings.outlinesRegion && keep.kind == Region::Kind::labels && map) {
+    m_colors.follow(content.volume, keep);
+    paintLabels(pixels, placesIn(m_labels, map, content, plane), colorsOf(keep, m_colors),
                 content.settings.isTinted ? 0.0 : labelCover, outlinePixels);
+  }
   if (!content.lit.map)
     return;
   std::vector<std::uint32_t> colors;

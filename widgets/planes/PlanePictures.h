@@ -4,6 +4,7 @@
 #include "planes/LabelsOnPlane.h"
 #include "planes/PlanePixels.h"
 #include "planes/Reformat.h"
+#include "scene/regions/LabelColor.h"
 #include "widgets/planes/PlaneContent.h"
 
 #include <QImage>
@@ -64,9 +65,10 @@ private:
   PlaneImage m_values;
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;
-  Region m_looked;    ///< of whose labels the looks were read
-  PlaneLooks m_looks; ///< of the content, or of the label alone of whose curve a point lights up
-  OnPlane m_labels;   ///< of a segmentation
+  Region m_looked;      ///< of whose labels the looks were read
+  PlaneLooks m_looks;   ///< of the content, or of the label alone of whose curve a point lights up
+  OnPlane m_labels;     ///< of a segmentation
+  ShownColors m_colors; ///< of its labels
   OnPlane m_lit;
   PlaneContent m_painted;
   QImage m_picture;

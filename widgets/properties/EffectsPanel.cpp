@@ -3,6 +3,7 @@
 
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
+#include "widgets/controls/WorkRow.h"
 #include "widgets/theme/Theme.h"
 
 #include <QCheckBox>
@@ -148,7 +149,8 @@ void EffectRowWidget::showColors() {
 }
 
 EffectsPanel::EffectsPanel(QWidget* parent)
-    : SectionPanel(parent), m_list(new QWidget), m_heading(new QLabel), m_measure(new QPushButton),
+    : SectionPanel(parent), m_list(new QWidget), m_heading(new QLabel),
+      m_measure(new QPushButton(tr("Measure cost"))), m_work(new WorkRow(tr("Measuring what effects cost"))),
       m_method(new QLabel) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
@@ -166,6 +168,9 @@ EffectsPanel::EffectsPanel(QWidget* parent)
   buttonRow->addWidget(m_measure);
   buttonRow->addStretch(1);
   column->addLayout(buttonRow);
+  m_work->setContentsMargins(12, 0, 12, 4);
+  column->addWidget(m_work);
+  connect(m_work, &WorkRow::cancelled, this, &EffectsPanel::cancelRequested);
   connect(m_measure, &QPushButton::clicked, this, &EffectsPanel::measureRequested);
   auto* rows = new QVBoxLayout(m_list);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -240,9 +245,8 @@ void EffectsPanel::showTimes() {
   };
   for (std::size_t i = 0; i < m_rows.size(); ++i)
     m_rows[i]->setCost(ofRow(m_times.costs, i), ofRow(m_times.wouldCosts, i));
-  m_measure->setText(m_times.isMeasuring ? tr("Measuring… %1 %").arg(qRound(100.0 * m_times.fraction))
-                                         : tr("Measure cost"));
-  m_measure->setAccessibleName(m_measure->text());
+  m_work->showProgress(m_times.isMeasuring ? std::optional(m_times.fraction) : std::nullopt,
+                       tr("Measuring… %1 %").arg(qRound(100.0 * m_times.fraction)));
   m_measure->setEnabled(!m_shown.empty() && !m_times.isMeasuring);
   m_method->setVisible(!m_times.costs.empty());
   if (!m_times.costs.empty())

@@ -17,6 +17,8 @@ class QPushButton;
 
 namespace limn {
 
+class WorkRow;
+
 /// One effect: a mark (filled: on, ring: off) or, where it can be switched, a switch; its title, what it
 /// costs, and below why.
 class EffectRowWidget : public QWidget {
@@ -72,6 +74,7 @@ public:
 
 signals:
   void measureRequested();
+  void cancelRequested();
   /// By the name of its row.
   void effectSwitched(const QString& effect, bool isOn);
 
@@ -87,6 +90,7 @@ private:
   QWidget* m_list = nullptr;
   QLabel* m_heading = nullptr;
   QPushButton* m_measure = nullptr;
+  WorkRow* m_work = nullptr;
   QLabel* m_method = nullptr;
 };
 

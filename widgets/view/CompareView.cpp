@@ -138,7 +138,11 @@ void CompareView::setSwapped(bool swapped) {
 }
 
 void CompareView::measureEffects() {
-  m_engines->drawing().measureEffects();
+  m_engines->drawing().measureEffects(true);
+}
+
+void CompareView::stopMeasuringEffects() {
+  m_engines->drawing().measureEffects(false);
 }
 
 void CompareView::setCropBoxVisible(bool visible) {

@@ -168,6 +168,7 @@ public slots:
   /// Measures at rest what each effect of the picture costs whose effects are told; the next change of what
   /// is shown stops it.
   void measureEffects();
+  void stopMeasuringEffects();
 
 signals:
   /// By the gesture of this id: what one drag, or one run of notches or key presses, asks for has one id.

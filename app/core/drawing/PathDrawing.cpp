@@ -137,6 +137,21 @@ Message sentenceOf(const PathFigures& figures) {
       .arg(figures.paths);
 }
 
+PictureAccuracy accuracyOf(const PathFigures& figures) {
+  AccuracyOfPaths paths{figures.paths, figures.rmsLevels, {}, {}};
+  if (const std::optional<NoiseFigures>& filtered = figures.filtered) {
+    paths.filterRms = filtered->rmsChange;
+    paths.filterLargest = filtered->largestChange;
+  }
+  return {figures.p99_9Levels, sentenceOf(figures).english(), paths};
+}
+
+PictureAccuracy accuracyOf(const std::vector<PathFigures>& pictures) {
+  // Nothing is as far off as what nobody knows.
+  const auto off = [](const PathFigures& figures) { return figures.rmsLevels.value_or(255.0); };
+  return accuracyOf(*std::ranges::max_element(pictures, {}, off));
+}
+
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene) {
   std::vector<Message> notes{sentenceOf(figures)};
   if (fogShows(scene))

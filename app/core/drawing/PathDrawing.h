@@ -3,6 +3,7 @@
 
 #include "cpu/CpuRenderer.h"
 #include "engine/PathFigures.h"
+#include "io/scenefile/SceneFile.h"
 #include "scene/Scene.h"
 #include "scene/basics/Effort.h"
 #include "scene/basics/Image.h"
@@ -43,6 +44,12 @@ void requireMemoryForPaths(const glm::ivec2& size, bool filtersNoise = false);
 
 /// How many paths a picture has and its standard error, one sentence.
 Message sentenceOf(const PathFigures& figures);
+
+/// What the file of such a picture keeps of it.
+PictureAccuracy accuracyOf(const PathFigures& figures);
+
+/// The same of pictures that stand in one file: of the one that lies farthest off. There is one at least.
+PictureAccuracy accuracyOf(const std::vector<PathFigures>& pictures);
 
 /// What whoever asked is told of it, a sentence each: paths and error, and what of the scene was left out.
 std::vector<Message> notesOf(const PathFigures& figures, const Scene& scene);

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -52,9 +53,21 @@ bool leavesLightUnmeasured(const Scene& scene, const Drawer& by) {
   return by.engine == Engine::rayCaster && hasTravellingLight(scene);
 }
 
+// When a picture tells what the filter adds to its error.
+enum class TellsFilter { never, beyondTolerance, always };
+
+TellsFilter tellsFilter(const MakingOptions& order, std::size_t index) {
+  if (order.tellsFilter)
+    return TellsFilter::always;
+  return order.isFilm && index > 0 ? TellsFilter::never : TellsFilter::beyondTolerance;
+}
+
 // Draws a scene with the steps that keep its tolerance. `trial` draws what is only looked at on the way.
 MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,
-                       const DrawScene& trial, StepControl control, const Drawer& by) {
+                       const DrawScene& trial, StepControl control, const Drawer& by, TellsFilter tells) {
+  // Where steps are looked for, those found heed the filter.
+  const bool mayExceed = scene.quality.toleranceLevels && !needsSteps(scene);
+  const bool measures = tells == TellsFilter::always || (tells == TellsFilter::beyondTolerance && mayExceed);
   const auto made = [&](const Scene& drawn) {
     return MadePicture{draw(drawn, size),
                        drawn,
@@ -62,8 +75,9 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                        by.name,
                        {},
                        false,
-                       leavesLightUnmeasured(drawn, by) ? ImageError()
-                                                        : errorOfFilter(drawn, size, trial, by.filterBits),
+                       measures && !leavesLightUnmeasured(drawn, by)
+                           ? errorOfFilter(drawn, size, trial, by.filterBits)
+                           : ImageError(),
                        {}};
   };
   if (!needsSteps(scene)) {
@@ -135,19 +149,19 @@ void putInto(DrawnByPaths made, MadePicture& picture) {
 // Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part. Trials
 // tell nothing: how far a picture is would begin anew with each.
 template <class Renderer, class Draw>
-void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, const Effort& effort,
+void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, const MakingOptions& order,
               StepControl control, const Drawer& by) {
   const auto count = static_cast<double>(sitting.scenes.size());
   for (std::size_t i = 0; i < sitting.scenes.size(); ++i) {
     const auto place = static_cast<double>(i);
-    const Effort part = partOf(effort, place / count, (place + 1.0) / count);
+    const Effort part = partOf(order.effort, place / count, (place + 1.0) / count);
     Effort silent = part;
     silent.report = nullptr;
     MadePicture picture = makeWithin(
         sitting.scenes[i], sitting.size,
         [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, part); },
         [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, silent); }, control,
-        by);
+        by, tellsFilter(order, i));
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
     picture.canBeEstimated = stepsSeeFunction(renderer, picture.scene);
@@ -164,14 +178,14 @@ void makeWithGl(const Sitting& sitting, const MakingOptions& order, const Volume
     const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort&) {
       return slices.render(scene, pixels);
     };
-    return makeWith(slices, draw, sitting, order.effort, StepControl::equal,
+    return makeWith(slices, draw, sitting, order, StepControl::equal,
                     {*order.engine, rendererName(), slices.filterBits()});
   }
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, room);
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return caster.render(scene, pixels, effort);
   };
-  makeWith(caster, draw, sitting, order.effort, StepControl::local,
+  makeWith(caster, draw, sitting, order, StepControl::local,
            {Engine::rayCaster, rendererName(), caster.filterBits()});
 }
 
@@ -190,8 +204,12 @@ void append(const Image& strip, Image& whole, const std::function<bool()>& isCan
 // Any strips make the same picture; between them it is told how far it is.
 Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size, const Effort& effort) {
   constexpr int rows = 128;
-  if (size.y <= rows)
-    return renderer.draw(scene, size, {{0, 0}, size}, effort.isCancelled);
+  if (size.y <= rows) {
+    Image whole = renderer.draw(scene, size, {{0, 0}, size}, effort.isCancelled);
+    if (effort.report)
+      effort.report(1.0);
+    return whole;
+  }
   // Strip is put behind strip: to fill a large picture before would keep whoever cancels waiting.
   Image whole;
   whole.size = size;
@@ -221,7 +239,7 @@ void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
     made = drawnByPaths(renderer, scene, pixels, effort);
     return made->image;
   };
-  makeWith(renderer, draw, {sitting.scenes, sitting.size, take}, order.effort, StepControl::cells,
+  makeWith(renderer, draw, {sitting.scenes, sitting.size, take}, order, StepControl::cells,
            {Engine::cpu, renderer.name()});
 }
 
@@ -235,7 +253,7 @@ void makeWithReference(const Sitting& sitting, const MakingOptions& order) {
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return toImage(renderReference(scene, pixels, order.effort.threads, effort.isCancelled));
   };
-  makeWith(renderer, draw, sitting, order.effort, StepControl::cells,
+  makeWith(renderer, draw, sitting, order, StepControl::cells,
            {Engine::reference, "reference (double precision)"});
 }
 
@@ -287,7 +305,8 @@ std::string exactnessOf(const MadePicture& picture) {
 
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
                            const Scene& scene, const glm::ivec2& size, const std::string& name) {
-  return makeWithin(scene, size, draw, draw, StepControl::cells, {Engine::cpu, name});
+  return makeWithin(scene, size, draw, draw, StepControl::cells, {Engine::cpu, name},
+                    TellsFilter::beyondTolerance);
 }
 
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
@@ -395,6 +414,17 @@ DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled) {
     redrawReference(picture, scene, wanted, threads, isCancelled);
     pixels = std::move(picture.pixels);
   };
+}
+
+// What was asked for is brought down by as much as was found more.
+Message noteBeyondTolerance(const Scene& asked, const ErrorByChance& found) {
+  const std::optional<double>& tolerance = asked.quality.toleranceLevels;
+  if (!tolerance || found.levels <= *tolerance)
+    return {};
+  const double less = std::max(0.01, std::floor(100.0 * *tolerance * *tolerance / found.levels) / 100.0);
+  return Message::tr("Single pixels lie farther off than the tolerance of %1, which is kept by an estimate; "
+                     "ask for less, such as --tolerance %2, for a picture that keeps it in these, too.")
+      .arg(levels(*tolerance), Message::rounded(less, 2));
 }
 
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort) {

@@ -27,7 +27,7 @@ struct MadePicture {
   /// Known to have steps that see the transfer function, so that pictures of smaller ones tell its error
   /// (accuracy/ErrorEstimate).
   bool canBeEstimated = false;
-  ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance)
+  ImageError ofFilter; ///< what the driver's weights between voxels add (accuracy/Tolerance); see tellsFilter
   Message steps;       ///< with which it keeps its tolerance, a sentence; empty where none were looked for
   /// Of a picture of physical light.
   std::optional<PathFigures> paths{};
@@ -49,6 +49,10 @@ struct MakingOptions {
   double textureMb = anyMb;
   EngineMemory memory; ///< is asked which engine is the faster; found by a trial where it does not know
   Effort effort; ///< threads of the CPU engine and the reference; told and asked between strips or tiles
+  /// Whether pictures tell `ofFilter`, for which others are drawn beside each; otherwise those alone whose
+  /// tolerance that may exceed.
+  bool tellsFilter = false;
+  bool isFilm = false; ///< of such pictures the first stands for all
 };
 
 /// Who draws a scene where nobody chose, as `makeEach` finds out: the CPU engine without OpenGL and where the
@@ -88,6 +92,10 @@ DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled);
 /// What exact pixels drawn at random say of a picture (accuracy/sweep/ErrorByChance); absent where they do
 /// not settle, or where the voxels stay on disk. Throws Cancelled.
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort);
+
+/// Where pixels drawn at random say more than the tolerance that a picture was asked to keep, by estimate, a
+/// sentence that says so, and what to ask for; otherwise empty.
+Message noteBeyondTolerance(const Scene& asked, const ErrorByChance& found);
 
 /// Two pictures of one height side by side.
 Image sideBySide(const Image& left, const Image& right);

@@ -50,6 +50,7 @@ std::string frameName(int frame) {
 void writeFrames(const fs::path& folder, const Turntable& turntable, const MakingOptions& order,
                  const DescribeScene& describe, const MarkPicture& mark, std::vector<Message>& notes) {
   MakingOptions drawing = order;
+  drawing.isFilm = true;
   drawing.effort = partOf(order.effort, shareOfCameras, 1.0);
   const std::vector<Scene> scenes = framesOf(turntable, partOf(order.effort, 0.0, shareOfCameras));
   makeEach(scenes, turntable.size, drawing, [&](std::size_t index, const MadePicture& picture) {

@@ -27,12 +27,14 @@ namespace {
 
 constexpr int toldForMs = 4000;
 
-// What chance says of the pictures on screen, of the worse of two; absent until it does.
+// What paths or chance say of the pictures on screen, of the worse of two; absent until they do.
 std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
-  if (state.sides.size() == 1 && state.sides.front().paths && state.sides.front().paths->p99_9Levels) {
-    const PathFigures& paths = *state.sides.front().paths;
-    return PictureAccuracy{*paths.p99_9Levels, sentenceOf(paths).english()};
-  }
+  std::vector<PathFigures> paths;
+  for (const SideState& side : state.sides)
+    if (side.paths)
+      paths.push_back(*side.paths);
+  if (!paths.empty() && paths.size() == state.sides.size())
+    return accuracyOf(paths);
   std::optional<ErrorByChance> worst;
   for (const SideState& side : state.sides) {
     if (!side.chance)
@@ -269,33 +271,39 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
   SceneDocument document = documentOf(scene, volumeInPicture());
   document.measurements = m_context.session.measurements();
   document.sides = sidesOf(view.order().comparison);
-  file.description = sceneToJson(document, isOnScreen ? accuracyOf(shown) : std::nullopt);
   if (isOnScreen) {
+    file.description = sceneToJson(document, accuracyOf(shown));
     if (m_context.notes.attempt([&] { file.write(arrangement.of(sides)); }, path))
       sayGround(path, options);
     return;
   }
-  drawPicture(file, arrangement, scenes, {size.width() / beside, size.height()});
+  drawPicture(file, document, arrangement, scenes, {size.width() / beside, size.height()});
 }
 
-void SavingController::drawPicture(const PictureFile& file, const Arrangement& arrangement,
-                                   const std::vector<Scene>& scenes, const glm::ivec2& size) {
+void SavingController::drawPicture(const PictureFile& file, const SceneDocument& document,
+                                   const Arrangement& arrangement, const std::vector<Scene>& scenes,
+                                   const glm::ivec2& size) {
   const QString name = QFileInfo(QString::fromStdString(file.path)).fileName();
   const int columns = arrangement.layout == CompareLayout::sideBySide ? 2 * size.x : size.x;
   m_drawn = tr("Drawing %1, %2 × %3 pixels").arg(name, QString::number(columns), QString::number(size.y));
   m_left.begin(scenes.size());
   emit drawing(m_drawn);
-  m_drawing.start([this, file, arrangement, scenes, size,
+  m_drawing.start([this, file, document, arrangement, scenes, size,
                    order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
     MakingOptions told = order;
     told.effort = effort; // each of two sides has its half of it
     std::vector<Image> sides(scenes.size());
     PictureFile drawn = file;
+    std::vector<PathFigures> paths;
     makeEach(scenes, size, told, [&](std::size_t index, MadePicture picture) {
-      drawn.exactness +=
-          picture.paths ? QLatin1Char(' ') + translated(sentenceOf(*picture.paths)) : QString();
+      if (picture.paths) {
+        paths.push_back(*picture.paths);
+        drawn.exactness += QLatin1Char(' ') + translated(sentenceOf(*picture.paths));
+      }
       sides[index] = std::move(picture.image);
     });
+    const bool areOfPaths = paths.size() == scenes.size();
+    drawn.description = sceneToJson(document, areOfPaths ? std::optional(accuracyOf(paths)) : std::nullopt);
     return written(drawn, std::make_shared<const Image>(arrangement.of(sides)), nullptr);
   });
 }

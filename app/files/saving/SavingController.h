@@ -63,8 +63,8 @@ private:
   struct Arrangement;
   struct PictureFile;
   struct Unwritten;
-  void drawPicture(const PictureFile& file, const Arrangement& arrangement, const std::vector<Scene>& scenes,
-                   const glm::ivec2& size);
+  void drawPicture(const PictureFile& file, const SceneDocument& document, const Arrangement& arrangement,
+                   const std::vector<Scene>& scenes, const glm::ivec2& size);
   /// Writes a drawn picture, on the thread of work, and returns how that is told. One that is `offered` could
   /// not be written before.
   BackgroundWork::Deliver written(const PictureFile& file, const std::shared_ptr<const Image>& image,

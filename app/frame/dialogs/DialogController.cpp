@@ -3,8 +3,10 @@
 
 #include "app/guide/GuideWindow.h"
 #include "app/window/WindowContext.h"
+#include "widgets/controls/DialogRoom.h"
 #include "widgets/theme/Icons.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -198,12 +200,15 @@ QGridLayout* columnOf(const QList<QList<HelpRow>>& groups) {
 
 } // namespace
 
-// Side by side, because one below the other they are higher than a small screen.
+// Side by side, because one below the other they are higher than a small screen; on one that is smaller yet
+// they scroll.
 void showShortcuts(const ActionList& actions, QWidget* parent) {
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("Mouse and keys"));
-  auto* columns = new QHBoxLayout;
+  auto* lists = new QWidget;
+  auto* columns = new QHBoxLayout(lists);
+  columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(40);
   const HelpRows rows = helpRows(actions);
   columns->addLayout(columnOf({rows.picture, rows.curve}), 1);
@@ -213,8 +218,12 @@ void showShortcuts(const ActionList& actions, QWidget* parent) {
   auto* all = new QVBoxLayout(dialog);
   all->setContentsMargins(16, 12, 16, 12);
   all->setSpacing(12);
-  all->addLayout(columns);
+  auto* scroll = new WholeScroll(lists);
+  scroll->setAccessibleName(dialog->windowTitle());
+  all->addWidget(scroll);
   all->addWidget(close, 0, Qt::AlignRight);
+  close->setFocus();
+  dialog->resize(dialog->sizeHint()); // of what scrolls Qt shows two thirds of a screen at most
   dialog->show();
 }
 
@@ -373,6 +382,7 @@ QCheckBox* SettingsDialog::switchOf(QAction& action) {
 }
 
 DialogController::DialogController(WindowContext& context) : QObject(&context.window), m_context(context) {
+  qApp->installEventFilter(new DialogRoom(this));
   QAction* settings =
       context.actions.add(QStringLiteral("settings"),
                           {.text = tr("&Settings…"), .place = {Menu::edit, 3, 1}, .shortcut = tr("Ctrl+,")});

@@ -52,11 +52,20 @@ SceneDocument located(SceneDocument document, const std::filesystem::path& file)
 /// What is to be written of a scene; `volume` is stored as given, and so is the source of labels.
 SceneDocument documentOf(const Scene& scene, const std::string& volume);
 
+/// What random paths tell of their picture, 255 levels.
+struct AccuracyOfPaths {
+  int count = 0; ///< of each pixel
+  std::optional<double> rmsLevels;
+  std::optional<double> filterRms,
+      filterLargest; ///< what filtering the noise changed; absent where it did not
+};
+
 /// How far a saved picture of a scene lies from the exact one. Says nothing of the scene: who reads it as one
 /// passes it over.
 struct PictureAccuracy {
-  double levels = 0.0;  ///< of 255, within which the pixels lie
-  std::string sentence; ///< how many of them, and how sure that is
+  std::optional<double> levels;           ///< of 255, within which the pixels lie, where that is known
+  std::string sentence;                   ///< how many of them, and how sure that is
+  std::optional<AccuracyOfPaths> paths{}; ///< of a picture of physical light
 };
 
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.

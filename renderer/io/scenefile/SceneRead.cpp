@@ -299,9 +299,11 @@ Slab readSlab(JsonFields fields) {
 
 // What a saved picture says of itself; it decides nothing.
 void readAccuracy(JsonFields fields) {
-  double levels = 0.0;
+  double number = 0.0;
   std::string statement;
-  fields.number("within_levels", levels, accuracyLimits);
+  for (const char* levels : {"within_levels", "rms_levels", "filter_rms_levels", "filter_largest_levels"})
+    fields.number(levels, number, accuracyLimits);
+  fields.number("paths", number, positive);
   fields.text("statement", statement);
   fields.finish();
 }

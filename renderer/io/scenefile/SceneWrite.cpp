@@ -125,6 +125,23 @@ Json toJson(const ShownSides& sides) {
   return json;
 }
 
+// What is not known is left out.
+Json accuracyJson(const PictureAccuracy& accuracy) {
+  Json json = {{"statement", accuracy.sentence}};
+  const auto put = [&json](const char* key, const std::optional<double>& number) {
+    if (number)
+      json[key] = *number;
+  };
+  put("within_levels", accuracy.levels);
+  if (const std::optional<AccuracyOfPaths>& paths = accuracy.paths) {
+    json["paths"] = paths->count;
+    put("rms_levels", paths->rmsLevels);
+    put("filter_rms_levels", paths->filterRms);
+    put("filter_largest_levels", paths->filterLargest);
+  }
+  return json;
+}
+
 Json toJson(const Fog& fog) {
   return {{"mode", fogWords.of(fog.mode)},
           {"color", toJson(fog.color)},
@@ -206,7 +223,7 @@ std::string sceneToJson(const Scene& scene, const std::string& volume,
 std::string sceneToJson(const SceneDocument& document, const std::optional<PictureAccuracy>& accuracy) {
   Json json = sceneJson(document);
   if (accuracy)
-    json["accuracy"] = {{"within_levels", accuracy->levels}, {"statement", accuracy->sentence}};
+    json["accuracy"] = accuracyJson(*accuracy);
   return textOf(json);
 }
 

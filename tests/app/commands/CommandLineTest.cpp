@@ -64,6 +64,9 @@ TEST_F(CommandLine, aToleranceIsKeptToldAndReproducedByItsPicture) {
   EXPECT_TRUE(std::filesystem::exists(samples));
   const nlohmann::json told = nlohmann::json::parse(outcome.out);
   EXPECT_LE(told["accuracy"]["within_levels"].get<double>(), 2.0) << "of 2995 pixels the farthest off";
+  EXPECT_EQ(told["notes"].dump().find("farther off than the tolerance of 1 level") != std::string::npos,
+            told["accuracy"]["within_levels"].get<double>() > 1.0)
+      << outcome.out;
   const std::string statement = told["accuracy"]["statement"].get<std::string>();
   EXPECT_NE(outcome.err.find(statement), std::string::npos) << outcome.err;
   EXPECT_NE(readImageDescription(first).find(statement), std::string::npos);

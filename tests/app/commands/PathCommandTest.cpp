@@ -174,8 +174,22 @@ TEST_F(PathCommand, aPictureKeepsItsStandardError) {
   ASSERT_EQ(run("render " + sceneUntil(R"({"paths": 8})") + " -o " + path("a.png")).status, 0);
   const json written = json::parse(readImageDescription(path("a.png")));
   EXPECT_GT(written["accuracy"]["within_levels"].get<double>(), 0.0);
+  EXPECT_GT(written["accuracy"]["rms_levels"].get<double>(), 0.0);
+  EXPECT_EQ(written["accuracy"]["paths"], 8);
+  EXPECT_FALSE(written["accuracy"].contains("filter_rms_levels"));
   EXPECT_NE(written["accuracy"]["statement"].get<std::string>().find("after 8 paths a pixel"),
             std::string::npos);
+}
+
+TEST_F(PathCommand, aFilteredPictureKeepsWhatIsLeftAndWhatTheFilterChanged) {
+  ASSERT_EQ(run("render " + sceneUntil(R"({"paths": 16})") + " --filter-noise -o " + path("a.png")).status,
+            0);
+  const json accuracy = json::parse(readImageDescription(path("a.png")))["accuracy"];
+  EXPECT_FALSE(accuracy.contains("within_levels")) << "not known";
+  EXPECT_EQ(accuracy["paths"], 16);
+  EXPECT_GT(accuracy["rms_levels"].get<double>(), 0.0);
+  EXPECT_GT(accuracy["filter_rms_levels"].get<double>(), 0.0);
+  EXPECT_GT(accuracy["filter_largest_levels"].get<double>(), accuracy["filter_rms_levels"].get<double>());
 }
 
 TEST_F(PathCommand, whoFollowsNoPathsRefusesInASentence) {

@@ -100,6 +100,15 @@ TEST_F(TurntableCommand, framesArePicturesOfRenderAndCarryTheirScenes) {
   EXPECT_NE(test::bytesOfFile(file("turn/frame-0001.png")), test::bytesOfFile(file("turn/frame-0002.png")));
 }
 
+TEST_F(TurntableCommand, saysWhereItIsAlsoWithoutATerminal) {
+  const std::string command = "turntable phantom:16 --frames 3 --size 64x48 --engine cpu -o ";
+  const Outcome told = run(command + file("told"));
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.err.find("limn: Drawing frame 1 of 3."), std::string::npos) << told.err;
+  const Outcome quiet = run(command + file("quiet") + " --quiet");
+  EXPECT_EQ(quiet.err.find("Drawing"), std::string::npos) << quiet.err;
+}
+
 TEST_F(TurntableCommand, aPartOfATurnIsAFrameOfIt) {
   ASSERT_EQ(
       run("turntable phantom:16 --frames 3 --size 64x48 --engine cpu --quiet -o " + file("turn")).status, 0);

@@ -26,6 +26,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -234,6 +236,13 @@ TEST_F(PhysicalWindow, aSavedPictureHasThePathsThatThePanelPromises) {
     ASSERT_TRUE(test::waitUntil([&] { return isWholePicture(folder.path() / name); }));
     const SceneDocument saved = parseScene(readImageDescription(folder.path() / name), name);
     EXPECT_EQ(saved.scene.shading.physical.until, Until(UntilPaths{promised}));
+    const QJsonObject told =
+        QJsonDocument::fromJson(QByteArray::fromStdString(readImageDescription(folder.path() / name)))
+            .object()[QStringLiteral("accuracy")]
+            .toObject();
+    EXPECT_EQ(told[QStringLiteral("paths")].toInt(), promised);
+    EXPECT_GT(told[QStringLiteral("rms_levels")].toDouble(), 0.0);
+    EXPECT_EQ(told.contains(QStringLiteral("filter_largest_levels")), filters);
     EXPECT_TRUE(test::waitUntil([&] {
       return messages().isVisible() &&
              messages().sentence().contains(QStringLiteral("after %1 paths a pixel").arg(promised));

@@ -12,6 +12,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
+#include <QScreen>
 
 // The tools of the left button, in the program's window.
 
@@ -240,6 +242,11 @@ TEST_F(ToolWindow, theListOfKeysNamesThem) {
   QDialog* dialog = listOfKeys();
   ASSERT_NE(dialog, nullptr);
   EXPECT_TRUE(QRect(0, 0, 1280, 800).contains(QRect({}, dialog->sizeHint()))) << "on a small screen";
+  EXPECT_TRUE(QRect(0, 0, 800, 520).contains(QRect({}, dialog->minimumSizeHint()))) << "on a smaller one";
+  EXPECT_TRUE(dialog->screen()->availableGeometry().contains(dialog->geometry()));
+  dialog->resize(700, 480);
+  const auto* close = dialog->findChild<QPushButton*>();
+  ASSERT_TRUE(test::waitUntil([&] { return dialog->rect().contains(close->geometry()); }));
   QString text;
   for (const QLabel* label : dialog->findChildren<QLabel*>())
     text += label->text();

@@ -12,8 +12,8 @@
 #include "widgets/accuracy/MeasuredSection.h"
 #include "widgets/accuracy/StopSlider.h"
 #include "widgets/accuracy/WishSection.h"
-#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QAccessible>
 #include <QCheckBox>
@@ -146,8 +146,15 @@ TEST_F(AccuracyPanelTest, theDialTellsWhatTheStatusBarTellsOfThePictureOnScreen)
             QStringLiteral("Step 1/2 voxel: not measured for this picture. The picture on screen: "
                            "estimated within 0.7 of 255 levels."));
   measure();
+  panel.setOnScreen(scene.quality);
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms."))
       << "the status bar says what was measured";
+  panel.setOnScreen(scene.quality, QStringLiteral("99.9 % of pixels within 2.7 of 255 levels (95 % sure)"));
+  EXPECT_EQ(
+      sentence(),
+      QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms. The picture on screen: 99.9 % of pixels "
+                     "within 2.7 of 255 levels (95 % sure)."))
+      << "a smaller picture was measured";
   Quality refined = scene.quality;
   refined.stepVoxels = 0.3;
   panel.setOnScreen(refined, told);

@@ -397,7 +397,8 @@ TEST(LabelLegend, namesTheLabelsThatAreShownByCurvesOfTheirOwn) {
   panel.plane = PatientPlane::axial;
   rows = panelLabels(panel).rows;
   ASSERT_EQ(rows.size(), 4u) << "a slice outlines them, whoever's curve they have";
-  EXPECT_EQ(rows[0], (LabelRow{QColor(255, 255, 255), QStringLiteral("organ 1")})) << "in their own colours";
+  EXPECT_EQ(rows[0], (LabelRow{QColor(1, 0, 255), QStringLiteral("organ 1")})) << "in one colour everywhere";
+  EXPECT_EQ(rows[2], (LabelRow{QColor(255, 255, 255), QStringLiteral("organ 4")})) << "that of its file";
   panel.planes.outlinesRegion = false;
   EXPECT_TRUE(panelLabels(panel).rows.empty()) << "plain grey";
   panel.planes.isTinted = true;

@@ -79,6 +79,27 @@ TEST(PlanePictures, outlineTheKeptRegionAndTintOnlyIt) {
   EXPECT_EQ(pictures.readings(), 1);
 }
 
+TEST(PlanePictures, outlineLabelsInTheColourOfTheirOwnCurves) {
+  const auto volume = test::countingVolume({20, 20, 3}, {1.0, 1.0, 1.0});
+  PlaneContent content = test::contentOf(volume);
+  std::vector<std::uint8_t> places(20 * 20 * 3, 0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = i % 20 >= 10 ? 1 : 0;
+  const std::vector<Label> names{{0, "rest", glm::dvec3(1.0)}, {1, "tumour", {0, 0, 1}}};
+  content.keep = {Region::Kind::labels,
+                  "seg",
+                  std::make_shared<const LabelMap>(glm::ivec3(20, 20, 3), places, names),
+                  {1.0, 1.0}};
+  const PlaneGrid plane = test::coveringPlane(volume->grid(), PatientPlane::axial, {0, 0, 1});
+  PlanePictures pictures;
+  const auto atEdge = [&] { return pictures.picture(content, plane).pixelColor(10, 5); };
+  EXPECT_EQ(atEdge(), QColor(Qt::blue)) << "that of the file";
+  content.keep = withLookOf(content.keep, 1, TransferFunction{1.0, {{0.0, {1, 0, 0}, 0.5}}});
+  EXPECT_EQ(atEdge(), QColor(Qt::red)) << "as the picture and legends have it";
+  content.keep = withLookOf(content.keep, 1, std::nullopt);
+  EXPECT_EQ(atEdge(), QColor(Qt::blue));
+}
+
 TEST(PlanePictures, areCoarseOnlyWhereTheyWouldTakeTooLong) {
   PlaneContent content = test::contentOf(test::countingVolume({40, 40, 20}, glm::dvec3(1.0)));
   const PlaneGrid plane = test::coveringPlane(content.volume->grid(), PatientPlane::axial, {0, 0, 5});

@@ -177,6 +177,12 @@ TEST(OnProcessor, aMeasurementOfCostsIsSaidAtOnce) {
   QCoreApplication::processEvents();
   EXPECT_TRUE(times.isMeasuring);
   EXPECT_TRUE(test::waitUntil([&] { return !times.isMeasuring && !times.costs.empty(); }));
+  host.view.measureEffects();
+  host.view.stopMeasuringEffects();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(times, EffectTimes{}) << "cancelled";
+  ASSERT_TRUE(host.rest());
+  EXPECT_EQ(times, EffectTimes{});
 }
 
 TEST(OnProcessor, whatChangesWhileTheViewIsHiddenIsDrawnOnceItIsSeen) {

@@ -20,7 +20,7 @@ public:
   ~DriverDrawing() override;
 
   QWidget& canvas() override;
-  void measureEffects() override { m_loop.measureEffects(); }
+  void measureEffects(bool measures) override { m_loop.measureEffects(measures); }
   std::optional<RestingPicture> resting(int side) const override;
   GradientScale gradientScaleOf(int side) const override { return m_loop.gradientScaleOf(side); }
 

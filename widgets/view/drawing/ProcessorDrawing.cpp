@@ -73,18 +73,19 @@ void PictureWorker::begin() {
   show();
 }
 
-void PictureWorker::measureEffects() {
+void PictureWorker::measureEffects(bool measures) {
   m_isInterrupted = true;
-  QMetaObject::invokeMethod(this, &PictureWorker::beginMeasuring, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(
+      this, [this, measures] { beginMeasuring(measures); }, Qt::QueuedConnection);
 }
 
-void PictureWorker::beginMeasuring() {
+void PictureWorker::beginMeasuring(bool measures) {
   {
     const std::lock_guard lock(m_mutex);
     m_isInterrupted = m_isWoken || m_endsPreparing; // an order, or the end, is still to come
   }
   ++m_measurements;
-  m_loop.measureEffects();
+  m_loop.measureEffects(measures);
   deliver();
 }
 
@@ -202,22 +203,23 @@ void ProcessorDrawing::drawOrder(const PictureOrder& order) {
     m_askTimer.start(0);
 }
 
-void ProcessorDrawing::measureEffects() {
+void ProcessorDrawing::measureEffects(bool measures) {
   if (m_delivery.news.effects.empty())
     return;
   ++m_measurements;
-  m_worker->measureEffects();
+  m_measures = measures;
+  m_worker->measureEffects(measures);
   noteMeasuring();
   QMetaObject::invokeMethod(
       this, [this] { tell(); }, Qt::QueuedConnection);
 }
 
-// Said at once: to begin, the thread may first have to end a piece of what it draws.
+// Said at once: to begin, or to end, the thread may first have to end a piece of what it draws.
 void ProcessorDrawing::noteMeasuring() {
   if (m_delivery.measurements >= m_measurements)
     return;
   m_delivery.news.times = {};
-  m_delivery.news.times.isMeasuring = true;
+  m_delivery.news.times.isMeasuring = m_measures;
 }
 
 // Pictures of an earlier order are shown, too: while something moves there are no others.

@@ -40,16 +40,16 @@ public:
   /// From any thread: ends what is being drawn or got ready, before the thread ends.
   void interrupt() { m_isInterrupted = m_endsPreparing = true; }
 
-  /// From any thread: measures what the effects of the last picture cost. What is being drawn at rest gives
-  /// way and goes on after that.
-  void measureEffects();
+  /// From any thread: measures what the effects of the last picture cost, or no longer. What is being drawn
+  /// at rest gives way and goes on after that.
+  void measureEffects(bool measures);
 
 signals:
   void delivered(); ///< there is something to take
 
 private:
   void begin();
-  void beginMeasuring();
+  void beginMeasuring(bool measures);
   void guard(const PictureContext::Work& work);
   void show();
   void deliver();
@@ -82,7 +82,7 @@ public:
   ~ProcessorDrawing() override;
 
   QWidget& canvas() override;
-  void measureEffects() override;
+  void measureEffects(bool measures) override;
   std::optional<RestingPicture> resting(int side) const override;
   GradientScale gradientScaleOf(int side) const override;
 
@@ -101,7 +101,8 @@ private:
   PictureWorker* m_worker; ///< on the thread
   PictureOrder m_pictures; ///< the last order
   int m_number = 0;        ///< of its pictures: the same asks only to put them together otherwise
-  int m_measurements = 0;  ///< of what effects cost that were asked for
+  int m_measurements = 0;  ///< of what effects cost that were asked for, or ended
+  bool m_measures = false; ///< the last was asked for
   int m_forgotten = -1;    ///< the last order for the volume before
   QTimer m_askTimer;       ///< several changes of one turn are one order
   PictureDelivery m_delivery;

@@ -35,8 +35,8 @@ public:
   /// What is to be seen from now on; an equal order draws nothing.
   void show(const ViewOrder& order);
 
-  /// Measures at rest what the effects of the last picture cost.
-  virtual void measureEffects() = 0;
+  /// Measures at rest what the effects of the last picture cost, or no longer.
+  virtual void measureEffects(bool measures) = 0;
 
   virtual std::optional<RestingPicture> resting(int side) const = 0; ///< absent before it is complete
   /// The gradient moduli with which a side was lit; empty before it was drawn.

@@ -161,10 +161,8 @@ QString sideTitle(const Comparison& comparison, int side) {
 QStringList sideDetails(const Scene& scene, const SideState& told) {
   const SideState state = asShown(told);
   QStringList parts;
-  if (state.measuredLevels)
-    parts << QObject::tr("within %1 levels").arg(promisedLevels(*state.measuredLevels));
-  else if (state.chance)
-    parts << QObject::tr("within %1 levels").arg(promisedLevels(state.chance->levels));
+  if (state.chance || state.measuredLevels)
+    parts << QObject::tr("within %1 levels").arg(promisedLevels(*levelsOf(state)));
   else if (state.estimate && !state.isRough && state.isResolved)
     parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)

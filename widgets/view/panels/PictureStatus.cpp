@@ -81,11 +81,12 @@ QString pathsText(const PathFigures& paths) {
 QString worstText(const SideState& worst) {
   if (worst.paths)
     return pathsText(*worst.paths);
-  if (worst.measuredLevels)
-    return QObject::tr("within %1 of 255 levels, measured").arg(promisedLevels(*worst.measuredLevels));
   if (worst.chance)
     return QObject::tr("99.9 % of pixels within %1 of 255 levels (95 % sure)")
         .arg(promisedLevels(worst.chance->levels));
+  if (worst.measuredLevels)
+    return QObject::tr("within %1 of 255 levels, measured in a smaller picture")
+        .arg(promisedLevels(*worst.measuredLevels));
   const QString levels = levelsText(worst.estimate->p99_9);
   return (worst.isRough ? QObject::tr("estimated within about %1 of 255 levels")
                         : QObject::tr("estimated within %1 of 255 levels"))
@@ -106,9 +107,7 @@ QString estimateText(const PictureState& state) {
     return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
   QString text = worstText(worst);
-  const bool isMeasured =
-      std::ranges::any_of(state.sides, [](const SideState& side) { return side.measuredLevels.has_value(); });
-  if (state.sides.size() < 2 || !isMeasured)
+  if (state.sides.size() < 2 || std::ranges::none_of(state.sides, tellsMeasured))
     return text;
   return (&worst == &state.sides.front() ? QObject::tr("left %1") : QObject::tr("right %1")).arg(text);
 }
@@ -140,11 +139,10 @@ constexpr double nearlyExactLevels = 2.55;
 constexpr double singleLevels = 2.0 * nearlyExactLevels;
 
 // By the law a picture is accurate to the screen by the 99.9th percentile of its colour values; of the pixels
-// that were drawn it is measured, too, beside what they say of all others.
+// that were drawn it is known, too, beside what they say of all others.
 bool areAccurate(const PictureState& state) {
-  return std::ranges::all_of(state.sides, [](const SideState& side) {
-    return side.chance && !side.measuredLevels && side.chance->p99_9 <= screenLevels;
-  });
+  return std::ranges::all_of(
+      state.sides, [](const SideState& side) { return side.chance && side.chance->p99_9 <= screenLevels; });
 }
 
 QString badgeText(const PictureState& state) {
@@ -238,6 +236,20 @@ QString restingText(const PictureState& state) {
                                                       : stepText(side.stepVoxels));
 }
 
+QString measuredText(double levels) {
+  return QObject::tr("999 of 1000 colour values of a smaller picture of the same scene were measured to lie "
+                     "within %1 levels of the exact one; black and white are 255 levels apart.")
+      .arg(promisedLevels(levels));
+}
+
+QString chanceText(const ErrorByChance& chance) {
+  return translated(describe(chance)) + QLatin1Char(' ') +
+         QObject::tr("Of the colour values of the pixels that were drawn 999 of 1000 lie within %1 levels of "
+                     "the exact picture.")
+             .arg(promisedLevels(chance.p99_9)) +
+         QLatin1Char(' ');
+}
+
 QString explanationOf(const PictureState& state) {
   if (!isResolved(state))
     return QObject::tr("Not resolved: a band of the curve is narrower than what the value changes by within "
@@ -255,18 +267,12 @@ QString explanationOf(const PictureState& state) {
                "picture lies from the exact one: %1 of 255 levels on average (RMS), 999 of 1000 colour "
                "values within %2. Four times as many paths halve it.")
         .arg(levelsText(*paths->rmsLevels), levelsText(*paths->p99_9Levels));
-  if (const std::optional<double> measured = worstOf(state).measuredLevels)
-    return QObject::tr(
-               "999 of 1000 colour values of a smaller picture of the same scene were measured to lie "
-               "within %1 levels of the exact one; black and white are 255 levels apart.")
-        .arg(promisedLevels(*measured));
+  const std::optional<double> measured = worstOf(state).measuredLevels;
   if (const std::optional<ErrorByChance>& chance = worstOf(state).chance)
-    return translated(describe(*chance)) + QLatin1Char(' ') +
-           QObject::tr(
-               "Of the colour values of the pixels that were drawn 999 of 1000 lie within %1 levels of "
-               "the exact picture.")
-               .arg(promisedLevels(chance->p99_9)) +
-           QLatin1Char(' ') + QObject::tr("Black and white are 255 levels apart.");
+    return chanceText(*chance) +
+           (measured ? measuredText(*measured) : QObject::tr("Black and white are 255 levels apart."));
+  if (measured)
+    return measuredText(*measured);
   QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
                              "of the exact picture; black and white are 255 levels apart.")
                      .arg(levelsText(worstOf(state).estimate->p99_9));

@@ -220,11 +220,14 @@ void PictureLoop::refine() {
   (isComplete ? m_restTimer : m_refineTimer).start(0);
 }
 
-void PictureLoop::measureEffects() {
+void PictureLoop::measureEffects(bool measures) {
   if (!m_pictures || m_news.effects.empty())
     return;
   m_context.makeCurrent(); // what was measured before ends in it
-  m_pictures->rest().measureCosts(m_pictures->count() - 1);
+  if (measures)
+    m_pictures->rest().measureCosts(m_pictures->count() - 1);
+  else
+    m_pictures->rest().giveUpCosts();
   m_context.doneCurrent();
   tell(m_news.times, m_pictures->rest().times());
   m_restTimer.start(0);

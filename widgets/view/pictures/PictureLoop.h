@@ -61,8 +61,8 @@ public:
   /// Notes that what is drawn was shown.
   void noteShown() { m_sinceShown.start(); }
 
-  /// Measures at rest what the effects of the last picture cost.
-  void measureEffects();
+  /// Measures at rest what the effects of the last picture cost, or no longer.
+  void measureEffects(bool measures = true);
 
   /// A volume is being got ready: what pictures there are show another one.
   bool isPreparing() const { return m_sincePreparing.isValid(); }

@@ -46,7 +46,7 @@ struct SideState {
   std::optional<ErrorEstimate> estimate; ///< of the error of what is shown; absent while nothing is known
   bool isRough = true;                   ///< the estimate comes from small pictures
   std::optional<ErrorByChance> chance;   ///< of the error of what is shown, once it is final
-  std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
+  std::optional<double> measuredLevels;  ///< 99.9th percentile of the error of a smaller picture, measured
   bool isLightMeasured = true;           ///< false: what a grid of light is off by is in no figure told
   std::optional<PathFigures> paths{};    ///< of the picture at rest, where light is physical
   std::optional<PathFigures> onTheWay{}; ///< of what is shown while it gets more paths: rows of two pictures
@@ -59,14 +59,19 @@ struct SideState {
 /// section 9).
 inline constexpr double screenLevels = 1.0;
 
-/// The error that is told of a side, in levels: the measured one where there is one, which stands in the
-/// accuracy panel, too; then what chance found; absent while nothing is known.
+/// The error that is told of a side, in levels: what chance found of this very picture, which a saved one
+/// carries, too; then what was measured in a smaller one; absent while nothing is known.
 inline std::optional<double> levelsOf(const SideState& side) {
-  if (!side.measuredLevels && side.chance)
+  if (side.chance)
     return side.chance->levels;
   if (side.measuredLevels || !side.estimate)
     return side.measuredLevels;
   return side.estimate->p99_9;
+}
+
+/// Whether that is what was measured in a smaller picture.
+inline bool tellsMeasured(const SideState& side) {
+  return side.measuredLevels && !side.chance;
 }
 
 /// The error that paths tell of their picture.

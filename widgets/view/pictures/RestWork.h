@@ -30,6 +30,12 @@ public:
     m_costs.reset();
   }
 
+  /// Nobody waits for them any more.
+  void giveUpCosts() {
+    m_costSide.reset();
+    m_costs.reset();
+  }
+
   /// Does one piece. False when there was nothing to do.
   bool step(DrawingEngine& engine);
 

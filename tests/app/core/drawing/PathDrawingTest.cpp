@@ -5,6 +5,8 @@
 #include "app/core/drawing/PathAccuracy.h"
 #include "app/core/drawing/PictureMaker.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/light/LightPresets.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 
@@ -38,6 +40,16 @@ TEST(PathDrawing, aQualityWithPathsGoesBeforeTheScenesOwnEnd) {
   EXPECT_FALSE(picture.scene.quality.paths);
   EXPECT_EQ(makePictures({picture.scene}, fewPixels, Engine::cpu, 2).front().image, picture.image);
   EXPECT_NE(exactnessOf(picture).find("after 8 paths a pixel"), std::string::npos) << exactnessOf(picture);
+}
+
+TEST(NoteBeyondTolerance, saysThatPixelsLieFartherOffAndWhatToAskFor) {
+  Scene scene = pathScene(UntilPaths{1});
+  EXPECT_TRUE(noteBeyondTolerance(scene, {9.0, 0.0, 9.0, chancePixels}).empty()) << "nothing was asked for";
+  scene.quality.toleranceLevels = 0.5;
+  EXPECT_TRUE(noteBeyondTolerance(scene, {0.5, 0.0, 0.5, chancePixels}).empty()) << "it is kept";
+  const std::string note = noteBeyondTolerance(scene, {0.67, 0.0, 0.6, chancePixels}).english();
+  EXPECT_NE(note.find("farther off than the tolerance of 0.5 levels"), std::string::npos) << note;
+  EXPECT_NE(note.find("--tolerance 0.37"), std::string::npos) << note;
 }
 
 TEST(PathDrawing, aPictureThatMemoryDoesNotHoldIsRefusedInASentence) {
@@ -121,6 +133,44 @@ TEST(PictureProgress, neverGoesBack) {
   ASSERT_GE(told.size(), 4u) << "two strips of each at least";
   EXPECT_EQ(std::ranges::adjacent_find(told, std::ranges::greater_equal()), told.end()) << "each strip once";
   EXPECT_EQ(told.back(), 1.0);
+}
+
+// A film of small frames goes on by frames, of which it is known how long the rest takes.
+TEST(PictureProgress, tellsEachSmallPictureThatIsDrawn) {
+  const Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
+  std::vector<double> told;
+  MakingOptions order;
+  order.engine = Engine::cpu;
+  order.effort.threads = 2;
+  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  makeEach({scene, scene}, fewPixels, order, [](std::size_t, const MadePicture&) {});
+  EXPECT_EQ(told, (std::vector<double>{0.5, 1.0}));
+}
+
+// What the light that is looked up adds is told where somebody asks; drawing it takes two pictures more.
+TEST(PictureMaker, drawsNoOtherPicturesBesideOneThatTellsNothingOfThem) {
+  Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::enhanced);
+  scene.shading = withLight(scene.shading, LightPreset::softStudio);
+  ASSERT_TRUE(hasTravellingLight(scene));
+  int drawn = 0;
+  const auto draw = [&drawn](const Scene&, const glm::ivec2& size) {
+    ++drawn;
+    Image picture;
+    picture.size = size;
+    picture.pixels.resize(static_cast<std::size_t>(size.x) * size.y);
+    return picture;
+  };
+  pictureDrawnBy(draw, scene, fewPixels, "test");
+  EXPECT_EQ(drawn, 1);
+  MakingOptions order;
+  order.engine = Engine::cpu;
+  order.effort.threads = 2;
+  for (const bool tells : {false, true}) {
+    order.tellsFilter = tells;
+    makeEach({scene}, fewPixels, order, [tells](std::size_t, const MadePicture& picture) {
+      EXPECT_EQ(picture.ofFilter != ImageError(), tells);
+    });
+  }
 }
 
 // As a picture of two sides is saved: the first ends, and the second begins, in the middle of the way.

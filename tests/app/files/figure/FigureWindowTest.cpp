@@ -9,6 +9,7 @@
 #include "app/picture/ComparisonController.h"
 #include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
+#include "widgets/controls/DialogRoom.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/overlay/OrientationMarks.h"
@@ -115,6 +116,16 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
     EXPECT_EQ(again[i].shading, shown[i].shading);
     EXPECT_EQ(again[i].transferFunction, shown[i].transferFunction);
   }
+}
+
+TEST_F(FigureWindow, itsButtonsAreReachedOnASmallScreen) {
+  ASSERT_TRUE(ask());
+  fitInto(dialog(), {0, 0, 800, 560});
+  EXPECT_LE(dialog().width(), 800);
+  EXPECT_LE(dialog().height(), 560);
+  const auto& save = part<QPushButton>("figureSave");
+  EXPECT_TRUE(test::waitUntil(
+      [&] { return dialog().rect().contains(QRect(save.mapTo(&dialog(), QPoint()), save.size())); }));
 }
 
 TEST_F(FigureWindow, theListOfPicturesHasRoomForTheNamesOfPresets) {

@@ -77,6 +77,10 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   state.chance = ErrorByChance{0.912, 0.005, 0.6, 2995};
   EXPECT_EQ(sideDetails(scene, state).first(), QStringLiteral("within 0.92 levels"))
       << "as the status bar says";
+  state.measuredLevels = 0.5;
+  EXPECT_EQ(sideDetails(scene, state).first(), QStringLiteral("within 0.92 levels"))
+      << "a smaller picture was measured";
+  state.measuredLevels.reset();
   state.chance.reset();
   state.onTheWay = PathFigures{64, 0.1, 0.3};
   EXPECT_EQ(sideDetails(scene, state).first(), QStringLiteral("within 0.3 levels"))

@@ -106,7 +106,8 @@ TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
 TEST(PictureStatusText, tellsWhatWasMeasuredInPlaceOfAnEstimate) {
   PictureState state = resting({sideWithin(0.76)});
   state.sides[0].measuredLevels = 0.347; // promised with two digits, rounded up, as the panel does
-  EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured")) << lineOf(state);
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured in a smaller picture"))
+      << lineOf(state);
   state.sides[0].estimate.reset();
   EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured"));
 }
@@ -136,8 +137,11 @@ TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
   EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ not exact")) << "that is seen";
   state.sides[0].measuredLevels = 0.347;
   state.sides[1].measuredLevels = 0.2;
-  EXPECT_NE(lineOf(state).find("within 0.35 of 255 levels, measured"), std::string::npos)
-      << "the accuracy panel tells the same number: " << lineOf(state);
+  EXPECT_TRUE(lineOf(state).starts_with("99.9 % of pixels within 12 of 255 levels (95 % sure)"))
+      << "what was measured is of a smaller picture: " << lineOf(state);
+  EXPECT_EQ(pictureStatusText(state, {}).badge, QStringLiteral("○ not exact")) << "whatever was measured";
+  EXPECT_TRUE(pictureStatusText(state, {}).toolTip.contains(
+      QStringLiteral("a smaller picture of the same scene were measured to lie within 0.35 levels")));
 }
 
 TEST(PictureStatusText, whoReadsThatItIsNotExactIsToldWhyAndWhatCanBeDone) {

@@ -189,6 +189,12 @@ TEST_F(Loop, measuresOnRequestWhatEffectsCost) {
   EXPECT_TRUE(news.times.isMeasuring) << "anew";
   EXPECT_TRUE(news.times.costs.empty());
   waitFor([this] { return !news.times.costs.empty(); });
+  loop->measureEffects();
+  loop->measureEffects(false);
+  EXPECT_EQ(news.times, EffectTimes{}) << "cancelled";
+  waitFor([this] { return loop->isIdle(); });
+  EXPECT_EQ(news.times, EffectTimes{});
+  loop->measureEffects();
   PictureOrder order = phantomOrder();
   ++order.attempt;
   loop->show(order);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/accuracy/WorkRow.h"
+#include "widgets/controls/WorkRow.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
