@@ -46,6 +46,7 @@ public:
   void findSteps(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
   void cancel() { m_work.cancel(); }
+  bool isBusy() const { return m_work.isRunning(); }
 
   /// Lets go of what is kept of any other volume.
   void forgetOthersThan(const std::shared_ptr<const Volume>& volume);
@@ -85,6 +86,9 @@ public:
 
   /// Shows the accuracy of the scene on screen; takes back the map of another one.
   void showScene();
+
+  /// Whether it measures, compares or looks for steps.
+  bool isBusy() const { return m_measurer.isBusy(); }
 
   /// Writes what was measured: a chart (.png), a table (.csv) or a page with both (.html), by the name.
   void write(const QString& path);
