@@ -136,6 +136,8 @@ public:
     std::map<std::string, Scene> switchedOff;
     ProjectionCurves projections;
     std::optional<EarlierLook::Shaped> earlier;
+    AccuracyController::Memory accuracy;
+    std::vector<bool> foldedProperties; ///< SectionPanel::folded
   };
   Memory memory() const;
   /// Of the same volume, which is shown already.
