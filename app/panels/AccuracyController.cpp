@@ -412,6 +412,7 @@ AccuracyController::Memory AccuracyController::memory() const {
 }
 
 void AccuracyController::takeOver(const Memory& memory) {
+  showScene();
   m_measurer.setExact(memory.exact);
   if (memory.measured)
     showMeasured(*memory.measured);
