@@ -191,8 +191,10 @@ void MainWindow::closeVolume() {
 }
 
 bool MainWindow::isBusy() const {
-  return QApplication::activeModalWidget() || QApplication::activePopupWidget() || m_files.isBusy() ||
-         m_picture.regions().isBusy() || m_frame.dialogs().isBusy();
+  const bool isInHand = QApplication::activeModalWidget() || QApplication::activePopupWidget() ||
+                        QApplication::mouseButtons() != Qt::NoButton;
+  return isInHand || m_files.isBusy() || m_picture.isBusy() || m_panels.isBusy() ||
+         m_frame.dialogs().isBusy();
 }
 
 WindowHandover MainWindow::handOver() {

@@ -58,7 +58,7 @@ public:
   /// Offers a tour of the window to who has not seen it.
   void offerTour() { m_frame.tour().offer(); }
 
-  /// Whether something is under way, or asked, that would be lost with the window.
+  /// Whether something is under way, in the user's hand or asked that would be lost with the window.
   bool isBusy() const;
 
   /// Gives all that it shows to another window, and is to be destroyed before that is made. Nobody is asked:

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QLocale>
+#include <QScopeGuard>
 
 #include <utility>
 
@@ -17,6 +18,12 @@ bool soundAlike(const QString& asked, const QString& other) {
   const Speech a = speechFor(asked, QLocale::system());
   const Speech b = speechFor(other, QLocale::system());
   return a.code == b.code && a.locale == b.locale;
+}
+
+// A field takes what was typed when it loses the keyboard.
+void enterWhatIsTyped() {
+  if (QWidget* field = QApplication::focusWidget())
+    field->clearFocus();
 }
 
 } // namespace
@@ -43,7 +50,7 @@ void SpokenWindow::speak(const QString& language) {
     m_language = language;
     return;
   }
-  if (m_window->isVisible() && m_window->isBusy()) {
+  if (!mayReplace()) {
     connect(&m_again, &QTimer::timeout, this, [this, language] { speak(language); });
     m_again.start();
     return;
@@ -52,9 +59,24 @@ void SpokenWindow::speak(const QString& language) {
   replace();
 }
 
+// What is entered may begin work.
+bool SpokenWindow::mayReplace() const {
+  if (!m_window->isVisible())
+    return true;
+  if (m_window->isBusy())
+    return false;
+  enterWhatIsTyped();
+  return !m_window->isBusy();
+}
+
 void SpokenWindow::replace() {
   const bool quits = QApplication::quitOnLastWindowClosed();
   QApplication::setQuitOnLastWindowClosed(false); // for a moment there is none
+  const auto restore = qScopeGuard([this, quits] {
+    QApplication::setQuitOnLastWindowClosed(quits);
+    if (!m_window) // it cannot be made: a program that nobody sees must not stay
+      QCoreApplication::exit(1);
+  });
   WindowHandover handed = m_window->handOver();
   m_window.reset();
   useLanguage(*QCoreApplication::instance(), m_language);
@@ -62,7 +84,6 @@ void SpokenWindow::replace() {
   follow();
   m_window->show();
   m_window->takeOver(std::move(handed));
-  QApplication::setQuitOnLastWindowClosed(quits);
   emit replaced();
 }
 

@@ -13,7 +13,8 @@
 namespace limn {
 
 /// The program's window in the language of its user. Once another is chosen, a window in that language takes
-/// the place of the one that is there, with all that is open: nothing is read again, and nobody is asked.
+/// the place of the one that is there, with all that is open: nothing is read again, and nobody is asked. It
+/// comes once nothing is under way or in the user's hand; what is being typed counts as entered.
 class SpokenWindow : public QObject {
   Q_OBJECT
 
@@ -31,6 +32,7 @@ signals:
 private:
   void follow();
   void speak(const QString& language);
+  bool mayReplace() const;
   void replace();
 
   UserFolders m_folders;

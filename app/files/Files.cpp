@@ -291,7 +291,8 @@ QStringList Files::underWay() const {
 }
 
 bool Files::isBusy() const {
-  return m_opening.loader().isLoading() || !underWay().isEmpty() || !m_saving.unwritten().isEmpty();
+  return m_opening.loader().isLoading() || !underWay().isEmpty() || m_slices.isBusy() ||
+         !m_saving.unwritten().isEmpty();
 }
 
 // Asked once, whatever would be lost.

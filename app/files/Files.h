@@ -126,7 +126,7 @@ public:
   /// somebody says to end it all the same.
   bool mayQuit();
 
-  /// Whether something is being read or drawn into a file, or waits to be saved elsewhere.
+  /// Whether something is being read or written, or waits to be saved elsewhere.
   bool isBusy() const;
 
   /// Says what there is to say of what was opened, keeps it from being lost, and remembers where it lies.

@@ -243,10 +243,7 @@ void AccuracyController::connectMeasurer() {
   connect(&m_measurer, &AccuracyMeasurer::progressed, &m_panel, &AccuracyPanel::showProgress);
   connect(&m_measurer, &AccuracyMeasurer::measured, this, [this](const MeasuredAccuracy& measured) {
     setWork(AccuracyWork::none);
-    m_measured = measured.report;
-    m_panel.setMeasured(timedFor(measured, shownSize()));
-    m_context.view.setMeasuredErrors(
-        [measured = *m_panel.measured()](const Scene& shown) { return levelsMeasuredOf(shown, measured); });
+    showMeasured(measured);
   });
   connect(&m_measurer, &AccuracyMeasurer::stepsFound, this, &AccuracyController::useSteps);
   connect(&m_measurer, &AccuracyMeasurer::compared, this, &AccuracyController::showCompared);
@@ -267,6 +264,13 @@ void AccuracyController::measure() {
   const QString name = tr("%1, %2").arg(suggestedName(m_context.document), sideTitle(scene));
   measurer().measure(name, scene, measuredSize());
   setWork(AccuracyWork::measuring);
+}
+
+void AccuracyController::showMeasured(const MeasuredAccuracy& measured) {
+  m_measured = measured.report;
+  m_panel.setMeasured(timedFor(measured, shownSize()));
+  m_context.view.setMeasuredErrors(
+      [measured = *m_panel.measured()](const Scene& shown) { return levelsMeasuredOf(shown, measured); });
 }
 
 void AccuracyController::findSteps(const Quality& quality, const Gesture& gesture) {
@@ -305,6 +309,7 @@ void AccuracyController::showMap(bool shown) {
 void AccuracyController::takeMapBack() {
   m_map->setVisible(false);
   m_compared = {};
+  m_mapped.reset();
   if (m_panel.work() == AccuracyWork::comparing) {
     m_measurer.cancel();
     setWork(AccuracyWork::none);
@@ -323,6 +328,7 @@ void AccuracyController::endMap() {
 void AccuracyController::showCompared(const ComparedPicture& picture) {
   setWork(AccuracyWork::none);
   m_panel.setCompared(picture);
+  m_mapped = picture;
   if (picture.error)
     m_map->showMap(picture.map, m_context.view.logicalRect(measuredSide()));
 }
@@ -396,6 +402,27 @@ void AccuracyController::write(const QString& path) {
     writeFileAtomically(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
   };
   m_context.notes.attempt(writeFile, path);
+}
+
+AccuracyController::Memory AccuracyController::memory() const {
+  Memory memory{m_measurer.exact(), {}, m_compared, m_comparedSize, m_mapped};
+  if (m_measured && m_panel.measured()) {
+    memory.measured = m_panel.measured();
+    memory.measured->report = *m_measured; // its times are not those of the picture on screen
+  }
+  return memory;
+}
+
+void AccuracyController::takeOver(const Memory& memory) {
+  showScene();
+  m_measurer.setExact(memory.exact);
+  if (memory.measured)
+    showMeasured(*memory.measured);
+  if (!memory.map || memory.comparedSize != shownSize())
+    return;
+  m_compared = memory.compared;
+  m_comparedSize = memory.comparedSize;
+  showCompared(*memory.map);
 }
 
 } // namespace limn

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace limn {
 
@@ -30,6 +31,13 @@ class AccuracyMeasurer : public QObject {
   Q_OBJECT
 
 public:
+  /// The exact picture that was drawn last: both kinds of work need it, and it takes the most time.
+  struct Exact {
+    Scene scene;
+    glm::ivec2 size{0};
+    ConvergedPicture picture;
+  };
+
   explicit AccuracyMeasurer(QObject* parent = nullptr);
 
   /// Which engine draws in work that is begun from now on; OpenGL at first.
@@ -46,9 +54,13 @@ public:
   void findSteps(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
   void cancel() { m_work.cancel(); }
+  bool isBusy() const { return m_work.isRunning(); }
 
   /// Lets go of what is kept of any other volume.
   void forgetOthersThan(const std::shared_ptr<const Volume>& volume);
+
+  const std::shared_ptr<const Exact>& exact() const { return m_exact; }
+  void setExact(const std::shared_ptr<const Exact>& exact) { m_exact = exact; }
 
 signals:
   void progressed(double fraction, const QString& doing);
@@ -58,12 +70,6 @@ signals:
   void failed(const QString& sentence);
 
 private:
-  /// The exact picture that was drawn last: both kinds of work need it, and it takes the most time.
-  struct Exact {
-    Scene scene;
-    glm::ivec2 size{0};
-    ConvergedPicture picture;
-  };
   class Job;
 
   void start(std::function<BackgroundWork::Deliver(Job& job)> task);
@@ -86,8 +92,24 @@ public:
   /// Shows the accuracy of the scene on screen; takes back the map of another one.
   void showScene();
 
+  /// Whether it measures, compares or looks for steps.
+  bool isBusy() const { return m_measurer.isBusy(); }
+
   /// Writes what was measured: a chart (.png), a table (.csv) or a page with both (.html), by the name.
   void write(const QString& path);
+
+  /// What was measured, for a window that takes this one's place. The map stays where the picture has the
+  /// same size there.
+  struct Memory {
+    std::shared_ptr<const AccuracyMeasurer::Exact> exact;
+    std::optional<MeasuredAccuracy> measured; ///< as measured
+    Scene compared;
+    glm::ivec2 comparedSize{0};
+    std::optional<ComparedPicture> map;
+  };
+  Memory memory() const;
+  /// Of the same scene, which is shown already.
+  void takeOver(const Memory& memory);
 
 private:
   void addRefinement();
@@ -97,6 +119,7 @@ private:
   void measure();
   void findSteps(const Quality& quality, const Gesture& gesture);
   void useSteps(const WithinTolerance& found);
+  void showMeasured(const MeasuredAccuracy& measured);
   void showMap(bool shown);
   void takeMapBack();
   /// The same where nobody asked for that: what was under way is said to have ended.
@@ -118,6 +141,7 @@ private:
   Gesture m_toleranceGesture;               ///< for which steps are looked for
   Scene m_compared;                         ///< of which the map is shown or under way
   glm::ivec2 m_comparedSize{0};             ///< pixels, of its picture
+  std::optional<ComparedPicture> m_mapped;  ///< what the map shows
 };
 
 } // namespace limn

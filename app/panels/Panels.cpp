@@ -407,13 +407,15 @@ void Panels::restore(const SessionDocument& session) {
 }
 
 Panels::Memory Panels::memory() const {
-  return {m_switchedOff, m_projections, m_earlier.earlier()};
+  return {m_switchedOff, m_projections, m_earlier.earlier(), m_accuracy.memory(), m_properties.folded()};
 }
 
 void Panels::takeOver(const Memory& memory) {
   m_switchedOff = memory.switchedOff;
   m_projections = memory.projections;
   m_earlier.setEarlier(memory.earlier);
+  m_accuracy.takeOver(memory.accuracy);
+  m_properties.setFolded(memory.foldedProperties);
 }
 
 } // namespace limn

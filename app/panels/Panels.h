@@ -124,6 +124,9 @@ public:
   /// Brings to the front how far saved pictures of physical light are drawn.
   void showSavedPaths();
 
+  /// Whether looks are being imported or accuracy is measured.
+  bool isBusy() const { return m_looks.isBusy() || m_accuracy.isBusy(); }
+
   /// What a session file says of them.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
@@ -133,6 +136,8 @@ public:
     std::map<std::string, Scene> switchedOff;
     ProjectionCurves projections;
     std::optional<EarlierLook::Shaped> earlier;
+    AccuracyController::Memory accuracy;
+    std::vector<bool> foldedProperties; ///< SectionPanel::folded
   };
   Memory memory() const;
   /// Of the same volume, which is shown already.

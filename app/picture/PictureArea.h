@@ -61,6 +61,9 @@ public:
   /// What another volume, or none, is called in the status bar.
   void showVolume(const Volume* volume) { m_status.showVolume(volume); }
 
+  /// Whether parts of the volume are being found or cut.
+  bool isBusy() const { return m_regions.isBusy() || m_cuts.isBusy(); }
+
   /// What a session file says of it.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);

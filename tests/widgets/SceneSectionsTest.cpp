@@ -99,6 +99,19 @@ TEST_F(SceneSections, settingEmitsNothing) {
   EXPECT_TRUE(m_gestures.empty());
 }
 
+TEST_F(SceneSections, anotherPanelFoldsAsThisOne) {
+  auto* quality = m_panel.findChild<QualitySection*>();
+  quality->setFolded(!quality->isFolded());
+  auto* fog = m_panel.findChild<FogSection*>();
+  fog->setFolded(!fog->isFolded());
+  PropertiesPanel other;
+  ASSERT_NE(other.folded(), m_panel.folded());
+  other.setFolded(m_panel.folded());
+  EXPECT_EQ(other.folded(), m_panel.folded());
+  EXPECT_EQ(other.findChild<FogSection*>()->isFolded(), fog->isFolded());
+  EXPECT_TRUE(m_gestures.empty());
+}
+
 TEST_F(SceneSections, theIsovalueShowsWhereASurfaceIsShown) {
   auto* isovalue = rowNamed<ValueSlider>(m_panel, "Surface at");
   auto* projection = rowNamed<ChoiceRow>(m_panel, "Shows");

@@ -193,6 +193,19 @@ void SectionPanel::scrollTo(const QWidget& section) {
   verticalScrollBar()->setValue(section.mapTo(widget(), QPoint()).y());
 }
 
+std::vector<bool> SectionPanel::folded() const {
+  std::vector<bool> folded;
+  for (const FoldingSection* section : findChildren<FoldingSection*>())
+    folded.push_back(section->isFolded());
+  return folded;
+}
+
+void SectionPanel::setFolded(const std::vector<bool>& folded) {
+  const QList<FoldingSection*> sections = findChildren<FoldingSection*>();
+  for (std::size_t i = 0; i < std::min<std::size_t>(sections.size(), folded.size()); ++i)
+    sections[static_cast<qsizetype>(i)]->setFolded(folded[i]);
+}
+
 // Nothing may hide under the scroll bar, nor beyond the frame that shows the focus.
 QSize SectionPanel::minimumSizeHint() const {
   QSize size = QScrollArea::minimumSizeHint();

@@ -80,6 +80,10 @@ public:
   /// unfolded or filled just now has its place first. The keyboard stays where it is.
   void scrollTo(const QWidget& section);
 
+  /// Which of its sections are folded, from the first one; and folds those of the same panel elsewhere.
+  std::vector<bool> folded() const;
+  void setFolded(const std::vector<bool>& folded);
+
   /// Asked for anew whenever the panel is laid out: fonts and styles come later than panels.
   QSize minimumSizeHint() const override;
 

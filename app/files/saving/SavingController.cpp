@@ -318,17 +318,17 @@ struct SavingController::Unwritten {
   QString name() const { return QFileInfo(QString::fromStdString(file.path)).fileName(); }
 };
 
-// Seconds of a large one.
+// Seconds of a large one. Until what became of the file is told it counts as being written: it cannot be
+// cancelled any more.
 BackgroundWork::Deliver SavingController::written(const PictureFile& file,
                                                   const std::shared_ptr<const Image>& image,
                                                   const std::shared_ptr<const Unwritten>& offered) {
   try {
     m_isWriting = true;
     file.write(*image);
-    m_isWriting = false;
   } catch (const Error& error) {
-    m_isWriting = false;
     return [this, file, image, offered, failure = error.sentence()] {
+      m_isWriting = false;
       emit drawing({});
       std::erase(m_unwritten, offered);
       m_unwritten.push_back(std::make_shared<const Unwritten>(file, image, translated(failure)));
@@ -338,6 +338,7 @@ BackgroundWork::Deliver SavingController::written(const PictureFile& file,
   }
   return [this, offered, exactness = file.exactness.trimmed(), path = QString::fromStdString(file.path),
           options = file.options] {
+    m_isWriting = false;
     emit drawing({});
     if (std::erase(m_unwritten, offered) > 0)
       offerElsewhere();

@@ -24,6 +24,8 @@ public:
   /// Asks how large it is saved and with which marks, and where: as a picture of 8 bits, PNG or TIFF. It is
   /// drawn and written beside the event loop.
   void save(PatientPlane plane);
+  /// Whether one is being written.
+  bool isBusy() const { return m_writing.isRunning(); }
 
 private:
   SeenSlice sliceIn(PatientPlane plane) const;

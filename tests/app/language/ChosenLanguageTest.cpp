@@ -6,22 +6,33 @@
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"
 #include "widgets/FindWidget.h"
+#include "widgets/accuracy/AccuracyChart.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/controls/NumberField.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <functional>
 
 // Another language is chosen while something is open.
 namespace limn::test {
@@ -72,8 +83,9 @@ protected:
     return waitUntil([&] { return replaced.count() > 0; });
   }
 
-  /// Moves the first point of the curve that is neither transparent nor opaque 20 pixels down.
-  void dragAPoint() {
+  /// Moves the first point of the curve that is neither transparent nor opaque 20 pixels down; `midway`
+  /// happens while it is held.
+  void dragAPoint(const std::function<void()>& midway = [] {}) {
     TransferFunctionCanvas& canvas = *window().findChild<CurvePanel*>()->valueEditor()->canvas();
     const PlotTransform plot = canvas.transform();
     for (const ControlPoint& point : canvas.transferFunction().points) {
@@ -81,8 +93,11 @@ protected:
         continue;
       const QPoint from = QPointF(xOfValue(plot, point.value), yOfOpacity(plot, point.opacity)).toPoint();
       QTest::mousePress(&canvas, Qt::LeftButton, {}, from);
-      for (int step = 1; step <= 4; ++step)
+      for (int step = 1; step <= 4; ++step) {
         QTest::mouseEvent(QTest::MouseMove, &canvas, Qt::NoButton, {}, from + QPoint(0, 5 * step));
+        if (step == 2)
+          midway();
+      }
       QTest::mouseRelease(&canvas, Qt::LeftButton, {}, from + QPoint(0, 20));
       return;
     }
@@ -162,6 +177,8 @@ TEST_F(ChosenLanguage, keepsSlicesPanelsComparisonAndItsUndoSteps) {
   named("planes-picture_and_three").trigger();
   comparison->setLayout(CompareLayout::wipe);
   window().view().setWipePosition(0.3);
+  window().findChild<QualitySection*>()->findChild<FoldingHeader*>()->click();
+  const std::vector<bool> folded = window().findChild<PropertiesPanel*>()->folded();
   window().findChild<QDockWidget*>(QStringLiteral("effectsDock"))->raise();
   QCoreApplication::processEvents();
   const SessionDocument shown = window().sessionDocument();
@@ -171,6 +188,7 @@ TEST_F(ChosenLanguage, keepsSlicesPanelsComparisonAndItsUndoSteps) {
   choose("Language", Qt::Key_Down);
   ASSERT_TRUE(isReplaced(replaced));
   EXPECT_EQ(window().sessionDocument(), shown);
+  EXPECT_EQ(window().findChild<PropertiesPanel*>()->folded(), folded);
   EXPECT_EQ(window().view().sceneOfSide(0).shading.model, ShadingModel::robust);
   named("undo").trigger();
   EXPECT_EQ(window().view().sceneOfSide(0).shading.model, before);
@@ -234,6 +252,99 @@ TEST_F(ChosenLanguage, waitsForADialogThatIsOpenAndComesWithoutAVolume) {
   EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
   EXPECT_EQ(session().scene().volume, nullptr);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+}
+
+TEST_F(ChosenLanguage, comesOnceADragHasEnded) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  const MainWindow* english = &window();
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  named("settings").trigger(); // the drag begins with the settings beside it
+  bool stays = false;
+  dragAPoint([&] {
+    choose("Language", Qt::Key_Down);
+    QCoreApplication::processEvents();
+    stays = &window() == english;
+  });
+  ASSERT_TRUE(stays);
+  const TransferFunction dragged = session().scene().transferFunction;
+  ASSERT_TRUE(isReplaced(replaced));
+  EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
+  EXPECT_EQ(session().scene().transferFunction, dragged);
+  EXPECT_EQ(session().undoStack().count(), 1);
+}
+
+TEST_F(ChosenLanguage, entersWhatIsBeingTyped) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  window().findChild<QDockWidget*>(QStringLiteral("shadingDock"))->raise();
+  QCoreApplication::processEvents();
+  auto* panel = window().findChild<PropertiesPanel*>();
+  auto* field = widgetNamed<NumberField>(*panel, "Step");
+  ASSERT_NE(field, nullptr);
+  const double before = session().scene().quality.stepVoxels;
+  ASSERT_NE(before, 2.0);
+  const MainWindow* english = &window();
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  // A pressed button holds the language back until the number is half typed.
+  const QPoint besideMenus = window().menuBar()->rect().topRight() + QPoint(-3, 3);
+  QTest::mousePress(window().menuBar(), Qt::LeftButton, {}, besideMenus);
+  choose("Language", Qt::Key_Down);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(&window(), english);
+  ASSERT_TRUE(waitUntil([this] {
+    if (!window().isActiveWindow())
+      window().activateWindow();
+    return window().isActiveWindow();
+  }));
+  panel->ensureWidgetVisible(field);
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, QStringLiteral("2"));
+  ASSERT_EQ(session().scene().quality.stepVoxels, before);
+  QTest::mouseRelease(window().menuBar(), Qt::LeftButton, {}, besideMenus);
+  ASSERT_TRUE(isReplaced(replaced));
+  EXPECT_EQ(session().scene().quality.stepVoxels, 2.0);
+}
+
+TEST_F(ChosenLanguage, waitsUntilAccuracyIsMeasuredAndKeepsWhatWas) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  window().resize(800, 560);
+  window().findChild<ComparisonController*>()->setLayout(CompareLayout::single);
+  window().findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
+  QCoreApplication::processEvents();
+  const auto panel = [this]() -> AccuracyPanel& { return *window().findChild<AccuracyPanel*>(); };
+  auto* measure = widgetNamed<QPushButton>(panel(), "Measure error and time");
+  panel().ensureWidgetVisible(measure);
+  QCoreApplication::processEvents();
+  QTest::mouseClick(measure, Qt::LeftButton);
+  ASSERT_EQ(panel().work(), AccuracyWork::measuring);
+  const MainWindow* english = &window();
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  choose("Language", Qt::Key_Down);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(&window(), english);
+  ASSERT_TRUE(waitUntil([&] { return panel().measured().has_value(); }));
+  const std::size_t points = panel().measured()->report.points.size();
+  ASSERT_TRUE(isReplaced(replaced));
+  ASSERT_TRUE(panel().measured());
+  EXPECT_EQ(panel().measured()->report.points.size(), points);
+  EXPECT_EQ(panel().measured()->scene.volume, session().scene().volume);
+  EXPECT_FALSE(panel().findChild<AccuracyChart*>()->curves().empty());
+  const std::filesystem::path table = folder.path() / "table.csv";
+  window().findChild<AccuracyController*>()->write(QString::fromStdString(table.string()));
+  EXPECT_TRUE(std::filesystem::exists(table));
+
+  // The map stays where the picture is as large as before, and never without its tick.
+  auto* check = panel().findChild<MapSection*>()->findChild<QCheckBox*>();
+  panel().ensureWidgetVisible(check);
+  QCoreApplication::processEvents();
+  QTest::mouseClick(check, Qt::LeftButton);
+  choose("Sprache", Qt::Key_Up);
+  replaced.clear();
+  ASSERT_TRUE(isReplaced(replaced));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(panel().work(), AccuracyWork::none);
+  EXPECT_EQ(panel().findChild<MapSection*>()->findChild<QCheckBox*>()->isChecked(),
+            window().findChild<ErrorMapOverlay*>()->isVisible());
 }
 
 TEST_F(ChosenLanguage, saysAnewWhatCanBeSetRight) {

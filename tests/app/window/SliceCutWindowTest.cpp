@@ -131,6 +131,7 @@ TEST_F(SliceCutWindow, aClickInASlicePicksThePieceThere) {
   QWheelEvent wheel(over, axial().mapToGlobal(over), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase,
                     false);
   QCoreApplication::sendEvent(&axial(), &wheel);
+  EXPECT_TRUE(window->isBusy()) << "the piece is being found";
   ASSERT_TRUE(ready());
   EXPECT_EQ(session().planes(), before) << "no other slice";
   EXPECT_NE(axial().content().lit, first);
@@ -347,7 +348,9 @@ TEST_F(SliceCutWindow, aSliceIsCopiedAndSavedWithItsMarksAndWithoutTheCrosshair)
   onceAsked<PictureDialog>([](PictureDialog& dialog) { dialog.accept(); });
   typeName(pathTo("slice"));
   choose("saveSlice");
+  EXPECT_TRUE(window->isBusy()) << "it is being written";
   ASSERT_TRUE(test::waitUntil([this] { return isWholePicture(folder.path() / "slice.png"); }));
+  EXPECT_TRUE(test::waitUntil([this] { return !window->isBusy(); }));
   const BytePicture saved = readBytes(folder.path() / "slice.png");
   ASSERT_EQ(saved.size, glm::ivec2(copied.width(), copied.height()));
   int others = 0;

@@ -3,12 +3,14 @@
 #include "app/DialogKeys.h"
 #include "app/files/saving/SavedPicture.h"
 
+#include <QDeadlineTimer>
 #include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
 
 #include <filesystem>
+#include <thread>
 #include <vector>
 
 namespace limn::test {
@@ -61,6 +63,20 @@ TEST_F(SavedPicture, thatIsBeingSavedElsewhereIsNotCalledUnwrittenAfterwards) {
   EXPECT_FALSE(written("there.png").isNull());
   EXPECT_TRUE(saving().unwritten().isEmpty());
   EXPECT_FALSE(offer.isWanted());
+}
+
+// The window has not heard yet that its file is there, and must not take it for cancelled.
+TEST_F(SavedPicture, thatIsInItsFileIsToldOfThoughItIsCancelledBeforeTheWindowHearsOfIt) {
+  lookFromAfar();
+  saving().writePicture(pathTo("there.png"), {.size = PictureOptions::Size::twice, .marks = noMarks});
+  ASSERT_TRUE(stopButton().isVisible());
+  const QDeadlineTimer deadline(60000);
+  while (!isWholePicture(folder.path() / "there.png") && !deadline.hasExpired()) // no event in between
+    std::this_thread::yield();
+  stopButton().click();
+  EXPECT_TRUE(window->statusBar()->currentMessage().startsWith(QStringLiteral("Too late to cancel")));
+  ASSERT_FALSE(written("there.png").isNull());
+  EXPECT_EQ(window->statusBar()->currentMessage(), QStringLiteral("Saved there.png"));
 }
 
 TEST_F(SavedPicture, ofSeveralThatCouldNotBeWrittenEachIsOfferedUntilItIsSavedOrDismissed) {

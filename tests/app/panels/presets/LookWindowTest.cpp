@@ -183,6 +183,7 @@ TEST_F(LookWindow, filesNamedWhileOthersAreReadAreNext) {
   write("two.clut", bones);
   controller().importFiles({pathTo("one.clut")});
   controller().importFiles({pathTo("two.clut")});
+  EXPECT_TRUE(window->isBusy());
   ASSERT_TRUE(test::waitUntil([this] { return own().contains(QStringLiteral("two")); }));
   EXPECT_TRUE(own().contains(QStringLiteral("one")));
 }
