@@ -159,7 +159,8 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
   addSourceArguments(
       command, arguments.source,
       "scene or session file, volume, DICOM folder or look, Limn picture, `sample` or `phantom:SPACING`");
-  command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
+  command.option("--size", arguments.size,
+                 "WIDTHxHEIGHT in pixels (default: that of the picture or scene, 512x512 of a volume)");
   command.option("--model", arguments.model, models)
       .words(models.find("compare") == std::string::npos ? modelWords : modelWordsAndCompare);
   addLookOptions(command, arguments);

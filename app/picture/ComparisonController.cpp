@@ -371,9 +371,8 @@ void ComparisonController::takeSnapshot() {
   }
   const QString name = ownName();
   m_context.window.statusBar()->showMessage(
-      name.isEmpty()
-          ? tr("This look is remembered; Ctrl+Shift+B compares it with what becomes of it.")
-          : tr("\"%1\" is remembered; Ctrl+Shift+B compares it with what becomes of it.").arg(name),
+      name.isEmpty() ? tr("Remembered; Ctrl+Shift+B compares with this look.")
+                     : tr("Remembered; Ctrl+Shift+B compares with \"%1\".", "a look").arg(name),
       toldForMs);
   show();
 }

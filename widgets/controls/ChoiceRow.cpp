@@ -14,21 +14,12 @@ namespace {
 
 constexpr int shortestBox = 120; // pixels, about what tracks and fields of the rows around it need
 
-// Longer words than there is room for end in an ellipsis, so that they make no panel wider; the list that
-// opens has them all.
+// Long words make no panel wider.
 class ElidedComboBox : public QuietComboBox {
 public:
   QSize minimumSizeHint() const override {
     const QSize whole = QComboBox::minimumSizeHint();
     return {std::min(whole.width(), shortestBox), whole.height()};
-  }
-
-protected:
-  void initStyleOption(QStyleOptionComboBox* option) const override {
-    QComboBox::initStyleOption(option);
-    const QRect words =
-        style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
-    option->currentText = option->fontMetrics.elidedText(option->currentText, Qt::ElideRight, words.width());
   }
 };
 
@@ -36,6 +27,16 @@ protected:
 
 QuietComboBox::QuietComboBox(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
+}
+
+void QuietComboBox::initStyleOption(QStyleOptionComboBox* option) const {
+  constexpr int besideIcon = 4;
+  QComboBox::initStyleOption(option);
+  const QRect field =
+      style()->subControlRect(QStyle::CC_ComboBox, option, QStyle::SC_ComboBoxEditField, this);
+  const int icon = option->currentIcon.isNull() ? 0 : option->iconSize.width() + besideIcon;
+  option->currentText =
+      option->fontMetrics.elidedText(option->currentText, Qt::ElideRight, field.width() - icon);
 }
 
 void QuietComboBox::wheelEvent(QWheelEvent* event) {

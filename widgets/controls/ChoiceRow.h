@@ -12,12 +12,14 @@ namespace limn {
 class ResetLabel;
 
 /// A drop-down list that the wheel changes only while it has the keyboard, which the wheel does not give it,
-/// so that scrolling a panel changes nothing on the way.
+/// so that scrolling a panel changes nothing on the way. Longer words than there is room for end in an
+/// ellipsis; the list that opens has them all.
 class QuietComboBox : public QComboBox {
 public:
   explicit QuietComboBox(QWidget* parent = nullptr);
 
 protected:
+  void initStyleOption(QStyleOptionComboBox* option) const override;
   void wheelEvent(QWheelEvent* event) override;
 };
 

@@ -259,6 +259,10 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
       drawn.quality.paths.reset(); // as many as are asked for, and not those on screen
   Scene scene = scenes.at(static_cast<std::size_t>(view.ownSide()));
   nameSources(scene.keep, [this](const std::string& labels) { return labelsInPicture(labels); });
+  // Drawn again from its file it is as large.
+  const glm::ivec2 its(size.width() / beside, size.height());
+  scene.image.width = its.x;
+  scene.image.height = its.y;
   scene.image.background = groundOf(options.ground, m_context.document.scene().image.background);
   const glm::dvec3 background = scene.image.background;
   const Arrangement arrangement{
@@ -277,7 +281,7 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
       sayGround(path, options);
     return;
   }
-  drawPicture(file, document, arrangement, scenes, {size.width() / beside, size.height()});
+  drawPicture(file, document, arrangement, scenes, its);
 }
 
 void SavingController::drawPicture(const PictureFile& file, const SceneDocument& document,
