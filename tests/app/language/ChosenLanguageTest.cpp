@@ -27,6 +27,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -252,6 +253,35 @@ TEST_F(ChosenLanguage, waitsForADialogThatIsOpenAndComesWithoutAVolume) {
   EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
   EXPECT_EQ(session().scene().volume, nullptr);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+}
+
+// What was drawn for minutes must not go with the window.
+TEST_F(ChosenLanguage, waitsWhileAPictureIsOfferedToBeSavedElsewhere) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  session().setCamera(zoomed(session().scene().camera, 0.1)); // drawn at once
+  ASSERT_TRUE(waitUntil([this] { return window().view().pictureState().resting; }));
+  auto& saving = *window().findChild<SavingController*>();
+  const auto file = QString::fromStdString((folder.path() / "gone" / "twice.png").string());
+  PictureOptions options;
+  options.size = PictureOptions::Size::twice;
+  saving.writePicture(file, options);
+  ASSERT_TRUE(waitUntil([&] { return !saving.unwritten().isEmpty(); }));
+  const MainWindow* english = &window();
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  choose("Language", Qt::Key_Down);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(&window(), english);
+  const auto* offer = window().findChild<MessageBar*>(QStringLiteral("unwrittenBar"));
+  window().findChild<MessageBar*>(QStringLiteral("messageBar"))->hide(); // one is seen at a time
+  ASSERT_TRUE(offer->isVisible());
+  for (QToolButton* button : offer->findChildren<QToolButton*>())
+    if (button->text() == QStringLiteral("Dismiss")) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      break;
+    }
+  ASSERT_TRUE(saving.unwritten().isEmpty());
+  ASSERT_TRUE(isReplaced(replaced));
+  EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
 }
 
 TEST_F(ChosenLanguage, comesOnceADragHasEnded) {
