@@ -4,7 +4,6 @@
 #include "app/core/drawing/PictureMaker.h"
 #include "app/core/sources/SceneSource.h"
 #include "io/ImageFile.h"
-#include "io/scenefile/SceneFile.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QCheckBox>
@@ -86,10 +85,6 @@ TEST_F(SavedPicture, isAsLargeAsAskedFor) {
   EXPECT_EQ(print.width(), 1500);
   EXPECT_NEAR(print.dotsPerMeterX(), 300.0 / 0.0254, 1.0);
   EXPECT_FALSE(readImageDescription(folder.path() / "print.png").empty()) << "it carries its scene";
-  for (const char* name : {"shown.png", "twice.png", "print.png"}) {
-    const ImageSettings image = parseScene(readImageDescription(folder.path() / name), name).scene.image;
-    EXPECT_EQ(QSize(image.width, image.height), QImage(pathTo(name)).size()) << name << " is drawn again so";
-  }
 }
 
 TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {
