@@ -930,10 +930,6 @@
         <translation>%1&#xa0;s</translation>
     </message>
     <message>
-        <source>within %1 of 255 levels, measured</source>
-        <translation>Fehler höchstens %1 von 255 Stufen, gemessen</translation>
-    </message>
-    <message>
         <source>estimated within about %1 of 255 levels</source>
         <translation>Fehler geschätzt höchstens etwa %1 von 255 Stufen</translation>
     </message>
@@ -2221,6 +2217,10 @@
         <source>Shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer; with a tolerance the processor follows more paths, which takes some minutes.</source>
         <translation>Schatten und Verdeckung kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen; mit einer Toleranz folgt der Prozessor mehr Pfaden, was einige Minuten dauert.</translation>
     </message>
+    <message>
+        <source>within %1 of 255 levels, measured in a smaller picture</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2680,14 +2680,6 @@
         <translation>&amp;Preset</translation>
     </message>
     <message>
-        <source>This look is remembered; Ctrl+Shift+B compares it with what becomes of it.</source>
-        <translation>Diese Darstellung ist gemerkt; Strg+Umschalt+B vergleicht sie mit dem, was daraus wird.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is remembered; Ctrl+Shift+B compares it with what becomes of it.</source>
-        <translation>„%1“ ist gemerkt; Strg+Umschalt+B vergleicht es mit dem, was daraus wird.</translation>
-    </message>
-    <message>
         <source>%1, before</source>
         <comment>a preset</comment>
         <translation>%1, vorher</translation>
@@ -2720,6 +2712,15 @@
     <message>
         <source>Model</source>
         <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Remembered; Ctrl+Shift+B compares with this look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remembered; Ctrl+Shift+B compares with &quot;%1&quot;.</source>
+        <comment>a look</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3613,6 +3614,10 @@
         <source>Draws the picture several times with and without each effect, also with those that are off, while nothing else is to be drawn; any change of the scene stops it.</source>
         <translation>Zeichnet das Bild mehrmals mit und ohne jeden Effekt, auch mit den ausgeschalteten, solange nichts anderes zu zeichnen ist; jede Änderung der Szene beendet es.</translation>
     </message>
+    <message>
+        <source>Measuring what effects cost</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>limn::EmphasisController</name>
@@ -4181,8 +4186,8 @@
         <translation>Das Fenster verwendet sie sofort.</translation>
     </message>
     <message>
-        <source>The window speaks this language as soon as no file is being read or written and no other dialog is open.</source>
-        <translation>Das Fenster verwendet diese Sprache, sobald keine Datei gelesen oder geschrieben wird und kein anderer Dialog offen ist.</translation>
+        <source>The window speaks this language as soon as nothing is being read, written or measured, no other dialog is open and no picture waits to be saved elsewhere.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9143,6 +9148,10 @@
     <message>
         <source>estimated within %1, with steps and paths of light of fineness %2</source>
         <translation>nach Schätzung auf %1 genau, mit Schritten und Lichtpfaden der Feinheit %2</translation>
+    </message>
+    <message>
+        <source>Single pixels lie farther off than the tolerance of %1, which is kept by an estimate; ask for less, such as --tolerance %2, for a picture that keeps it in these, too.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -16,8 +16,6 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMouseEvent>
-#include <QPixmap>
-#include <QStyleOptionComboBox>
 #include <QTest>
 #include <QTimer>
 #include <QToolTip>
@@ -454,25 +452,6 @@ TEST(FoldingSection, foldsByClickAndKeyAndStaysQuietWhenSet) {
   QTest::mouseClick(header, Qt::LeftButton);
   QTest::keyClick(header, Qt::Key_Space);
   EXPECT_EQ(folded, (std::vector<bool>{false, true}));
-}
-
-TEST(QuietComboBox, wordsThatFindNoRoomEndInAnEllipsis) {
-  struct Shown : QuietComboBox {
-    QString words() const {
-      QStyleOptionComboBox option;
-      initStyleOption(&option);
-      return option.currentText;
-    }
-  } box;
-  const QString whole = QStringLiteral("Background of the head");
-  QPixmap swatch(12, 12);
-  swatch.fill(Qt::red);
-  box.addItem(swatch, whole);
-  box.resize(400, 28);
-  EXPECT_EQ(box.words(), whole);
-  box.resize(90, 28);
-  EXPECT_TRUE(box.words().endsWith(QChar(0x2026))) << box.words().toStdString();
-  EXPECT_TRUE(whole.startsWith(box.words().chopped(1)));
 }
 
 TEST(ChoiceRow, reportsOnlyWhatTheUserChose) {

@@ -2,7 +2,6 @@
 #include "app/DialogKeys.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/saving/SavedPicture.h"
-#include "io/scenefile/SceneFile.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QCheckBox>
@@ -38,10 +37,6 @@ TEST_F(SavedPicture, isAsLargeAsAskedFor) {
   EXPECT_EQ(print.width(), 1500);
   EXPECT_NEAR(print.dotsPerMeterX(), 300.0 / 0.0254, 1.0);
   EXPECT_FALSE(readImageDescription(folder.path() / "print.png").empty()) << "it carries its scene";
-  for (const char* name : {"shown.png", "twice.png", "print.png"}) {
-    const ImageSettings image = parseScene(readImageDescription(folder.path() / name), name).scene.image;
-    EXPECT_EQ(QSize(image.width, image.height), QImage(pathTo(name)).size()) << name << " is drawn again so";
-  }
 }
 
 TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {

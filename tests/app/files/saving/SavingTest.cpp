@@ -2,14 +2,18 @@
 #include "app/WindowHarness.h"
 #include "app/asking/FileDialogs.h"
 #include "io/ImageFile.h"
+#include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 
 #include <QFileDialog>
+#include <QImage>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
+
+#include <utility>
 
 // What is asked and said when something is saved, in the window.
 
@@ -112,6 +116,20 @@ TEST_F(Saving, aPictureIsAskedForAtOnceAndSavedOnceItIsComplete) {
   EXPECT_TRUE(view().pictureState().resting);
   EXPECT_FALSE(stop().isVisible());
   EXPECT_FALSE(readImageDescription(folder.path() / "mypicture.png").empty());
+}
+
+TEST_F(Saving, aPictureKnowsItsSizeSoThatItIsDrawnAgainAsLarge) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  for (const auto& [name, size] : {std::pair("shown.png", PictureOptions::Size::screen),
+                                   std::pair("twice.png", PictureOptions::Size::twice)}) {
+    PictureOptions options;
+    options.size = size;
+    saving().writePicture(pathTo(name), options);
+    ASSERT_TRUE(test::waitUntil([&] { return isWholePicture(folder.path() / name) && !stop().isVisible(); }));
+    const ImageSettings image = parseScene(readImageDescription(folder.path() / name), name).scene.image;
+    EXPECT_EQ(QSize(image.width, image.height), QImage(pathTo(name)).size()) << name;
+  }
 }
 
 TEST_F(Saving, whoeverNoLongerWantsThePictureCancels) {
