@@ -2219,7 +2219,7 @@
     </message>
     <message>
         <source>within %1 of 255 levels, measured in a smaller picture</source>
-        <translation type="unfinished"></translation>
+        <translation>auf %1 von 255 Stufen genau, in einem kleineren Bild gemessen</translation>
     </message>
 </context>
 <context>
@@ -2715,12 +2715,12 @@
     </message>
     <message>
         <source>Remembered; Ctrl+Shift+B compares with this look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemerkt; Ctrl+Shift+B vergleicht mit dieser Darstellung.</translation>
     </message>
     <message>
         <source>Remembered; Ctrl+Shift+B compares with &quot;%1&quot;.</source>
         <comment>a look</comment>
-        <translation type="unfinished"></translation>
+        <translation>Gemerkt; Ctrl+Shift+B vergleicht mit „%1“.</translation>
     </message>
 </context>
 <context>
@@ -3616,7 +3616,7 @@
     </message>
     <message>
         <source>Measuring what effects cost</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosten der Effekte werden gemessen</translation>
     </message>
 </context>
 <context>
@@ -4187,7 +4187,7 @@
     </message>
     <message>
         <source>The window speaks this language as soon as nothing is being read, written or measured, no other dialog is open and no picture waits to be saved elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster verwendet diese Sprache, sobald nichts gelesen, geschrieben oder gemessen wird, kein anderer Dialog offen ist und kein Bild darauf wartet, anderswo gespeichert zu werden.</translation>
     </message>
 </context>
 <context>
@@ -9151,7 +9151,7 @@
     </message>
     <message>
         <source>Single pixels lie farther off than the tolerance of %1, which is kept by an estimate; ask for less, such as --tolerance %2, for a picture that keeps it in these, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelne Pixel liegen weiter ab als die Toleranz von %1, die nach Schätzung eingehalten ist; verlangen Sie weniger, etwa --tolerance %2, damit auch diese sie einhalten.</translation>
     </message>
 </context>
 <context>
