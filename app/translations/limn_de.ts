@@ -9153,6 +9153,10 @@
         <source>Single pixels lie farther off than the tolerance of %1, which is kept by an estimate; ask for less, such as --tolerance %2, for a picture that keeps it in these, too.</source>
         <translation>Einzelne Pixel liegen weiter ab als die Toleranz von %1, die nach Schätzung eingehalten ist; verlangen Sie weniger, etwa --tolerance %2, damit auch diese sie einhalten.</translation>
     </message>
+    <message>
+        <source>Shadows and occlusion come along few paths of light, which is estimated to move the picture by up to %1; --tolerance has as many followed as it needs.</source>
+        <translation>Schatten und Verdeckung kommen von wenigen Lichtpfaden, was das Bild nach Schätzung um bis zu %1 verschiebt; mit --tolerance wird so vielen gefolgt, wie nötig sind.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>

@@ -67,7 +67,9 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
                        const DrawScene& trial, StepControl control, const Drawer& by, TellsFilter tells) {
   // Where steps are looked for, those found heed the filter.
   const bool mayExceed = scene.quality.toleranceLevels && !needsSteps(scene);
-  const bool measures = tells == TellsFilter::always || (tells == TellsFilter::beyondTolerance && mayExceed);
+  const bool isLit = by.engine == Engine::cpu && hasTravellingLight(scene) && !scene.quality.toleranceLevels;
+  const bool measures =
+      tells == TellsFilter::always || (tells == TellsFilter::beyondTolerance && (mayExceed || isLit));
   const auto made = [&](const Scene& drawn) {
     return MadePicture{draw(drawn, size),
                        drawn,
@@ -84,6 +86,11 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
     MadePicture picture = made(scene);
     if (const Message note = filterNote(picture, by.filterBits); !note.empty())
       picture.notes.push_back(note);
+    if (isLit && picture.ofFilter.p99_9 > 0.0)
+      picture.notes.push_back(
+          Message::tr("Shadows and occlusion come along few paths of light, which is estimated to move the "
+                      "picture by up to %1; --tolerance has as many followed as it needs.")
+              .arg(levels(picture.ofFilter.p99_9)));
     if (leavesLightUnmeasured(scene, by))
       picture.notes.push_back(
           Message::tr("OpenGL looks shadows and occlusion up on a grid; how far they are off is "
