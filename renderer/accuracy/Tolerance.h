@@ -50,8 +50,8 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
 /// a picture makes of that depends on how steep the function is as much as on the data, so it is measured.
 /// All 0, and nothing drawn, for `mostFilterBits` and where voxels are weighed in floats already. Where light
 /// travels (DEFINITION section 11) and what comes of it is found along few paths or on a grid: what that
-/// adds, from the same picture with light found along many. `isWhole`: the picture in question is of `size`; else that is a
-/// sample of it already, of which the percentile is a guess.
+/// adds, from the same picture with light found along many. `isWhole`: the picture in question is of `size`;
+/// else that is a sample of it already, of which the percentile is a guess.
 ImageError errorOfFilter(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, int filterBits,
                          bool isWhole = true);
 

@@ -10,8 +10,7 @@ namespace {
 
 // Whether light is found along many paths, which takes up to milliseconds a pixel.
 bool samplesLight(const Quality& quality) {
-  return quality.light == LightDetail::sampled ||
-         (asksFineLight(quality) && quality.toleranceLevels);
+  return quality.light == LightDetail::sampled || (asksFineLight(quality) && quality.toleranceLevels);
 }
 
 } // namespace

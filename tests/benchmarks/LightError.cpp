@@ -4,8 +4,8 @@
 // scene files of their own, each under three lights from above left (shadows of 5° softness, occlusion of
 // 15 mm, both), drawn by the CPU engine on all threads. Told are errors in levels and times of the processor,
 // at rest (spread), while something moves (moving), and on fine and coarse nodes: of finding these, and of a
-// picture beside one without light on its way. Held fixed: a view from a little aside of the whole grid, 160²,
-// steps of half a voxel, no pre-integration.
+// picture beside one without light on its way. Held fixed: a view from a little aside of the whole grid,
+// 160², steps of half a voxel, no pre-integration.
 //
 // limn_light_error VOLUME SCENE [VOLUME SCENE]...
 #include "accuracy/ImageError.h"
@@ -29,9 +29,10 @@ struct Detail {
   LightDetail light;
   const char* name;
 };
-constexpr Detail details[] = {
-    {LightDetail::spread, "spread"}, {LightDetail::moving, "moving"},
-    {LightDetail::fine, "fine"}, {LightDetail::coarse, "coarse"}};
+constexpr Detail details[] = {{LightDetail::spread, "spread"},
+                              {LightDetail::moving, "moving"},
+                              {LightDetail::fine, "fine"},
+                              {LightDetail::coarse, "coarse"}};
 
 double processorMs(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();

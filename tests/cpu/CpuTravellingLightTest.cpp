@@ -167,8 +167,8 @@ TEST(CpuTravellingLight, alongPathsThatARaysSamplesShareItLiesNear) {
 }
 
 TEST(CpuTravellingLight, anyNumberOfThreadsAndTilesAndLeapsGivesTheSameBits) {
-  for (const LightDetail detail :
-       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::moving, LightDetail::sampled})
+  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse, LightDetail::spread,
+                                   LightDetail::moving, LightDetail::sampled})
     for (const Projection projection : {Projection::composite, Projection::isosurface}) {
       Scene scene = shadowedHead(6.0);
       scene.projection = projection;
@@ -351,8 +351,8 @@ TEST(CpuTravellingLight, badCasesHaveFinitePictures) {
              glm::all(glm::lessThanEqual(pixel, glm::vec4(1.0f)));
     });
   };
-  for (const LightDetail detail :
-       {LightDetail::fine, LightDetail::coarse, LightDetail::spread, LightDetail::moving, LightDetail::sampled}) {
+  for (const LightDetail detail : {LightDetail::fine, LightDetail::coarse, LightDetail::spread,
+                                   LightDetail::moving, LightDetail::sampled}) {
     Scene scene = shadowedHead(10.0);
     scene.quality.light = detail;
     scene.transferFunction = constantFunction(1.0, white);

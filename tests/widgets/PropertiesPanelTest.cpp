@@ -244,9 +244,9 @@ TEST_F(PropertiesPanelTest, aStepOfOneIsOneVoxel) {
     QTest::keyClick(&field, Qt::Key_Return);
     return field.text();
   };
-  const QSize size = field.sizeHint();
+  const QSize before = field.sizeHint();
   EXPECT_EQ(typed("1"), QStringLiteral("1\u00a0voxel"));
-  EXPECT_EQ(field.sizeHint(), size) << "the row stays as it is";
+  EXPECT_EQ(field.sizeHint(), before) << "the row stays as it is";
   EXPECT_EQ(typed("2 voxels"), QStringLiteral("2\u00a0voxels"));
   EXPECT_EQ(typed("1 voxel"), QStringLiteral("1\u00a0voxel"));
   EXPECT_EQ(typed("0.5"), QStringLiteral("0.5\u00a0voxels"));

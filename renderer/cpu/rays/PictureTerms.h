@@ -112,10 +112,10 @@ struct PictureTerms {
   LightingTerms light;
   TravelTerms travel;
   int mostSamples = limn::mostSamples; ///< of a ray, in equal steps
-  std::optional<double> fineness; ///< of error-controlled steps; absent: equal steps
-  bool samplesFirst = false;      ///< equal steps first, cells where those do not do
-  bool looksAtLeaps = false;      ///< each, as something may show between samples in which nothing does
-  bool isExact = false;           ///< scalars and surfaces are found cell by cell, too
+  std::optional<double> fineness;      ///< of error-controlled steps; absent: equal steps
+  bool samplesFirst = false;           ///< equal steps first, cells where those do not do
+  bool looksAtLeaps = false;           ///< each, as something may show between samples in which nothing does
+  bool isExact = false;                ///< scalars and surfaces are found cell by cell, too
 
   RayFrame frame;
   glm::ivec2 size{0};

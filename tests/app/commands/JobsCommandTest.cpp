@@ -170,7 +170,8 @@ TEST_F(JobsOfTheGuide, drawTheSamePicturesByEveryEngine) {
   ASSERT_EQ(runBlock(1), 0);
   std::map<std::string, std::string> byXargs = pictures("pictures");
   EXPECT_EQ(byXargs.size(), 64u);
-  // The turns of a volume, preset and model differ in one figure: for the other engines two of the eight will do.
+  // The turns of a volume, preset and model differ in one figure: for the other engines two of the eight will
+  // do.
   const auto isAnotherTurn = [](const std::string& text, const char* first, const char* second) {
     return text.find(first) == std::string::npos && text.find(second) == std::string::npos;
   };

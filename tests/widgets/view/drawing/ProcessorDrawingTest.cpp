@@ -193,7 +193,7 @@ TEST_F(Worker, whatRefinesGivesWayToAMeasurementAndGoesOnAfterIt) {
   holds = true;
   ask(1, turned(0.0));
   ASSERT_TRUE(test::waitUntil([&] { return isHolding && !deliveries.empty(); }));
-  worker->measureEffects();
+  worker->measureEffects(true);
   ASSERT_TRUE(test::waitUntil([&] { return !deliveries.back().news.times.costs.empty(); }));
   EXPECT_EQ(deliveries.back().measurements, 1);
   EXPECT_TRUE(test::waitUntil([&] { return deliveries.back().news.state.refinementEnd.has_value(); }));

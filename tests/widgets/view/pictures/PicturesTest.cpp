@@ -109,8 +109,8 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
 }
 
-// With a tolerance many paths of light are followed, which takes minutes: what moves has fewer, and so has the
-// whole picture over which the exact one comes.
+// With a tolerance many paths of light are followed, which takes minutes: what moves has fewer, and so has
+// the whole picture over which the exact one comes.
 TEST(PicturesInMemory, onTheirWayToATolerancePicturesFollowFewPathsOfLight) {
   Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
   Scene scene = phantomWith(ShadingModel::classic);
