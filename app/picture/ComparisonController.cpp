@@ -12,7 +12,6 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QStatusBar>
-#include <QUndoCommand>
 
 #include <array>
 #include <tuple>
@@ -26,25 +25,6 @@ namespace {
 constexpr int leastOfTwo = 400; // pixels
 
 constexpr int toldForMs = 6000;
-
-/// A step between two states, the second of which is shown as it is pushed.
-class ComparisonEdit : public QUndoCommand {
-public:
-  using Show = std::function<void()>;
-
-  ComparisonEdit(const QString& text, Show before, Show after)
-      : QUndoCommand(text), m_before(std::move(before)), m_after(std::move(after)) {}
-
-  void undo() override { m_before(); }
-  void redo() override {
-    if (std::exchange(m_wasShown, true))
-      m_after();
-  }
-
-private:
-  Show m_before, m_after;
-  bool m_wasShown = false;
-};
 
 } // namespace
 

@@ -3,10 +3,12 @@
 
 #include "io/scenefile/SessionFile.h"
 
-#include <optional>
-#include <vector>
+#include <QUndoCommand>
 
-class QString;
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace limn {
 
@@ -63,5 +65,24 @@ ComparisonState comparisonOf(const SessionDocument& session, const Shading& shad
 /// no name.
 Preset snapshotOf(const Scene& scene, const QString& called);
 bool isSnapshot(const Preset& look);
+
+/// A step between two states, the second of which is shown as it is pushed.
+class ComparisonEdit : public QUndoCommand {
+public:
+  using Show = std::function<void()>;
+
+  ComparisonEdit(const QString& text, Show before, Show after)
+      : QUndoCommand(text), m_before(std::move(before)), m_after(std::move(after)) {}
+
+  void undo() override { m_before(); }
+  void redo() override {
+    if (std::exchange(m_wasShown, true))
+      m_after();
+  }
+
+private:
+  Show m_before, m_after;
+  bool m_wasShown = false;
+};
 
 } // namespace limn

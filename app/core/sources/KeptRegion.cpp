@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/sources/KeptRegion.h"
 
+#include "app/core/sources/NamedFiles.h"
 #include "io/labels/MaskFolder.h"
 #include "regions/Body.h"
 #include "regions/Cutting.h"
@@ -145,6 +146,29 @@ FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vec
   if (!found.remark.empty())
     cut.remark = found.remark;
   return cut;
+}
+
+// Which of a part's files of labels cannot be shown with the volume; the first where none is to blame alone.
+static std::size_t misfitOf(const KeptPart& part, const Volume& volume, const Progress& progress) {
+  for (std::size_t more = 0; more < part.moreLabels.size(); ++more)
+    try {
+      readBeside({part.moreLabels[more]}, volume, progress);
+    } catch (const Error&) {
+      return more + 1;
+    }
+  return 0;
+}
+
+FoundRegion regionOf(const KeptPart& part, const KeptPart& written, const Volume& volume,
+                     const Progress& progress) {
+  try {
+    return regionOf(part, volume, progress);
+  } catch (const Error& error) {
+    if (part.kind != Region::Kind::labels || error.kind() != Error::Kind::input)
+      throw;
+    const std::size_t misfit = misfitOf(part, volume, progress);
+    throw LabelsMissing(misfit == 0 ? written.labels : written.moreLabels[misfit - 1], error.sentence());
+  }
 }
 
 } // namespace limn

@@ -57,4 +57,9 @@ bool replacesLabels(const Region& region, const Region& before);
 /// (input) where it cannot be read or lacks a label that has a weight; Cancelled.
 FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress = {});
 
+/// The same of a part whose files are where `written` names them or elsewhere: where labels cannot be shown
+/// with the volume LabelsMissing tells of which file, by its name there.
+FoundRegion regionOf(const KeptPart& part, const KeptPart& written, const Volume& volume,
+                     const Progress& progress = {});
+
 } // namespace limn

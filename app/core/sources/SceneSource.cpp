@@ -208,32 +208,13 @@ Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
       .arg(held);
 }
 
-// Which of a part's files of labels cannot be shown with the volume; the first where none is to blame alone.
-std::size_t misfitOf(const KeptPart& part, const Volume& volume, const Progress& progress) {
-  for (std::size_t more = 0; more < part.moreLabels.size(); ++more)
-    try {
-      readBeside({part.moreLabels[more]}, volume, progress);
-    } catch (const Error&) {
-      return more + 1;
-    }
-  return 0;
-}
-
 void keepPart(LoadedScene& loaded, const KeptPart& written, const SourceOptions& options,
               const Progress& progress) {
   KeptPart part = written;
   part.labels = labelsOf(part.labels, loaded.volumePath, options);
   for (std::string& mask : part.moreLabels)
     mask = labelsOf(mask, loaded.volumePath, options);
-  FoundRegion kept;
-  try {
-    kept = regionOf(part, *loaded.scene.volume, progress);
-  } catch (const Error& error) {
-    if (part.kind != Region::Kind::labels || error.kind() != Error::Kind::input)
-      throw;
-    const std::size_t misfit = misfitOf(part, *loaded.scene.volume, progress);
-    throw LabelsMissing(misfit == 0 ? written.labels : written.moreLabels[misfit - 1], error.sentence());
-  }
+  FoundRegion kept = regionOf(part, written, *loaded.scene.volume, progress);
   loaded.scene.keep = std::move(kept.region);
   if (!kept.remark.empty())
     loaded.notes.push_back(kept.remark);

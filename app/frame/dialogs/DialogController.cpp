@@ -419,12 +419,11 @@ void DialogController::addHelp() {
 }
 
 bool DialogController::isBusy() const {
-  if (m_stability && m_stability->isChecking())
-    return true;
   const QList<QDialog*> dialogs = m_context.window.findChildren<QDialog*>();
-  return std::ranges::any_of(dialogs, [this](const QDialog* dialog) {
-    return dialog->isVisible() && dialog != m_settings && dialog != m_guide;
-  });
+  return (m_stability && m_stability->isChecking()) ||
+         std::ranges::any_of(dialogs, [this](const QDialog* dialog) {
+           return dialog->isVisible() && dialog != m_settings && dialog != m_guide;
+         });
 }
 
 DialogController::Memory DialogController::memory() const {

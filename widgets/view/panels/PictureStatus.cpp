@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limn {
 namespace {
@@ -87,10 +88,9 @@ QString worstText(const SideState& worst) {
   if (worst.measuredLevels)
     return QObject::tr("within %1 of 255 levels, measured in a smaller picture")
         .arg(promisedLevels(*worst.measuredLevels));
-  const QString levels = levelsText(worst.estimate->p99_9);
   return (worst.isRough ? QObject::tr("estimated within about %1 of 255 levels")
                         : QObject::tr("estimated within %1 of 255 levels"))
-      .arg(levels);
+      .arg(levelsText(worst.estimate->p99_9));
 }
 
 // Where one of two pictures was measured it is told whose number this is.
@@ -99,10 +99,9 @@ QString estimateText(const PictureState& state) {
     return QObject::tr("not resolved");
   if (!isLightMeasured(state))
     return QObject::tr("shadows not measured");
-  if (hasPaths(state))
-    for (const SideState& side : state.sides)
-      if (side.paths && !side.paths->rmsLevels)
-        return pathsText(*side.paths);
+  for (const SideState& side : state.sides)
+    if (side.paths && !side.paths->rmsLevels)
+      return pathsText(*side.paths);
   if (!isKnown(state))
     return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
@@ -504,9 +503,7 @@ void PictureStatus::changeEvent(QEvent* event) {
 // Leave out what does not fit, then line up the rest at the right edge.
 void PictureStatus::arrange() {
   std::array<int, partCount> widths = this->widths();
-  int total = 0;
-  for (const int part : widths)
-    total += part;
+  int total = std::accumulate(widths.begin(), widths.end(), 0);
   for (const std::size_t part : givesWay)
     if (total > width()) {
       total -= widths[part];
