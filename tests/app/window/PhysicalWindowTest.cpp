@@ -299,7 +299,8 @@ TEST_F(PhysicalWindow, theDialogSaysHowFarItIsDrawnAndLeadsToWhereThatIsSet) {
   action(QStringLiteral("Save &picture…"))->trigger();
   EXPECT_TRUE(said.startsWith(QStringLiteral("256 paths a pixel, noise filtered"))) << said.toStdString();
   EXPECT_FALSE(section.isFolded());
-  EXPECT_EQ(window->focusWidget(), section.until()->box()) << "it has the keyboard once the window has";
+  EXPECT_EQ(window->focusWidget(), section.until()->box())
+      << "it has the keyboard once the window has, not " << window->focusWidget()->metaObject()->className();
   EXPECT_FALSE(section.until()->visibleRegion().isEmpty());
   int size = -1;
   onceAsked<PictureDialog>([&size](PictureDialog& dialog) {

@@ -235,7 +235,7 @@ TEST_F(AccuracyPanelTest, theDialSaysWhyShadowsKeepAPictureFromBeingExact) {
   ASSERT_TRUE(hasTravellingLight(scene));
   panel.setScene(scene);
   EXPECT_TRUE(note().contains(QStringLiteral("grid of light"))) << note().toStdString();
-  EXPECT_TRUE(note().contains(QStringLiteral("With \"exact\" the processor finds them")));
+  EXPECT_TRUE(note().contains(QStringLiteral("With \"exact\" the processor follows more paths")));
   scene.quality.toleranceLevels = 0.5;
   panel.setScene(scene);
   EXPECT_FALSE(note().contains(QStringLiteral("grid of light"))) << "it is";
