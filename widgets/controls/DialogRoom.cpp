@@ -40,7 +40,7 @@ WholeScroll::WholeScroll(QWidget* content) {
 }
 
 QSize WholeScroll::sizeHint() const {
-  return widget()->sizeHint();
+  return widget()->sizeHint().expandedTo(widget()->minimumSize());
 }
 
 } // namespace limn

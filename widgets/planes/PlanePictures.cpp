@@ -31,8 +31,10 @@ PlaneContent withoutPlaces(PlaneContent content) {
   content.firstWindow = {};
   if (!kept.isTinted && !content.emphasisedPoint) {
     content.function = {};
-    content.keep.looks.clear();
-    content.keep.lookOf.clear();
+    if (!kept.outlinesRegion) { // in the colours of the labels' curves
+      content.keep.looks.clear();
+      content.keep.lookOf.clear();
+    }
   }
   return content;
 }
