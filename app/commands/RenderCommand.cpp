@@ -14,6 +14,7 @@
 #include "scene/effects/EffectPlan.h"
 #include "scene/presets/PresetFit.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <map>
@@ -226,9 +227,11 @@ void addRenderCommand(CommandSyntax& root) {
     runRender(*arguments, [&](const std::vector<Scene>& scenes, const glm::ivec2& size) {
       const Progress progress = terminalProgress(arguments->scene.source.quiet);
       const auto report = [&progress](double fraction) { reportOrStop(progress, fraction, "Drawing"); };
+      MakingOptions order{
+          engine, arguments->textureMb, Settings().engineMemory(), {arguments->threads, {}, report}};
+      order.tellsFilter = std::ranges::any_of(scenes, hasTravellingLight); // of few paths
       std::vector<MadePicture> pictures;
-      makeEach(scenes, size,
-               {engine, arguments->textureMb, Settings().engineMemory(), {arguments->threads, {}, report}},
+      makeEach(scenes, size, order,
                [&pictures](std::size_t, MadePicture picture) { pictures.push_back(std::move(picture)); });
       return pictures;
     });

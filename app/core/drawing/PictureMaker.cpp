@@ -68,8 +68,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
   // Where steps are looked for, those found heed the filter.
   const bool mayExceed = scene.quality.toleranceLevels && !needsSteps(scene);
   const bool isLit = by.engine == Engine::cpu && hasTravellingLight(scene) && !scene.quality.toleranceLevels;
-  const bool measures =
-      tells == TellsFilter::always || (tells == TellsFilter::beyondTolerance && (mayExceed || isLit));
+  const bool measures = tells == TellsFilter::always || (tells == TellsFilter::beyondTolerance && mayExceed);
   const auto made = [&](const Scene& drawn) {
     return MadePicture{draw(drawn, size),
                        drawn,

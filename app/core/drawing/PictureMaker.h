@@ -50,7 +50,7 @@ struct MakingOptions {
   EngineMemory memory; ///< is asked which engine is the faster; found by a trial where it does not know
   Effort effort; ///< threads of the CPU engine and the reference; told and asked between strips or tiles
   /// Whether pictures tell `ofFilter`, for which others are drawn beside each; otherwise those alone whose
-  /// tolerance that may exceed, or whose light comes along few paths.
+  /// tolerance that may exceed.
   bool tellsFilter = false;
   bool isFilm = false; ///< of such pictures the first stands for all
 };

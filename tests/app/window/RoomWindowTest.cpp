@@ -308,8 +308,8 @@ void writeBallWithoutUnit(const std::filesystem::path& path) {
 }
 
 TEST_F(Room, theToolsOfTheCurveHaveRoomBesideThePointInHand) {
-  setSize({1440, 900});
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  setSize({1440, 900});
   TransferFunctionEditor& editor = *curves().valueEditor();
   editor.canvas()->selectPoints({2});
   EXPECT_TRUE(widgetNamed<TrackSlider>(editor, "Shift")->isVisible());

@@ -119,6 +119,7 @@ TEST_F(Saving, aPictureIsAskedForAtOnceAndSavedOnceItIsComplete) {
 }
 
 TEST_F(Saving, aPictureKnowsItsSizeSoThatItIsDrawnAgainAsLarge) {
+  setLayout(CompareLayout::single); // of two each has its own size
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(rest());
   for (const auto& [name, size] : {std::pair("shown.png", PictureOptions::Size::screen),
