@@ -227,8 +227,9 @@ void addRenderCommand(CommandSyntax& root) {
     runRender(*arguments, [&](const std::vector<Scene>& scenes, const glm::ivec2& size) {
       const Progress progress = terminalProgress(arguments->scene.source.quiet);
       const auto report = [&progress](double fraction) { reportOrStop(progress, fraction, "Drawing"); };
+      Settings settings; // which what is remembered of engines refers to
       MakingOptions order{
-          engine, arguments->textureMb, Settings().engineMemory(), {arguments->threads, {}, report}};
+          engine, arguments->textureMb, settings.engineMemory(), {arguments->threads, {}, report}};
       order.tellsFilter = std::ranges::any_of(scenes, hasTravellingLight); // of few paths
       std::vector<MadePicture> pictures;
       makeEach(scenes, size, order,
