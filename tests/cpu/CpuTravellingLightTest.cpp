@@ -40,7 +40,7 @@ ImageError errorFrom(const Image& reference, const Scene& scene) {
   return imageError(renderer.render(scene, reference.size), reference);
 }
 
-TEST(CpuTravellingLight, foundForEachSampleItIsTheReferences) {
+TEST(CpuTravellingLight, foundAlongManyPathsItIsTheReferences) {
   for (const TravelCase& one : travelCases) {
     Scene scene = shadowedHead(8.0);
     one.apply(scene);
@@ -254,7 +254,7 @@ TEST(CpuTravellingLight, whatMovesLeavesTheFarFaceOfAPlateInTheDark) {
   scene.quality.light = LightDetail::sampled;
   const double sampled = test::brightness(renderer.render(scene, size));
   std::cout << "a plate's far face: " << open << " levels without shadows, " << moving << " while it moves, "
-            << sampled << " with light found for each sample\n";
+            << sampled << " with light found along many paths\n";
   EXPECT_LE(sampled, 0.75 * open) << "shows nothing of it";
   EXPECT_LE(moving - sampled, 0.25 * (open - sampled));
 }

@@ -436,7 +436,8 @@ Message noteBeyondTolerance(const Scene& asked, const ErrorByChance& found) {
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort) {
   Scene whole = scene;
   whole.volume = wholeOf(scene.volume);
-  if (staysOnDisk(whole))
+  // The reference follows light that travels for each sample: that takes hours.
+  if (staysOnDisk(whole) || hasTravellingLight(whole))
     return std::nullopt;
   return errorByChance(whole, picture, preciselyBy(effort.threads, effort.isCancelled));
 }

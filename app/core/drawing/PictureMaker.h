@@ -90,7 +90,7 @@ std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine
 DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled);
 
 /// What exact pixels drawn at random say of a picture (accuracy/sweep/ErrorByChance); absent where they do
-/// not settle, or where the voxels stay on disk. Throws Cancelled.
+/// not settle, where the voxels stay on disk, or where light travels. Throws Cancelled.
 std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort);
 
 /// Where pixels drawn at random say more than the tolerance that a picture was asked to keep, by estimate, a

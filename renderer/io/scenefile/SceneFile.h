@@ -56,8 +56,8 @@ SceneDocument documentOf(const Scene& scene, const std::string& volume);
 struct AccuracyOfPaths {
   int count = 0; ///< of each pixel
   std::optional<double> rmsLevels;
-  std::optional<double> filterRms,
-      filterLargest; ///< what filtering the noise changed; absent where it did not
+  // What filtering the noise changed; absent where it was not.
+  std::optional<double> filterRms, filterLargest;
 };
 
 /// How far a saved picture of a scene lies from the exact one. Says nothing of the scene: who reads it as one

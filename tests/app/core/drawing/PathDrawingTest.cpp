@@ -119,15 +119,21 @@ TEST(PathDrawing, theErrorOfASinglePathIsNotKnown) {
   EXPECT_EQ(pathErrors(nothing, fewPixels, {2, {}, {}}).error, ImageError{});
 }
 
+// How far the processor's pictures are is told of in `told`.
+MakingOptions tellingOf(std::vector<double>& told) {
+  MakingOptions order;
+  order.engine = Engine::cpu;
+  order.effort.threads = 2;
+  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  return order;
+}
+
 // The pictures from which steps are found are none of those that are asked for.
 TEST(PictureProgress, neverGoesBack) {
   Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
   scene.quality.toleranceLevels = 0.5;
   std::vector<double> told;
-  MakingOptions order;
-  order.engine = Engine::cpu;
-  order.effort.threads = 2;
-  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  const MakingOptions order = tellingOf(told);
   constexpr glm::ivec2 severalStrips{16, 400};
   makeEach({scene, scene}, severalStrips, order, [](std::size_t, const MadePicture&) {});
   ASSERT_GE(told.size(), 4u) << "two strips of each at least";
@@ -139,10 +145,7 @@ TEST(PictureProgress, neverGoesBack) {
 TEST(PictureProgress, tellsEachSmallPictureThatIsDrawn) {
   const Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
   std::vector<double> told;
-  MakingOptions order;
-  order.engine = Engine::cpu;
-  order.effort.threads = 2;
-  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  const MakingOptions order = tellingOf(told);
   makeEach({scene, scene}, fewPixels, order, [](std::size_t, const MadePicture&) {});
   EXPECT_EQ(told, (std::vector<double>{0.5, 1.0}));
 }
@@ -177,10 +180,7 @@ TEST(PictureMaker, drawsNoOtherPicturesBesideOneThatTellsNothingOfThem) {
 TEST(PictureProgress, eachOfTwoHasItsHalf) {
   const Scene scene = headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
   std::vector<double> told;
-  MakingOptions order;
-  order.engine = Engine::cpu;
-  order.effort.threads = 2;
-  order.effort.report = [&told](double fraction) { told.push_back(fraction); };
+  const MakingOptions order = tellingOf(told);
   constexpr glm::ivec2 severalStrips{16, 400};
   std::vector<double> atTheEnd;
   makeEach({scene, scene}, severalStrips, order,

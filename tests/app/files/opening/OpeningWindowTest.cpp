@@ -30,6 +30,14 @@ protected:
     return QString::fromStdString((place / "small.nrrd").string());
   }
 
+  void saveSessionWith(const QString& labels, const QString& file) {
+    ASSERT_TRUE(open(smallVolume("a")));
+    typeName(labels);
+    window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+    ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+    saving().writeSession(file);
+  }
+
   /// Clicks what the message offers.
   void choose(const char* answer) {
     for (QToolButton* button : messages().findChildren<QToolButton*>())
@@ -183,13 +191,9 @@ TEST_F(OpeningWindow, theSessionOfAVolumeIsNotSavedOverWithAnotherInItsPlace) {
 }
 
 TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWithoutThem) {
-  ASSERT_TRUE(open(smallVolume("a")));
   const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
-  typeName(labels);
-  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
-  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
   const QString file = pathTo("labelled.limn.json");
-  saving().writeSession(file);
+  saveSessionWith(labels, file);
   const std::string saved = readTextFile(file.toStdString());
   fs::create_directories(folder.path() / "moved");
   fs::rename(labels.toStdString(), folder.path() / "moved" / "renamed.nrrd");
@@ -219,13 +223,9 @@ TEST_F(OpeningWindow, aSessionWhoseLabelsAreElsewhereOpensOnceTheyAreLocatedOrWi
 }
 
 TEST_F(OpeningWindow, labelsThatDoNotFitAreAskedForAgain) {
-  ASSERT_TRUE(open(smallVolume("a")));
   const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
-  typeName(labels);
-  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
-  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
   const QString file = pathTo("labelled.limn.json");
-  saving().writeSession(file);
+  saveSessionWith(labels, file);
   fs::rename(labels.toStdString(), folder.path() / "renamed.nrrd");
   test::writeBytes(folder.path() / "far.nrrd",
                    "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n"
