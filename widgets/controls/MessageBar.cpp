@@ -216,7 +216,8 @@ bool MessageBar::event(QEvent* event) {
 
 void MessageBar::offer(QToolButton& button, const Action& action) {
   button.setText(action.text);
-  button.setAccessibleName(action.text);
+  if (!action.text.isEmpty()) // a hidden one is listed for assistive technology, too, and keeps a name
+    button.setAccessibleName(action.text);
   button.setVisible(!action.text.isEmpty());
 }
 

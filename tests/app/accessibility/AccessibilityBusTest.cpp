@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -185,15 +186,20 @@ TEST_F(OnTheBus, aSliderSetChangesItsFieldToo) {
   EXPECT_EQ(sliders[0].number(), 1.5);
 }
 
+// The window goes on while it is asked: what it took away since it was listed has no role any more.
 TEST_F(OnTheBus, everyButtonHasAName) {
+  const auto isButton = [](const BusObject& object) {
+    constexpr std::array roles{Role::pushButton, Role::checkBox, Role::radioButton, Role::toggleButton};
+    return std::ranges::find(roles, object.role()) != roles.end();
+  };
   std::size_t named = 0;
-  for (const Role role : {Role::pushButton, Role::checkBox, Role::radioButton, Role::toggleButton})
-    for (const BusObject& button : all(role)) {
-      EXPECT_FALSE(button.name().isEmpty())
-          << button.path().toStdString() << " in " << button.parent().name().toStdString()
-          << (button.hasState(showing) ? "" : " (hidden)");
-      ++named;
-    }
+  for (const BusObject& button : findAll(root(), isButton)) {
+    const bool isNamed = !button.name().isEmpty();
+    named += isNamed ? 1 : 0;
+    if (!isNamed && isButton(button))
+      ADD_FAILURE() << button.path().toStdString() << " in " << button.parent().name().toStdString()
+                    << (button.hasState(showing) ? "" : " (hidden)");
+  }
   EXPECT_GE(named, 30u);
 }
 

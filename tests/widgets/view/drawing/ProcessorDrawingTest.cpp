@@ -22,10 +22,13 @@ namespace {
 
 constexpr glm::ivec2 pictureSize{160, 120};
 
-// Holds the first piece of a finer picture until it is cancelled.
+// Holds the first piece that is finer than the picture at rest until it is cancelled. Pieces of that picture
+// are never held: where the machine is quick, they are what is seen while something moves, which nothing
+// cancels.
 class HoldingEngine final : public DrawingEngine {
 public:
-  explicit HoldingEngine(std::atomic<bool>& isHolding) : m_isHolding(isHolding) {}
+  HoldingEngine(std::atomic<bool>& isHolding, double restingStep)
+      : m_isHolding(isHolding), m_restingStep(restingStep) {}
 
   double makeReady(const Scene& scene, const Effort& effort) override {
     return m_engine->makeReady(scene, effort);
@@ -33,7 +36,7 @@ public:
   std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                             const IsCancelled& isCancelled) override {
     const Quality& quality = scene.quality;
-    const bool isFiner = quality.toleranceLevels || quality.stepVoxels < Quality{}.stepVoxels;
+    const bool isFiner = quality.toleranceLevels || quality.stepVoxels < m_restingStep;
     if (isFiner && isCancelled && !m_isHolding.exchange(true)) {
       while (!isCancelled())
         std::this_thread::yield();
@@ -57,6 +60,7 @@ public:
 
 private:
   std::atomic<bool>& m_isHolding;
+  double m_restingStep;
   std::unique_ptr<DrawingEngine> m_engine = makeCpuEngine(2);
 };
 
@@ -109,7 +113,8 @@ protected:
   PictureWorker* worker = new PictureWorker([this] {
     if (std::exchange(refuses, false))
       throw Error(Error::Kind::input, "There is no engine.");
-    return holds ? std::make_unique<HoldingEngine>(isHolding) : makeCpuEngine(2);
+    return holds ? std::make_unique<HoldingEngine>(isHolding, turned(0.0).quality.stepVoxels)
+                 : makeCpuEngine(2);
   });
   QThread thread;
   QObject receiver;
