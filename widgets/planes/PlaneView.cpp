@@ -46,6 +46,7 @@ PlaneView::PlaneView(PatientPlane plane, QWidget* parent) : QWidget(parent), m_p
   setAttribute(Qt::WA_OpaquePaintEvent);
   makePlanesAccessible();
   new FocusRing(this);
+  new PointerFocus(this);
   m_rest.setSingleShot(true);
   m_rest.setInterval(restMs);
   connect(&m_rest, &QTimer::timeout, this, &PlaneView::readAllPixels);
@@ -327,11 +328,6 @@ void PlaneView::keyPressEvent(QKeyEvent* event) {
   const bool isPlain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
   if (!m_content.volume || !isPlain || !obey(event->key(), event->modifiers() & Qt::ShiftModifier))
     QWidget::keyPressEvent(event);
-}
-
-void PlaneView::enterEvent(QEnterEvent* event) {
-  QWidget::enterEvent(event);
-  takeFocusUnderPointer(*this);
 }
 
 // A right click asks as its button is let go.

@@ -39,6 +39,7 @@ CompareView::CompareView(DrawingEngines engines, Engine engine, QWidget* parent)
   connect(m_labels, &LabelFade::changed, this, &CompareView::push);
   arrangeParts();
   new FocusRing(this);
+  new PointerFocus(this);
 }
 
 void CompareView::push() {
@@ -329,12 +330,6 @@ void CompareView::keyReleaseEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
     setSwapped(false);
   QWidget::keyReleaseEvent(event);
-}
-
-void CompareView::enterEvent(QEnterEvent* event) {
-  QWidget::enterEvent(event);
-  if (scene().volume)
-    takeFocusUnderPointer(*this);
 }
 
 void CompareView::leaveEvent(QEvent* event) {

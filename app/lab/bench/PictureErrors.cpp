@@ -8,6 +8,7 @@
 #include "scene/PictureFigures.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/basics/Error.h"
+#include "scene/effects/EffectPlan.h"
 
 #include <algorithm>
 
@@ -15,10 +16,19 @@ namespace limn {
 namespace {
 
 constexpr double finenessOfExact = 9.0;
+constexpr double litStepOfExact = 0.125; // in voxels
 
+// Light that travels is followed along as many paths as a picture at rest has, in fine steps: a tolerance
+// would ask for so many that a picture takes minutes.
 Scene exactly(Scene scene) {
   scene.quality.earlyTermination = 1.0;
   scene.quality.jitter = false;
+  if (hasTravellingLight(scene)) {
+    scene.quality.toleranceLevels.reset();
+    scene.quality.stepVoxels = litStepOfExact;
+    scene.quality.light = LightDetail::sampled;
+    return scene;
+  }
   scene.quality.toleranceLevels = 1.0;
   scene.quality.fineness = finenessOfExact;
   return scene;

@@ -5,7 +5,9 @@
 #include "widgets/view/panels/FocusRing.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QImage>
+#include <QMouseEvent>
 #include <QScrollArea>
 
 #include <algorithm>
@@ -39,6 +41,25 @@ std::string described(const QWidget& widget) {
   return (QString::fromLatin1(widget.metaObject()->className()) + QLatin1Char(' ') + widget.accessibleName() +
           QLatin1Char(' ') + widget.objectName())
       .toStdString();
+}
+
+// As where a dialog goes that led to a field, and the pointer rests where it was.
+TEST_P(FocusWindowTest, aPointerTakesTheFocusOnceItMovesAndNotBecauseItIsThere) {
+  applyTheme(*qApp, GetParam());
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  auto* choice = window->findChild<PropertiesPanel*>()->findChild<QComboBox*>();
+  ASSERT_NE(choice, nullptr);
+  choice->setFocus();
+  ASSERT_EQ(window->focusWidget(), choice);
+  const QPointF middle = view().rect().center();
+  const QPointF global = view().mapToGlobal(middle);
+  QEnterEvent enters(middle, middle, global);
+  QCoreApplication::sendEvent(&view(), &enters);
+  EXPECT_EQ(window->focusWidget(), choice);
+  QMouseEvent moves(QEvent::MouseMove, middle, global, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&view(), &moves);
+  EXPECT_EQ(window->focusWidget(), &view());
 }
 
 TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {

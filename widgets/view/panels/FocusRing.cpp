@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QPainter>
 
+#include <utility>
+
 namespace limn {
 namespace {
 
@@ -61,9 +63,18 @@ void FocusRing::paintEvent(QPaintEvent*) {
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
-void takeFocusUnderPointer(QWidget& view) {
-  if (view.isActiveWindow() && !isTypedInto(QApplication::focusWidget()))
-    view.setFocus(Qt::MouseFocusReason);
+PointerFocus::PointerFocus(QWidget* owner) : QObject(owner) {
+  owner->installEventFilter(this);
+}
+
+bool PointerFocus::eventFilter(QObject* watched, QEvent* event) {
+  auto* owner = static_cast<QWidget*>(parent());
+  if (event->type() == QEvent::Enter || event->type() == QEvent::Leave)
+    m_hasEntered = event->type() == QEvent::Enter;
+  else if (event->type() == QEvent::MouseMove && std::exchange(m_hasEntered, false) &&
+           owner->isActiveWindow() && !isTypedInto(QApplication::focusWidget()))
+    owner->setFocus(Qt::MouseFocusReason);
+  return QObject::eventFilter(watched, event);
 }
 
 } // namespace limn

@@ -18,7 +18,19 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// Keys go to what the pointer is over, but not out of a field in which someone types.
-void takeFocusUnderPointer(QWidget& view);
+/// Gives the focus to a widget that tracks the pointer once that moves into it, but not out of a field in
+/// which someone types. A pointer that rests where a dialog was takes nothing from what the dialog led to.
+class PointerFocus : public QObject {
+  Q_OBJECT
+
+public:
+  explicit PointerFocus(QWidget* owner);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  bool m_hasEntered = false; ///< and not moved since
+};
 
 } // namespace limn
