@@ -74,12 +74,12 @@ void clearTo(QOpenGLFunctions& gl, const glm::dvec3& background) {
 
 } // namespace
 
-DriverDrawing::DriverDrawing(MakeEngine makeEngine, MakePrecise makePrecise, DriverRecovery& recovery,
-                             QWidget& view)
+DriverDrawing::DriverDrawing(const DrawingEngines& engines, DriverRecovery& recovery, QWidget& view)
     : ViewDrawing(&view), m_recovery(recovery), m_canvas(new GlCanvas(*this, view)),
       m_loop(*new PictureLoop(
-          [makeEngine = std::move(makeEngine), makePrecise = std::move(makePrecise)] {
-            return std::make_unique<Pictures>(makeEngine(), makeGlScreen(), makePrecise);
+          [engines] {
+            return std::make_unique<Pictures>(engines.driver(), makeGlScreen(), engines.precisely,
+                                              engines.processor);
           },
           contextOf(m_canvas, recovery), {}, this)) {
   // Receivers set widgets, which must not happen in the middle of painting.
@@ -157,7 +157,7 @@ EngineSwitch::~EngineSwitch() {
 }
 
 ViewDrawing* EngineSwitch::makeDriverDrawing() {
-  auto* drawing = new DriverDrawing(m_engines.driver, m_engines.precisely, m_recovery, m_view);
+  auto* drawing = new DriverDrawing(m_engines, m_recovery, m_view);
   connect(&m_recovery, &DriverRecovery::rebuildNeeded, drawing, [this, drawing](bool isLost) {
     drawing->rebuild(isLost);
     retry();

@@ -11,12 +11,13 @@ class DriverRecovery;
 class GlCanvas;
 
 /// Pictures that the graphics driver draws, in turns of the window's event loop, on a widget with an OpenGL
-/// context of its own. What fails is `recovery`'s to mend.
+/// context of its own. What fails is `recovery`'s to mend. Light that the driver's engine looks up the
+/// processor's follows, once the pictures rest.
 class DriverDrawing : public ViewDrawing {
   Q_OBJECT
 
 public:
-  DriverDrawing(MakeEngine makeEngine, MakePrecise makePrecise, DriverRecovery& recovery, QWidget& view);
+  DriverDrawing(const DrawingEngines& engines, DriverRecovery& recovery, QWidget& view);
   ~DriverDrawing() override;
 
   QWidget& canvas() override;

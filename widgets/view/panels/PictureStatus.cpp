@@ -255,9 +255,9 @@ QString explanationOf(const PictureState& state) {
                        "one step, so the picture may miss it and no number would be right. Pre-integrated "
                        "steps, or smaller ones, see it.");
   if (!isLightMeasured(state))
-    return QObject::tr(
-        "OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by; the "
-        "processor can (Draw with, in the settings).");
+    return QObject::tr("OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by. "
+                       "Pictures that are "
+                       "sharpened while nothing moves the processor draws once more, and says it.");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
   if (const std::optional<PathFigures>& paths = worstOf(state).paths; paths && paths->rmsLevels)

@@ -18,10 +18,11 @@ double msSince(std::chrono::steady_clock::time_point start) {
 } // namespace
 
 Pictures::Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen,
-                   MakePrecise makePrecise)
+                   MakePrecise makePrecise, MakeEngine followsLight)
     : m_engine(std::move(engine)),
       m_screen(std::move(screen)), m_sides{SidePicture(*m_screen), SidePicture(*m_screen)}, m_rest(*m_screen),
-      m_probe(*m_screen), m_refinement(*m_screen), m_chance(std::move(makePrecise)) {}
+      m_probe(*m_screen), m_refinement(*m_screen), m_light(std::move(followsLight)),
+      m_chance(std::move(makePrecise)) {}
 
 Pictures::~Pictures() = default;
 
@@ -35,6 +36,7 @@ void Pictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
       m_sides[i] = SidePicture(*m_screen);
   m_rest.want(scenes, size);
   m_refinement.reset();
+  m_light.reset();
   m_chance.reset();
 }
 
@@ -77,7 +79,17 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
     m_isResolved[i] = m_refinement.hasResolved() || isResolved(*m_engine, m_sides[i].shownScene());
   if (turn == RestTurn::finished)
     m_chance.follow(sides());
-  return turn == RestTurn::nothing ? checkByChance() : turn;
+  if (turn != RestTurn::nothing)
+    return turn;
+  const RestTurn light = followLight();
+  return light == RestTurn::nothing ? checkByChance() : light;
+}
+
+RestTurn Pictures::followLight() {
+  std::vector<std::optional<ErrorEstimate>> ofSteps;
+  for (int i = 0; i < m_count; ++i)
+    ofSteps.push_back(stateOf(i).estimate);
+  return m_light.step(*m_engine, sides(), ofSteps);
 }
 
 // A tolerance is a percentile of small pictures; of single pixels the drawn ones tell more.
@@ -112,6 +124,8 @@ SideState Pictures::stateOf(int index) const {
   state.isRough = !state.estimate;
   if (state.isRough)
     state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
+  if (m_light.hasReplaced(index))
+    state.estimate = m_light.estimate(index);
   if (isPhysical(side.scene())) {
     state.paths = m_refinement.paths(index).value_or(PathFigures{side.shownPaths(), {}, {}});
     state.onTheWay = m_refinement.pathsOnTheWay(index);
@@ -121,7 +135,7 @@ SideState Pictures::stateOf(int index) const {
   }
   state.chance = m_chance.error(index);
   state.isResolved = m_isResolved[index];
-  state.isLightMeasured = m_isLightMeasured[index];
+  state.isLightMeasured = m_isLightMeasured[index] || m_light.estimate(index);
   return state;
 }
 
@@ -140,9 +154,11 @@ PictureState Pictures::state() const {
       state.refinementFraction += m_sides[i].finerSchedule().fraction();
     }
   }
-  state.refines = state.refines || finer > 0;
+  const bool lightFollows = m_refinement.end() && m_light.isPending(sides());
+  state.refines = state.refines || finer > 0 || lightFollows;
   state.refinementFraction /= std::max(finer, 1);
-  state.refinementEnd = m_refinement.end();
+  if (!lightFollows)
+    state.refinementEnd = m_refinement.end();
   return state;
 }
 

@@ -3,6 +3,7 @@
 
 #include "widgets/view/pictures/ChanceCheck.h"
 #include "widgets/view/pictures/ErrorProbe.h"
+#include "widgets/view/pictures/LightBeside.h"
 #include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/PictureState.h"
 #include "widgets/view/pictures/Refinement.h"
@@ -24,8 +25,9 @@ namespace limn {
 /// OpenGL context is current for every call, construction and destruction.
 class Pictures {
 public:
+  /// `followsLight` makes what draws final pictures whose light the engine looked up (LightBeside).
   Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen,
-           MakePrecise makePrecise = {});
+           MakePrecise makePrecise = {}, MakeEngine followsLight = {});
   ~Pictures();
 
   /// Asks for pictures of these scenes (one or two), all of one size.
@@ -53,12 +55,15 @@ public:
   bool probeError();
 
   /// Does one piece, of at most about `budgetMs`, of what is done at rest: small measures first, then, where
-  /// `refines`, pictures of smaller steps, then what chance says of their error; where that is more than a
-  /// screen hides, pictures of a smaller tolerance, and the same of these.
+  /// `refines`, pictures of smaller steps and of light that is followed, then what chance says of their
+  /// error; where that is more than a screen hides, pictures of a smaller tolerance, and the same of these.
   RestTurn workAtRest(bool refines, double budgetMs);
   /// Finds how far pictures that get more paths are off as they are shown by now (`SideState::onTheWay`).
   void judgePass() { m_refinement.judgePass(*m_engine, sides()); }
-  void leaveRefinementPass() { m_refinement.leavePass(sides()); }
+  void leaveRefinementPass() {
+    m_refinement.leavePass(sides());
+    m_light.leave();
+  }
   void giveUpRefinement() {
     leaveRefinementPass();
     m_refinement.giveUp();
@@ -86,8 +91,10 @@ public:
 
 private:
   std::span<SidePicture> sides() { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
+  std::span<const SidePicture> sides() const { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
   SideState stateOf(int index) const;
   void noteShown();
+  RestTurn followLight();
   RestTurn checkByChance();
   void showDifference(const PictureOrder& order, const glm::dvec3& background);
   SidePicture* leastComplete();
@@ -98,6 +105,7 @@ private:
   RestWork m_rest;
   ErrorProbe m_probe;
   Refinement m_refinement;
+  LightBeside m_light;
   ChanceCheck m_chance;
   std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
   std::array<bool, 2> m_isLightMeasured{true, true};

@@ -68,6 +68,8 @@ public:
   /// Its picture, once its schedule is complete; waits for the drawing to end.
   Image readFiner() const { return m_full->read(); }
   void adoptFiner(FinishedPicture picture);
+  /// Shows another in place of the finished picture, of the same quality.
+  void replace(FinishedPicture picture) { adopt(std::move(picture), m_finishedQuality); }
 
   /// Shows `part` of the picture at `place`.
   void show(PictureScreen& screen, const PixelRect& place, const PixelRect& part) const;
