@@ -78,7 +78,7 @@ RestTurn LightBeside::step(DrawingEngine& engine, std::span<SidePicture> sides,
     return RestTurn::nothing;
   if (isUnderWay())
     return RestTurn::waiting;
-  if (!m_jobs.empty() && m_jobs.back()->picture.image) {
+  if (hasNews()) {
     sides[m_jobs.size() - 1].replace(std::exchange(m_jobs.back()->picture, {}));
     m_jobs.back()->hasReplaced = true;
     return RestTurn::finished;
@@ -98,9 +98,12 @@ void LightBeside::leave() {
 
 bool LightBeside::isPending(std::span<const SidePicture> sides) const {
   const auto toBegin = sides.subspan(std::min(m_jobs.size(), sides.size()));
-  return m_makeEngine && (isUnderWay() || std::ranges::any_of(toBegin, [](const SidePicture& side) {
-                            return hasTravellingLight(side.scene());
-                          }));
+  const auto isLit = [](const SidePicture& side) { return hasTravellingLight(side.scene()); };
+  return m_makeEngine && (isUnderWay() || hasNews() || std::ranges::any_of(toBegin, isLit));
+}
+
+bool LightBeside::hasNews() const {
+  return !m_jobs.empty() && m_jobs.back()->isDone && m_jobs.back()->picture.image;
 }
 
 bool LightBeside::isUnderWay() const {

@@ -44,6 +44,7 @@ public:
 private:
   struct Job;
   bool isUnderWay() const;
+  bool hasNews() const; ///< a picture that replaces none yet
   std::shared_ptr<Job> begin(DrawingEngine& engine, const SidePicture& side,
                              const std::optional<ErrorEstimate>& ofSteps) const;
 
