@@ -84,6 +84,7 @@ void MainWindow::connectPictureAndPanels() {
           &ComparisonController::compareWith);
   connect(&m_panels.presets(), &PresetController::ownCompareRequested, comparison,
           &ComparisonController::compareOwn);
+  connect(&m_panels.presets(), &PresetController::inUseNamed, comparison, &ComparisonController::show);
   comparison->setIsFitted([this](const Preset& look) { return m_panels.presets().isFitted(look); });
   const auto fillPresets = [this](QMenu* menu, int side) { m_panels.presets().fillMenu(*menu, side); };
   connect(comparison, &ComparisonController::presetMenuAsked, this, fillPresets);

@@ -8,10 +8,37 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 namespace limn {
 namespace {
 
 const QString sample = QStringLiteral("sample");
+
+// The series of DICOM that is open, the first of its folder where none was asked for.
+std::optional<SeriesSummary> openSeries(const OpenDocument& document) {
+  const SourceOptions& options = document.request().options;
+  if (!options.dicom)
+    return std::nullopt;
+  const std::vector<SeriesSummary> all = options.dicom->summaries();
+  const auto found = std::ranges::find(all, options.read.series.value_or(1), &SeriesSummary::number);
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+// "CT, Thorax 1.0". Descriptions are typed by people, also with the patient's name.
+QString seriesText(const OpenDocument& document, bool showsPatient) {
+  const std::optional<SeriesSummary> series = openSeries(document);
+  if (!series)
+    return {};
+  QStringList words{QString::fromStdString(series->modality)};
+  const QString description = QString::fromStdString(series->description).simplified();
+  if (showsPatient || !mayNameThePatient(description, document.scene().volume->info().patient))
+    words << description;
+  words.removeAll(QString());
+  return words.join(QStringLiteral(", "));
+}
 
 // The volume's name, behind the session's where it has a file.
 QString nameShown(const OpenDocument& document, bool showsPatient) {
@@ -34,6 +61,8 @@ QString titleOf(const OpenDocument& document, bool showsPatient) {
   if (!volume)
     return program + QStringLiteral("[*]");
   QString what = nameShown(document, showsPatient);
+  if (const QString series = seriesText(document, showsPatient); !series.isEmpty())
+    what += QStringLiteral(" · ") + series;
   const PatientLabel& patient = volume->info().patient;
   if (showsPatient)
     for (const std::string& part : {patient.name, patient.id, patient.studyDate})

@@ -9,8 +9,8 @@ namespace limn {
 
 class OpenDocument;
 
-/// What the window is called that shows it; "[*]" stands where unsaved changes are marked. Names the patient
-/// only where that is asked for.
+/// What the window is called that shows it: by its file or folder, and what a series of DICOM says that it
+/// is; "[*]" stands where unsaved changes are marked. Names the patient only where that is asked for.
 QString titleOf(const OpenDocument& document, bool showsPatient);
 
 /// What may stand in a list without naming anybody, of what was opened. A volume is open.

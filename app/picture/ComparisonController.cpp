@@ -404,12 +404,14 @@ void ComparisonController::show() {
   }
   m_volume = scene.volume;
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
-  m_context.view.setSides({m_compared.left, m_compared.right.shown}, comparedLook());
+  const std::optional<ComparedLook> look = comparedLook();
+  m_context.view.setSides({m_compared.left, m_compared.right.shown}, look);
   m_compareSnapshot->setEnabled(m_snapshot.has_value());
   m_compareSnapshot->setChecked(m_compared.isWithSnapshot() && !isSingle);
   m_compareModels->setEnabled(m_compared.look && !isSingle);
   m_swap->setEnabled(scene.volume && !isSingle);
-  emit modelsShown(m_compared.models(isSingle, scene.shading.model));
+  emit modelsShown(m_compared.models(isSingle, scene.shading.model),
+                   look && !isSingle ? QString::fromStdString(look->names.front()) : QString());
   emit shown();
 }
 

@@ -99,8 +99,9 @@ public:
   void restore(const SessionDocument& session);
 
 signals:
-  /// The models in the pictures on screen, from left to right.
-  void modelsShown(const std::vector<limn::ShadingModel>& models);
+  /// The models in the pictures on screen, from left to right; `keptLook` is how the look at the left is
+  /// called that keeps its own light, empty where there is none.
+  void modelsShown(const std::vector<limn::ShadingModel>& models, const QString& keptLook);
   void shown();
   void layoutChosen(); ///< by the user
   /// A menu opens that offers presets for a side, 0 left or the only one, 1 right; it is to be filled.

@@ -13,6 +13,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QTest>
@@ -168,6 +169,35 @@ TEST_F(PropertiesPanelTest, aComparisonEnablesWhatEitherModelUses) {
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}); // the scene's model is classic
   EXPECT_TRUE(rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)")->isEnabled());
   EXPECT_TRUE(rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)")->isEnabled());
+}
+
+TEST_F(PropertiesPanelTest, besideALookThatIsKeptOnlyWhatTheOtherSideUsesIsEdited) {
+  const auto* sharpness = rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)");
+  const auto* emphasis = rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)");
+  const auto* said = m_panel.findChild<QLabel*>(QStringLiteral("keptLook"));
+  ASSERT_TRUE(sharpness && emphasis && said);
+  EXPECT_FALSE(said->isVisible());
+  m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}, QStringLiteral("CT <skin>"));
+  EXPECT_FALSE(sharpness->isEnabled()) << "it would change neither side";
+  EXPECT_TRUE(sharpness->toolTip().contains(QStringLiteral("swap the sides")));
+  EXPECT_TRUE(emphasis->isEnabled());
+  EXPECT_TRUE(said->isVisible());
+  EXPECT_TRUE(said->text().startsWith(QStringLiteral("\"CT <skin>\" at the left stays as it is")));
+  EXPECT_TRUE(rowNamed<ChoiceRow>(m_panel, "Model, left")->isVisible()) << "the model is chosen there, too";
+  m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
+  EXPECT_TRUE(sharpness->isEnabled()) << "two models of one look";
+  EXPECT_FALSE(said->isVisible());
+}
+
+TEST_F(PropertiesPanelTest, howFarPicturesAreSavedIsSetForALookThatIsKeptToo) {
+  const auto* until = rowNamed<ChoiceRow>(m_panel, "Drawn until");
+  const auto* density = rowNamed<ValueSlider>(m_panel, "Density");
+  ASSERT_TRUE(until && density);
+  m_panel.setModelsShown({ShadingModel::physical, ShadingModel::enhanced}, QStringLiteral("CT skin"));
+  EXPECT_TRUE(until->isEnabled());
+  EXPECT_FALSE(density->isEnabled());
+  m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}, QStringLiteral("CT skin"));
+  EXPECT_FALSE(until->isEnabled());
 }
 
 TEST_F(PropertiesPanelTest, aComparisonHasAModelForEachSideEvenWhereNothingIsLit) {

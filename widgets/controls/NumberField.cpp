@@ -5,6 +5,7 @@
 
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -21,6 +24,34 @@ namespace {
 constexpr int refusalMs = 8000;
 constexpr QColor refusedColor(0xd1, 0x34, 0x38); // 3:1 at least on light and on dark fields
 constexpr int besideText = 6;                    // the margins of the line edit and the cursor
+
+// A double click takes what `select` does, and keeps that while the button is held.
+class NumberEdit : public QLineEdit {
+public:
+  explicit NumberEdit(std::function<void()> select) : m_select(std::move(select)) {
+    setObjectName(QStringLiteral("qt_spinbox_lineedit")); // as styles know that of a spin box
+  }
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override {
+    m_isHeld = false;
+    QLineEdit::mousePressEvent(event);
+  }
+  void mouseDoubleClickEvent(QMouseEvent* event) override {
+    QLineEdit::mouseDoubleClickEvent(event);
+    m_isHeld = event->button() == Qt::LeftButton;
+    if (m_isHeld)
+      m_select();
+  }
+  void mouseMoveEvent(QMouseEvent* event) override {
+    if (!m_isHeld)
+      QLineEdit::mouseMoveEvent(event);
+  }
+
+private:
+  std::function<void()> m_select;
+  bool m_isHeld = false; ///< the second press of a double click
+};
 
 // As the spin box and locales read it.
 QString withHyphen(QString text) {
@@ -32,6 +63,7 @@ QString withHyphen(QString text) {
 NumberField::NumberField(double lowest, double highest, int decimals, QWidget* parent)
     : QDoubleSpinBox(parent), m_refusalStands(new QTimer(this)) {
   m_refusalStands->setObjectName(QStringLiteral("refusalStands"));
+  setLineEdit(new NumberEdit([this] { selectNumber(); })); // which the spin box owns
   setDecimals(decimals);
   setRange(lowest, highest);
   setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -154,6 +186,12 @@ QValidator::State NumberField::validate(QString& text, int& position) const {
 
 QString NumberField::unitOf(const QString& text) const {
   return text.endsWith(suffix()) ? suffix() : QString();
+}
+
+// The point in a number would part words, and what is typed next leaves the unit.
+void NumberField::selectNumber() {
+  const QString text = lineEdit()->text();
+  lineEdit()->setSelection(0, static_cast<int>(text.size() - unitOf(text).size()));
 }
 
 // Without suffix, in the user's locale.

@@ -12,7 +12,8 @@ namespace limn {
 
 /// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It
 /// keeps the exact number it was given, whatever it rounds for display, and shows no trailing zeros. It
-/// writes the real minus sign, and reads that and the hyphen of a keyboard. A number that does not fit is
+/// writes the real minus sign, and reads that and the hyphen of a keyboard. A double click selects the number
+/// without its unit. A number that does not fit is
 /// refused with a red edge and a sentence that says what fits; the one before stays. The edge goes with the
 /// focus, or where that is refused which a field is left with, as the sentence does.
 class NumberField : public QDoubleSpinBox {
@@ -70,6 +71,7 @@ protected:
 
 private:
   std::optional<double> read(const QString& text) const;
+  void selectNumber();
   void refuse(const QString& text);
   void forgetRefusal();
   void reportIfChanged();

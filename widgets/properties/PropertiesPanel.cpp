@@ -169,9 +169,11 @@ void PropertiesPanel::setQuality(const Quality& quality) {
   m_quality->setQuality(quality);
 }
 
-void PropertiesPanel::setModelsShown(const std::vector<ShadingModel>& models) {
-  m_models = models;
-  m_model->setChosenModels(models);
+void PropertiesPanel::setModelsShown(const std::vector<ShadingModel>& models, const QString& keptLook) {
+  const auto edited = keptLook.isEmpty() ? models.begin() : models.end() - 1;
+  m_models.assign(edited, models.end());
+  m_kept.assign(models.begin(), edited);
+  m_model->setChosenModels(models, keptLook);
   showModels();
 }
 
@@ -179,7 +181,7 @@ void PropertiesPanel::showModels() {
   const bool lit = usesLight(m_scene.projection);
   for (std::size_t i = 0; i < m_sections.size(); ++i) {
     ShadingSection* section = m_sections[i];
-    section->setModelsShown(lit ? m_models : std::vector(m_models.size(), ShadingModel::none));
+    section->setModelsShown(lit ? m_models : std::vector(m_models.size(), ShadingModel::none), m_kept);
     setUnused(i, lit ? section->unusedBecause() : tr("unused: this projection is unlit"));
   }
 }

@@ -64,8 +64,9 @@ public:
   /// Folds what the scene does not use and opens what it does: for a scene freshly opened.
   void foldUnused();
 
-  /// The models in the pictures on screen: one, or the two that are compared.
-  void setModelsShown(const std::vector<ShadingModel>& models);
+  /// The models in the pictures on screen: one, or the two that are compared. `keptLook` is called the look
+  /// at the left that keeps its own light, so that nothing here edits it; empty: none does.
+  void setModelsShown(const std::vector<ShadingModel>& models, const QString& keptLook = {});
 
   /// Scrolls to how far saved pictures of physical light are drawn, which gets the keyboard.
   void showSavedPaths();
@@ -95,7 +96,8 @@ private:
   void setUnused(std::size_t section, const QString& reason);
 
   Scene m_scene;
-  std::vector<ShadingModel> m_models{ShadingModel::classic};
+  std::vector<ShadingModel> m_models{ShadingModel::classic}; ///< lit by the scene
+  std::vector<ShadingModel> m_kept;                          ///< of the look at the left
   ProjectionSection* m_projection;
   ModelSection* m_model;
   LightSection* m_light;

@@ -198,23 +198,21 @@ void GradientSection::showRobustExtras() {
     m_knee->setValue(*shown.knee);
 
   const QString reason =
-      shows({ShadingModel::robust}) ? QString() : tr("Only the robust model does this, and it is not shown.");
+      whyUnused({ShadingModel::robust}, tr("Only the robust model does this, and it is not shown."));
   limn::setUnavailable(*m_energy, reason, m_energyHelp);
   limn::setUnavailable(*m_significanceOn, reason, m_significanceHelp);
   const QString off = tr("Switch the line above on first.");
   m_significance->setUnavailable(shown.significance ? reason : off);
-  const QString unlimited = shows({ShadingModel::robust, ShadingModel::physical})
-                                ? QString()
-                                : tr("Only the robust and physical models do this, and none is shown.");
+  const QString unlimited = whyUnused({ShadingModel::robust, ShadingModel::physical},
+                                      tr("Only the robust and physical models do this, and none is shown."));
   limn::setUnavailable(*m_kneeOn, unlimited, m_kneeHelp);
   m_knee->setUnavailable(shown.knee ? unlimited : off);
 }
 
 void GradientSection::showShading() {
   const QString reason =
-      shows({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical})
-          ? QString()
-          : tr("Only the enhanced, robust and physical models follow boundaries, and none is shown.");
+      whyUnused({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical},
+                tr("Only the enhanced, robust and physical models follow boundaries, and none is shown."));
   for (ChoiceRow* row : {m_reference, m_curve})
     row->setUnavailable(reason);
   for (ValueSlider* slider : {m_percent, m_fixed, m_curveParameter})

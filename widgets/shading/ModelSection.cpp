@@ -85,6 +85,12 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
     connect(row, &ChoiceRow::indexEdited, this,
             [this, side](int index) { emit sideModelChosen(side, static_cast<ShadingModel>(index)); });
   }
+  m_kept = new QLabel;
+  m_kept->setObjectName(QStringLiteral("keptLook"));
+  m_kept->setWordWrap(true);
+  m_kept->setTextFormat(Qt::PlainText);
+  m_kept->hide();
+  contents()->addWidget(m_kept);
   auto* classic = new QLabel(modelName(ShadingModel::classic));
   auto* enhanced = new QLabel(tr("Enhanced and robust"));
   for (QLabel* heading : {classic, enhanced})
@@ -105,8 +111,12 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
   showShading();
 }
 
-void ModelSection::setChosenModels(const std::vector<ShadingModel>& models) {
+void ModelSection::setChosenModels(const std::vector<ShadingModel>& models, const QString& keptLook) {
   m_chosen = models;
+  m_kept->setText(tr("\"%1\" at the left stays as it is; curve and light shape the right side, and "
+                     "Preset ▸ Swap the sides exchanges both.")
+                      .arg(keptLook));
+  m_kept->setVisible(!keptLook.isEmpty());
   showShading();
 }
 
@@ -124,15 +134,14 @@ void ModelSection::showShading() {
   m_opacityRange->setRange(shading().opacityRange.atFlat, shading().opacityRange.atBoundary);
 
   m_exponent->setUnavailable(
-      shows({ShadingModel::classic})
-          ? QString()
-          : tr("Only the classic model has one sharpness everywhere, and it is not shown."));
+      whyUnused({ShadingModel::classic},
+                tr("Only the classic model has one sharpness everywhere, and it is not shown.")));
   const QString noRange =
-      shows({ShadingModel::enhanced, ShadingModel::robust})
-          ? QString()
-          : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
+      whyUnused({ShadingModel::enhanced, ShadingModel::robust},
+                tr("Only the enhanced and robust models follow boundaries, and none is shown."));
   // The highlights of physical surfaces have the same range.
-  m_exponentRange->setUnavailable(shows({ShadingModel::physical}) ? QString() : noRange);
+  m_exponentRange->setUnavailable(
+      whyUnused({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical}, noRange));
   m_opacityRange->setUnavailable(noRange);
   const bool isLiteral = shading() == asInThePaper(shading());
   m_literal->setEnabled(noRange.isEmpty() && !isLiteral);

@@ -7,6 +7,7 @@
 
 #include <array>
 
+class QLabel;
 class QPushButton;
 
 namespace limn {
@@ -18,8 +19,9 @@ class ModelSection : public ShadingSection {
 public:
   explicit ModelSection(QWidget* parent = nullptr);
 
-  /// The models chosen for the pictures on screen, lit or not: one, or the two that are compared.
-  void setChosenModels(const std::vector<ShadingModel>& models);
+  /// The models chosen for the pictures on screen, lit or not: one, or the two that are compared. `keptLook`
+  /// is called the look at the left that keeps its own light; empty: none does.
+  void setChosenModels(const std::vector<ShadingModel>& models, const QString& keptLook = {});
 
 signals:
   /// Another model for a side of a comparison, 0 left, 1 right; a single picture's is its scene's.
@@ -32,6 +34,7 @@ private:
   std::vector<ShadingModel> m_chosen{ShadingModel::classic};
   ChoiceRow* m_model; ///< of a single picture
   std::array<ChoiceRow*, 2> m_sides;
+  QLabel* m_kept; ///< says which side is not edited
   ValueSlider* m_exponent;
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;

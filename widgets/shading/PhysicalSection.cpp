@@ -80,7 +80,8 @@ PhysicalSection::PhysicalSection(QWidget* parent) : ShadingSection(tr("Physical 
 }
 
 QString PhysicalSection::unusedBecause() const {
-  return shows({ShadingModel::physical}) ? QString() : tr("unused: not in this model");
+  const bool isUsed = shows({ShadingModel::physical}) || keeps({ShadingModel::physical}); // saved likewise
+  return isUsed ? QString() : tr("unused: not in this model");
 }
 
 void PhysicalSection::add(const NumberSpec& spec, double unit, const Number& number) {
@@ -228,19 +229,20 @@ void PhysicalSection::showUntil() {
 
 void PhysicalSection::showShading() {
   PhysicalLight shown = shading().physical;
-  const QString reason = shows({ShadingModel::physical})
-                             ? QString()
-                             : tr("Only physical light has this, and no picture is drawn in it.");
+  const QString nowhere = tr("Only physical light has this, and no picture is drawn in it.");
+  const QString reason = whyUnused({ShadingModel::physical}, nowhere);
   for (const Row& row : m_rows) {
     row.slider->setValue(row.number(shown) / row.unit);
     row.slider->setUnavailable(reason);
   }
   showUntil();
-  m_until->setUnavailable(reason);
-  m_untilNumber->setUnavailable(reason);
+  // Of every picture, also of one that keeps its light.
+  const QString unsaved = keeps({ShadingModel::physical}) ? QString() : reason;
+  m_until->setUnavailable(unsaved);
+  m_untilNumber->setUnavailable(unsaved);
   m_filter->setChecked(shown.filtersNoise);
   setUnavailable(
-      *m_filter, reason,
+      *m_filter, unsaved,
       tr("Means over pixels that show the same take the grain away, and a little of the finest "
          "detail with it. What that changed, and what error is left, is said with the picture. The "
          "window shows pictures without it."));

@@ -8,14 +8,23 @@
 #include <algorithm>
 
 namespace limn {
+namespace {
+
+bool haveOneOf(const std::vector<ShadingModel>& all, std::initializer_list<ShadingModel> models) {
+  return std::find_first_of(all.begin(), all.end(), models.begin(), models.end()) != all.end();
+}
+
+} // namespace
 
 void ShadingSection::setShading(const Shading& shading) {
   m_shading = shading;
   showShading();
 }
 
-void ShadingSection::setModelsShown(const std::vector<ShadingModel>& models) {
+void ShadingSection::setModelsShown(const std::vector<ShadingModel>& models,
+                                    const std::vector<ShadingModel>& kept) {
   m_models = models;
+  m_kept = kept;
   showShading();
 }
 
@@ -26,7 +35,18 @@ void ShadingSection::editAll(const Shading& shading, const Gesture& gesture) {
 }
 
 bool ShadingSection::shows(std::initializer_list<ShadingModel> models) const {
-  return std::find_first_of(m_models.begin(), m_models.end(), models.begin(), models.end()) != m_models.end();
+  return haveOneOf(m_models, models);
+}
+
+bool ShadingSection::keeps(std::initializer_list<ShadingModel> models) const {
+  return haveOneOf(m_kept, models);
+}
+
+QString ShadingSection::whyUnused(std::initializer_list<ShadingModel> models, const QString& nowhere) const {
+  if (shows(models))
+    return {};
+  return keeps(models) ? tr("The left side alone uses this, and keeps its look: swap the sides to edit it.")
+                       : nowhere;
 }
 
 ValueSlider* ShadingSection::addNumber(const NumberSpec& spec, double Shading::*member) {

@@ -26,7 +26,8 @@ public:
   using FoldingSection::FoldingSection;
 
   void setShading(const Shading& shading);
-  void setModelsShown(const std::vector<ShadingModel>& models);
+  /// The models that the shading lights in the pictures, and those of pictures that keep their own light.
+  void setModelsShown(const std::vector<ShadingModel>& models, const std::vector<ShadingModel>& kept = {});
 
   /// Why nothing of this section matters for the models shown; empty where something does.
   virtual QString unusedBecause() const { return {}; }
@@ -38,8 +39,12 @@ protected:
   const Shading& shading() const { return m_shading; }
   const std::vector<ShadingModel>& modelsShown() const { return m_models; }
 
-  /// True where one of the pictures uses one of `models`.
+  /// True where one of the pictures that the shading lights uses one of `models`.
   bool shows(std::initializer_list<ShadingModel> models) const;
+  /// The same of a picture that keeps its light.
+  bool keeps(std::initializer_list<ShadingModel> models) const;
+  /// Why a control for `models` changes nothing; `nowhere` where no picture uses one, empty where one does.
+  QString whyUnused(std::initializer_list<ShadingModel> models, const QString& nowhere) const;
 
   /// Changes one thing, shows and reports it.
   template <class Member, class Value>
@@ -71,6 +76,7 @@ protected:
 private:
   Shading m_shading;
   std::vector<ShadingModel> m_models{ShadingModel::classic};
+  std::vector<ShadingModel> m_kept;
 };
 
 /// Disables a check box and says why in its tool tip; an empty reason enables it. `toolTip` is its usual one.

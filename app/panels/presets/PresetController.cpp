@@ -78,6 +78,7 @@ PresetController::PresetController(WindowContext& context)
   connect(&m_own, &OwnPresetController::listed, this, [this] {
     list();
     markShown();
+    emit inUseNamed();
   });
   connect(&m_own, &OwnPresetController::kept, &m_browser, &PresetBrowser::reveal);
   connect(&context.view.input(), &ViewInput::windowPresetRequested, this, &PresetController::useNumber);
@@ -181,6 +182,7 @@ void PresetController::recognise() {
     return;
   m_context.session.adoptPreset(*found);
   markShown();
+  emit inUseNamed();
 }
 
 void PresetController::markShown() {
@@ -296,12 +298,22 @@ void PresetController::useOnSide(const QString& name, int side) {
   use(name);
 }
 
+// The preset that the picture of a side shows as it is; empty: none. A compared look is modified where it is
+// called otherwise than its preset.
+std::string PresetController::unmodifiedOf(int side) const {
+  const Comparison& comparison = m_context.view.order().comparison;
+  if (!comparison.look || comparison.layout == CompareLayout::single || side == 1) {
+    const OpenDocument::PresetInUse inUse = m_context.document.presetInUse();
+    return inUse.isModified ? std::string() : inUse.name;
+  }
+  const QString name = QString::fromStdString(comparison.look->shown.name);
+  const QString called = QString::fromStdString(comparison.look->names.front());
+  return called == presetWords(name) || called == fittedWords(name) ? name.toStdString() : std::string();
+}
+
 void PresetController::fillMenu(QMenu& menu, int side) {
   menu.clear();
-  const ViewOrder& order = m_context.view.order();
-  const bool isCompared = order.comparison.look && order.comparison.layout != CompareLayout::single;
-  const std::string shown =
-      isCompared && side == 0 ? order.comparison.look->shown.name : m_context.document.presetInUse().name;
+  const std::string shown = unmodifiedOf(side);
   for (const QString& name : m_browser.presets()) {
     QAction* action = menu.addAction(presetWords(name).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
                                      [this, name, side] { useOnSide(name, side); });
@@ -321,6 +333,7 @@ void PresetController::show(const Preset& preset, const QString& edit) {
     m_context.session.usePreset(asUsed(preset), {nextGestureId(), edit, true});
   }
   markShown(); // one that changes nothing is in use as well
+  emit inUseNamed();
 }
 
 void PresetController::sayHowItWasFitted(const Preset& preset) {

@@ -62,7 +62,8 @@ public:
   /// Has a preset compared with what is shown.
   void compare(const QString& name);
   /// Fills a menu with the presets for the picture of a side, 0 left or the only one, 1 right: a chosen one
-  /// is used there, or compared with the scene's own look where the other side shows that.
+  /// is used there, or compared with the scene's own look where the other side shows that. That which the
+  /// picture shows is ticked, unless it was modified.
   void fillMenu(QMenu& menu, int side);
   /// The preset of this number (from 1 on) in the list; 0 is the full range of values.
   void useNumber(int number);
@@ -74,7 +75,8 @@ public:
 
 signals:
   void exportRequested(const QString& preset);
-  void listed(); ///< the list was made anew
+  void listed();     ///< the list was made anew
+  void inUseNamed(); ///< the preset in use may be another, or called otherwise, of the same scene
   /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
   /// is the session's own scene again. It enters no history.
   void previewed(const limn::Scene& scene, const std::string& preset);
@@ -98,6 +100,7 @@ private:
   void list();
   void addKeepingLight();
   void useOnSide(const QString& name, int side);
+  std::string unmodifiedOf(int side) const;
   void show(const Preset& preset, const QString& edit);
   bool isInOtherUnits(const Preset& preset) const;
   bool isBuiltIn(const QString& name) const;

@@ -6,12 +6,14 @@
 #include "scene/presets/Preset.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/NumberSliders.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/PictureStatus.h"
 
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QTimer>
 
@@ -208,6 +210,31 @@ TEST_F(ModelWindow, twoLooksChangeSidesWithTheirNamesAndUndoTakesThemBack) {
   EXPECT_EQ(names(), (Names{both[1], both[0]}));
   EXPECT_FALSE(compareBefore.isChecked());
   EXPECT_TRUE(compareBefore.isEnabled());
+}
+
+TEST_F(ModelWindow, propertiesSayWhichOfTwoLooksTheyEdit) {
+  const auto* said = window->findChild<QLabel*>(QStringLiteral("keptLook"));
+  const auto* sharpness = rowNamed<ValueSlider>(*window, "Highlight sharpness (SP)");
+  ASSERT_TRUE(said && sharpness);
+  EXPECT_TRUE(said->isHidden());
+  EXPECT_TRUE(sharpness->isEnabled()) << "the left model has it";
+  auto& presets = *window->findChild<PresetController*>();
+  presets.use(QStringLiteral("CT bone"));
+  presets.compare(QStringLiteral("CT skin"));
+  ASSERT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  EXPECT_FALSE(said->isHidden());
+  EXPECT_TRUE(said->text().contains(QStringLiteral("\"CT skin\""))) << said->text().toStdString();
+  EXPECT_FALSE(sharpness->isEnabled()) << "the left look keeps its own";
+  QAction& swap = *window->findChild<QAction*>(QStringLiteral("swapSides"));
+  swap.trigger();
+  EXPECT_TRUE(said->text().contains(QStringLiteral("\"CT bone\""))) << said->text().toStdString();
+  EXPECT_TRUE(sharpness->isEnabled()) << "the right one is classic now";
+  setLayout(CompareLayout::single);
+  EXPECT_TRUE(said->isHidden());
+  setLayout(CompareLayout::sideBySide);
+  EXPECT_FALSE(said->isHidden());
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  EXPECT_TRUE(said->isHidden());
 }
 
 // What stands at the left was changed since it was a preset; so it is told of it wherever it comes to stand.

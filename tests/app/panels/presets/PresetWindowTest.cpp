@@ -359,6 +359,71 @@ TEST_F(PresetWindow, aRenamedPresetIsSeenThoughASearchForItsFormerNameWouldHideI
   EXPECT_FALSE(rowOf(browser(), QStringLiteral("Petrous")).isValid());
 }
 
+TEST_F(PresetWindow, theHeadersNameWhatWasJustSavedRenamedOrUsed) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  emit browser().presetChosen(QStringLiteral("CT bone"));
+  emit browser().compareRequested(QStringLiteral("CT lung"));
+  session().setTransferFunction(shifted(scene().transferFunction, 50.0),
+                                {nextGestureId(), QStringLiteral("shift")});
+  const auto right = [this] { return view().order().comparison.look->names.back(); };
+  ASSERT_EQ(right(), "CT bone, modified");
+  const auto answer = [this](const QString& name) {
+    onceAsked<QInputDialog>([name](QInputDialog& dialog) {
+      dialog.setTextValue(name);
+      dialog.accept();
+    });
+  };
+  answer(QStringLiteral("Mine"));
+  window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return rowOf(browser(), QStringLiteral("Mine")).isValid(); }));
+  EXPECT_EQ(right(), "Mine");
+  answer(QStringLiteral("Petrous"));
+  emit browser().renameRequested(QStringLiteral("Mine"));
+  ASSERT_TRUE(test::waitUntil([this] { return rowOf(browser(), QStringLiteral("Petrous")).isValid(); }));
+  EXPECT_EQ(right(), "Petrous");
+  Preset twin = PresetStore(UserFolders::below(folder.path()).presets).find("Petrous").value();
+  twin.name = "Twin";
+  PresetStore(UserFolders::below(folder.path()).presets).save(twin);
+  window->findChild<PresetController*>()->refresh();
+  const int steps = undo().count();
+  emit browser().presetChosen(QStringLiteral("Twin"));
+  EXPECT_EQ(undo().count(), steps) << "it changes nothing";
+  EXPECT_EQ(right(), "Twin");
+}
+
+TEST_F(PresetWindow, theMenuOfAPictureTicksWhatItsHeaderNamesUnlessThatWasModified) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const auto ticked = [this](int side) {
+    QMenu menu;
+    window->findChild<PresetController*>()->fillMenu(menu, side);
+    QStringList names;
+    for (const QAction* entry : menu.actions())
+      if (entry->isChecked())
+        names << entry->text();
+    return names;
+  };
+  const auto shift = [this] {
+    session().setTransferFunction(shifted(scene().transferFunction, 50.0),
+                                  {nextGestureId(), QStringLiteral("shift")});
+  };
+  emit browser().presetChosen(QStringLiteral("CT bone"));
+  EXPECT_EQ(ticked(0), QStringList{QStringLiteral("CT bone")}) << "two models of one look";
+  shift();
+  EXPECT_EQ(ticked(0), QStringList());
+  undo().undo();
+  emit browser().compareRequested(QStringLiteral("CT lung"));
+  EXPECT_EQ(ticked(0), QStringList{QStringLiteral("CT lung")});
+  EXPECT_EQ(ticked(1), QStringList{QStringLiteral("CT bone")});
+  shift();
+  EXPECT_EQ(view().order().comparison.look->names.back(), "CT bone, modified");
+  EXPECT_EQ(ticked(1), QStringList());
+  EXPECT_EQ(ticked(0), QStringList{QStringLiteral("CT lung")});
+  window->findChild<QAction*>(QStringLiteral("swapSides"))->trigger();
+  EXPECT_EQ(view().order().comparison.look->names.front(), "CT bone, modified");
+  EXPECT_EQ(ticked(0), QStringList()) << "also at the left";
+  EXPECT_EQ(ticked(1), QStringList{QStringLiteral("CT lung")});
+}
+
 TEST_F(PresetWindow, whatFitsTheVolumeBestStandsFirst) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   EXPECT_EQ(browser().presets().front().toStdString(), session().preset().name);
