@@ -46,6 +46,33 @@ TEST_F(TourWindow, isOfferedUntilItIsTakenOrDeclined) {
   EXPECT_FALSE(question().isVisible());
 }
 
+TEST_F(TourWindow, itsOfferCoversNothingThatOneWouldClick) {
+  EmptyPanel& page = view().emptyPanel();
+  page.setRecentSources({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
+  for (const QSize size : {QSize(1024, 700), QSize(800, 560), QSize(1280, 800)}) {
+    for (const char* unfinished : {"", "CT 512×512×120"}) {
+      window->resize(size);
+      page.setUnfinished(QString::fromUtf8(unfinished));
+      tour().offer();
+      settle();
+      ASSERT_TRUE(question().isVisible());
+      const QRect offer(question().mapTo(window.get(), QPoint()), question().size());
+      int buttons = 0;
+      for (const QPushButton* each : page.findChildren<QPushButton*>()) {
+        if (!each->isVisible())
+          continue;
+        ++buttons;
+        const QRect place(each->mapTo(window.get(), QPoint()), each->size());
+        EXPECT_FALSE(place.intersects(offer)) << size.width() << ": " << each->text().toStdString();
+        EXPECT_TRUE(page.rect().contains({each->mapTo(&page, QPoint()), each->size()})) << size.width();
+        EXPECT_GE(each->height(), each->minimumSizeHint().height()) << size.width();
+      }
+      EXPECT_GE(buttons, *unfinished ? 4 : 3) << size.width();
+      question().hide();
+    }
+  }
+}
+
 TEST_F(TourWindow, sixStepsPointAtTheirPartsAndEnterGoesOn) {
   window->resize(1280, 800);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
