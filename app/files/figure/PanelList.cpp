@@ -92,8 +92,10 @@ void PanelList::showRow(Row& row) {
   row.source->setCurrentIndex(row.source->findText(source.text));
   row.source->setToolTip(source.text); // of a long name the list shows a part
   const QString name = row.ownName.isNull() ? source.panel.name : row.ownName;
-  if (row.name->text() != name)
-    row.name->setText(name);
+  if (row.name->text() == name)
+    return;
+  row.name->setText(name);
+  row.name->setCursorPosition(0); // of a long name the field shows the beginning
 }
 
 void PanelList::setSources(const std::vector<PanelSource>& sources) {
