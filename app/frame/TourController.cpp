@@ -340,6 +340,7 @@ void TourController::aimAt(QWidget& target) {
 // The window may have become another meanwhile: tools find no room any more, one picture follows two.
 void TourController::follow() {
   const TourStep step = steps()[static_cast<std::size_t>(m_step)];
+  m_ofPicture = ofPicture();
   if (step.text != m_said)
     say(step);
   if (step.target != m_target)
