@@ -250,6 +250,11 @@ TEST_F(ToolWindow, theListOfKeysNamesThem) {
   const auto* close = dialog->findChild<QPushButton*>();
   ASSERT_TRUE(test::waitUntil([&] { return dialog->rect().contains(close->geometry()); }));
   const auto* scroll = dialog->findChild<QScrollArea*>();
+  const QSize small = dialog->size();
+  dialog->resize(dialog->sizeHint());
+  EXPECT_TRUE(test::waitUntil([&] { return dialog->size() != small; }));
+  EXPECT_TRUE(test::waitUntil([&] { return scroll->verticalScrollBar()->maximum() == 0; }))
+      << "where it has room nothing folds";
   for (const int width : {1008, 784, 700}) { // of windows on screens of 1024 and 800 pixels
     dialog->resize(width, 480);
     ASSERT_TRUE(test::waitUntil([&] { return dialog->width() == width; }));
