@@ -5,6 +5,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/theme/Theme.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -16,6 +17,7 @@
 #include <QPushButton>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -222,6 +224,10 @@ TourController::TourController(WindowContext& context) : QObject(&context.window
     if (offered && !m_offersSample)
       m_callout->takeFocus(); // which the window gives to what was opened
   });
+  connect(&context.view, &CompareView::told, this, [this] {
+    if (m_step >= 0 && m_ofPicture != ofPicture())
+      follow();
+  });
 }
 
 void TourController::offer() {
@@ -231,6 +237,31 @@ void TourController::offer() {
                       tr("New to Limn? A tour shows the window in six short steps."), {},
                       {tr("Take the tour"), [this] { start(); }},
                       {tr("No, thank you"), [this] { m_context.settings.setTourIsKnown(true); }});
+}
+
+// What stands where the pictures are, as they call it.
+QString TourController::ofPicture() const {
+  const Comparison& shown = m_context.view.order().comparison;
+  if (!shown.scene.volume || shown.layout == CompareLayout::single)
+    return tr("View ▸ Side by side compares two ways of showing a volume.");
+  const QString left = sideTitle(shown, 0), right = sideTitle(shown, 1);
+  if (shown.layout == CompareLayout::difference)
+    return tr("The colours show where \"%1\" and \"%2\" differ.").arg(left, right);
+  return tr("At the left you see \"%1\", at the right \"%2\"; Space swaps them while held.").arg(left, right);
+}
+
+TourStep TourController::savingStep() const {
+  const auto* bar = m_context.window.findChild<QToolBar*>();
+  QWidget* camera = bar->widgetForAction(&m_context.actions.find("savePicture"));
+  auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")); // ActionList
+  const bool isBehind = !camera->isVisible() && more && more->isVisible();
+  const QString saves =
+      isBehind ? tr("The camera, here behind », saves the picture with everything that made it.")
+      : camera->isVisible() ? tr("The camera saves the picture with everything that made it.")
+                            : tr("File ▸ Save picture saves the picture with everything that made it.");
+  const QString help = tr("File has figures, sessions and more. F1 opens the guide, ? lists every key, and "
+                          "Help has this tour again.");
+  return {tr("Save, and find help"), saves + QLatin1Char(' ') + help, isBehind ? more : camera};
 }
 
 std::vector<TourStep> TourController::steps() const {
@@ -243,10 +274,10 @@ std::vector<TourStep> TourController::steps() const {
           "the sample head."),
        part("openButton")},
       {tr("Look"),
-       tr("Drag with the left button to turn, turn the wheel to come nearer. The left side is lit the "
-          "classic way, the right side enhanced; Space swaps them while held. Esc always returns to "
-          "turning."),
-       m_context.window.findChild<CompareView*>()},
+       tr("Drag with the left button to turn, turn the wheel to come nearer. %1 Esc always returns to "
+          "turning.")
+           .arg(ofPicture()),
+       &m_context.view},
       {tr("Shape the curve"),
        tr("The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or "
           "click the curve to add one: the picture follows. Ctrl+Z takes back what you did to the picture."),
@@ -260,11 +291,7 @@ std::vector<TourStep> TourController::steps() const {
           "measures "
           "what exactness costs in time. The line below says how exact the picture is."),
        part("shadingDock")},
-      {tr("Save, and find help"),
-       tr("The camera saves the picture with everything that made it; File has figures, sessions and more. "
-          "F1 opens the guide, ? lists every key, and Help has this tour again."),
-       m_context.window.findChild<QToolBar*>()->widgetForAction(
-           m_context.window.findChild<QAction*>(QStringLiteral("savePicture")))},
+      savingStep(),
   };
 }
 
@@ -293,10 +320,7 @@ void TourController::go(int step) {
     return end();
   m_step = step;
   say(all[step]);
-  if (m_target)
-    m_target->removeEventFilter(this);
-  m_target = all[step].target;
-  m_target->installEventFilter(this);
+  aimAt(*all[step].target);
   if (auto* dock = qobject_cast<QDockWidget*>(m_target)) {
     dock->show();
     dock->raise();
@@ -306,7 +330,27 @@ void TourController::go(int step) {
   place();
 }
 
+void TourController::aimAt(QWidget& target) {
+  if (m_target)
+    m_target->removeEventFilter(this);
+  m_target = &target;
+  target.installEventFilter(this);
+}
+
+// The window may have become another meanwhile: tools find no room any more, one picture follows two.
+void TourController::follow() {
+  const TourStep step = steps()[static_cast<std::size_t>(m_step)];
+  m_ofPicture = ofPicture();
+  if (step.text != m_said)
+    say(step);
+  if (step.target != m_target)
+    aimAt(*step.target);
+  place();
+}
+
 void TourController::say(const TourStep& step) {
+  m_said = step.text;
+  m_ofPicture = ofPicture();
   const int count = static_cast<int>(steps().size());
   m_offersSample = m_step == 0 && !m_context.session.scene().volume;
   m_callout->say({step.title, step.text, tr("%1 of %2").arg(m_step + 1).arg(count),
@@ -349,7 +393,7 @@ bool TourController::eventFilter(QObject* watched, QEvent* event) {
         this,
         [this] {
           if (m_step >= 0)
-            place();
+            follow();
         },
         Qt::QueuedConnection); // once the layout is done
   return QObject::eventFilter(watched, event);

@@ -112,13 +112,19 @@ protected:
 
 private:
   std::vector<TourStep> steps() const;
+  TourStep savingStep() const;
+  QString ofPicture() const; ///< a sentence
   void go(int step);
+  void aimAt(QWidget& target);
+  void follow();
   void say(const TourStep& step);
   void place();
   void end();
 
   WindowContext& m_context;
   int m_step = -1;
+  QString m_said;              ///< by the step that is shown
+  QString m_ofPicture;         ///< as that was said
   bool m_offersSample = false; ///< by the step that is shown
   QPointer<Callout> m_callout;
   QPointer<CalloutFrame> m_frame;

@@ -29,6 +29,7 @@ namespace {
 
 constexpr int margin = 24;
 constexpr int widestPicture = 900;
+constexpr int tableRounding = 1; // pixels that a table may be wider than its page
 
 QString styleOf(const ThemeColors& colors) {
   return QStringLiteral("h1 { font-size: x-large; margin-top: 32px; margin-bottom: 8px; }"
@@ -71,10 +72,23 @@ GuideView::GuideView(QWidget* parent) : QTextBrowser(parent) {
   });
   connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &GuideView::scrolled);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or the width would depend on the height
+  setLineWrapMode(QTextEdit::FixedPixelWidth);
+  fitPage();
   m_layOut.setSingleShot(true);
   m_layOut.setInterval(0);
   connect(&m_layOut, &QTimer::timeout, this, &GuideView::layOut);
   layOut();
+}
+
+// As wide as can be without scrolling sideways.
+void GuideView::fitPage() {
+  const int width = viewport()->width() - tableRounding;
+  if (width != lineWrapColumnOrWidth())
+    setLineWrapColumnOrWidth(width);
+}
+
+int GuideView::roomForPictures() const {
+  return std::min(widestPicture, lineWrapColumnOrWidth() - 2 * margin);
 }
 
 GuideView::Place GuideView::placeAtTop() const {
@@ -101,7 +115,7 @@ void GuideView::layOut() {
   QString wanted;
   if (m_shown >= 0)
     wanted = m_hits[m_shown].selectedText();
-  m_width = std::min(widestPicture, viewport()->width() - 2 * margin);
+  m_width = roomForPictures();
   document()->clear();
   document()->setDefaultStyleSheet(styleOf(themeColors(palette())));
   setHtml(m_page.body);
@@ -203,7 +217,8 @@ void GuideView::changeEvent(QEvent* event) {
 
 void GuideView::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
-  if (std::min(widestPicture, viewport()->width() - 2 * margin) != m_width)
+  fitPage();
+  if (roomForPictures() != m_width)
     m_layOut.start();
 }
 

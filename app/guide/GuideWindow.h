@@ -57,6 +57,8 @@ private:
     int beyond = 0;
   };
 
+  void fitPage();
+  int roomForPictures() const; ///< their greatest width, pixels
   Place placeAtTop() const;
   void showPlace(const Place& place);
   void layOut();

@@ -10,6 +10,7 @@
 #include "widgets/view/CompareView.h"
 #include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/HintBar.h"
+#include "widgets/view/panels/ViewPanels.h"
 
 #include <QFileInfo>
 #include <QStatusBar>
@@ -112,7 +113,8 @@ MakingOptions WindowContext::drawnLikeTheView() const {
   return order;
 }
 
-// Slices stay free, and the cube: a click on it turns the picture, also while something is said of it.
+// Slices stay free, and the cube: a click on it turns the picture, also while something is said of it. The
+// page without a volume makes room.
 void WindowContext::placeBars() {
   const auto cubePlace = [&seen = view, middle = window.centralWidget()] {
     const OverlaySource source{seen.order(), seen.pictureState()};
@@ -122,6 +124,7 @@ void WindowContext::placeBars() {
   for (MessageBar* bar : {&recovery, &unsafe, &kept, &patient, &tour, &messages, &unwritten}) {
     bar->setPart(view);
     bar->setKeptFree(cubePlace);
+    view.emptyPanel().keepClearOf(*bar);
     QObject::connect(&view, &CompareView::told, bar, &MessageBar::lookAgain);
   }
 }

@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QEvent>
 #include <QScreen>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -39,8 +40,10 @@ WholeScroll::WholeScroll(QWidget* content) {
   setWidget(content);
 }
 
+// With room beside its bar: lines that fold for that would keep it.
 QSize WholeScroll::sizeHint() const {
-  return widget()->sizeHint().expandedTo(widget()->minimumSize());
+  return widget()->sizeHint().expandedTo(widget()->minimumSize()) +
+         QSize(verticalScrollBar()->sizeHint().width(), 0);
 }
 
 } // namespace limn

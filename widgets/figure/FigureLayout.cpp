@@ -2,6 +2,7 @@
 #include "widgets/figure/FigureLayout.h"
 
 #include "scene/basics/Error.h"
+#include "widgets/figure/FigureHeading.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/figure/LabelLegend.h"
 
@@ -19,7 +20,6 @@ namespace {
 // In heights of the body's font.
 constexpr double pageMargin = 0.8;
 constexpr double panelGap = 1.2;
-constexpr double headingHeight = 1.7;
 constexpr double legendHeight = 7.6;
 constexpr double legendGap = 0.9;
 constexpr double notesGap = 0.7;
@@ -39,6 +39,10 @@ struct Furniture {
 
   double besidePictures() const { return 2.0 * margin + (columns - 1) * gap; }
   double cellFurniture() const { return heading + ownLegend + ownLabels; }
+  /// Of one picture, whole pixels.
+  int pictureWidth(const FigureLayout& layout) const {
+    return static_cast<int>((layout.size.width() - besidePictures()) / columns);
+  }
   double abovePictures() const {
     return 2.0 * margin + (rows - 1) * gap + rows * cellFurniture() + sharedLegend + sharedLabels + notes;
   }
@@ -116,7 +120,7 @@ Furniture furnitureOf(const Figure& figure, const FigureLayout& layout) {
   furniture.gap = std::round(panelGap * text);
   const FigureSettings& settings = figure.settings;
   if (settings.shows(FigureMark::panelLetters) || settings.shows(FigureMark::names))
-    furniture.heading = std::round(headingHeight * text);
+    furniture.heading = headingHeight(figure, layout, furniture.pictureWidth(layout));
   const std::vector<std::size_t> curves = panelsWithCurve(figure);
   const double legend = std::round((legendGap + legendHeight) * text);
   if (!curves.empty())
@@ -205,7 +209,7 @@ FigureLayout figureLayout(const Figure& figure, FigureLabels labels) {
   layout.textPixels = std::min(settings.textPoints * settings.dotsPerInch / 72.0,
                                mostTextOfPanel * layout.size.width() / columns);
   const Furniture furniture = furnitureOf(figure, layout);
-  const int width = static_cast<int>((layout.size.width() - furniture.besidePictures()) / furniture.columns);
+  const int width = furniture.pictureWidth(layout);
   int height = static_cast<int>(std::lround(width / settings.panelAspect));
   if (settings.height) {
     layout.size.setHeight(pixelsOf(settings, *settings.height, QObject::tr("high")));

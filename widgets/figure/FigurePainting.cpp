@@ -3,6 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/curve/picture/CurveGeometry.h"
+#include "widgets/figure/FigureHeading.h"
 #include "widgets/figure/LabelLegend.h"
 #include "widgets/plot/Axes.h"
 #include "widgets/theme/Theme.h"
@@ -259,32 +260,15 @@ void paintIsovalue(QPainter& painter, const LegendParts& parts, const Scene& sce
 // Where a picture is still to come.
 const QColor awaitedColor(128, 128, 128, 60);
 
-// "a  Enhanced  SP 1–64 · O 0–3": the letter is bold, what follows the name steps back.
+// The letter is bold, what follows the name steps back.
 void paintHeading(QPainter& painter, const Figure& figure, const FigureLayout& layout, std::size_t panel) {
   const FigureColors colors = colorsOn(figure.settings.page);
   const QRectF& place = layout.headings[panel];
-  double x = place.left();
-  const auto paint = [&](const QString& text, const QFont& font, const QColor& color, double gap) {
-    const QFontMetricsF metrics(font);
-    const QString fitting = metrics.elidedText(text, Qt::ElideRight, place.right() - x);
-    painter.setFont(font);
-    painter.setPen(color);
-    painter.drawText(QPointF(x, place.top() + QFontMetricsF(figureFont(layout)).ascent()), fitting);
-    x += metrics.horizontalAdvance(fitting) + gap * layout.textPixels;
-  };
-  if (figure.settings.shows(FigureMark::panelLetters) && figure.panels.size() > 1) {
-    QFont bold = figureFont(layout, 1.1);
-    bold.setBold(true);
-    paint(panelLetter(panel), bold, colors.text, 0.6);
+  for (const HeadingPart& part : headingParts(figure, panel, layout, place.width())) {
+    painter.setFont(headingFont(layout, part.kind));
+    painter.setPen(part.kind == HeadingPart::Kind::details ? colors.quiet : colors.text);
+    painter.drawText(place.topLeft() + QPointF(part.left, headingBaseline(layout, part.line)), part.text);
   }
-  if (!figure.settings.shows(FigureMark::names))
-    return;
-  const FigurePanel& shown = figure.panels[panel];
-  if (!shown.name.isEmpty())
-    paint(shown.name, figureFont(layout), colors.text, 0.8);
-  const QString details = panelDetails(shown);
-  if (x < place.right() - 4.0 * layout.textPixels && !details.isEmpty())
-    paint(details, figureFont(layout, noteScale), colors.quiet, 0.0);
 }
 
 void paintNotes(QPainter& painter, const Figure& figure, const FigureLayout& layout) {

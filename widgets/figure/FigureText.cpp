@@ -135,7 +135,7 @@ QString panelDetails(const FigurePanel& panel) {
     return details.join(QStringLiteral(" · "));
   }
   const PlaneContent content = planeContentOf(panel);
-  // What is shown comes first: where there is little room, the end is cut.
+  // What is shown comes first.
   return windowText(content) + QStringLiteral(" · ") + slicePlaceText(content, *panel.plane);
 }
 

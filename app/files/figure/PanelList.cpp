@@ -4,6 +4,7 @@
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/figure/FigureText.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -64,10 +65,18 @@ void PanelList::addRow(std::size_t index) {
     showRow(changed);
     emit edited();
   });
+  row.name->installEventFilter(this);
   connect(row.name, &QLineEdit::textEdited, this, [this, index](const QString& text) {
     m_rows[index].ownName = text.isNull() ? QStringLiteral("") : text;
     emit edited();
   });
+}
+
+// Left, the field of a long name shows its beginning again.
+bool PanelList::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusOut)
+    static_cast<QLineEdit*>(watched)->setCursorPosition(0);
+  return QWidget::eventFilter(watched, event);
 }
 
 void PanelList::setCount(int count) {
@@ -92,8 +101,10 @@ void PanelList::showRow(Row& row) {
   row.source->setCurrentIndex(row.source->findText(source.text));
   row.source->setToolTip(source.text); // of a long name the list shows a part
   const QString name = row.ownName.isNull() ? source.panel.name : row.ownName;
-  if (row.name->text() != name)
-    row.name->setText(name);
+  if (row.name->text() == name)
+    return;
+  row.name->setText(name);
+  row.name->setCursorPosition(0); // likewise
 }
 
 void PanelList::setSources(const std::vector<PanelSource>& sources) {

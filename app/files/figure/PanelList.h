@@ -39,6 +39,9 @@ public:
 signals:
   void edited();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   struct Row {
     QLabel* letter = nullptr;

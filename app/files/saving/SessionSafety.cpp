@@ -25,12 +25,14 @@ QString timeText(const std::filesystem::path& file) {
   return QLocale().toString(time, QLocale::ShortFormat);
 }
 
-// Of which volume a session is; empty where it cannot be read.
-std::string volumeOf(const std::filesystem::path& file) {
+// Whether a session is of the volume that is open: of several series in a folder, of the same.
+bool isOf(const OpenDocument& document, const std::filesystem::path& file) {
   try {
-    return parseSession(readTextFile(file), "session").scene.volume; // kept with its whole path
+    const SessionDocument session = parseSession(readTextFile(file), "session");
+    return session.scene.volume == document.volumePath() && // kept with its whole path
+           session.series == document.request().options.read.series;
   } catch (const Error&) {
-    return {};
+    return false;
   }
 }
 
@@ -119,37 +121,53 @@ bool SessionSafety::mayLeave() {
   return !why || askBeforeLosing(*why);
 }
 
-std::filesystem::path SessionSafety::keptOfEarlier() const {
-  // One offer at a time: what a crash left behind goes before what was closed.
-  const auto kept =
-      m_keeper && !m_keeper->abandoned() ? m_keeper->kept() : std::vector<std::filesystem::path>();
-  if (kept.empty())
+SessionSafety::Kept SessionSafety::keptNow(bool hasLeft, bool isFirst) const {
+  const auto files = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  const OpenDocument& document = m_context.document;
+  if (files.empty() || !document.scene().volume)
     return {};
-  const auto found = std::ranges::find_if(kept, [this](const std::filesystem::path& file) {
-    return volumeOf(file) == m_context.document.volumePath();
-  });
-  return found == kept.end() ? kept.front() : *found;
+  Kept kept;
+  if (hasLeft)
+    kept.left = files.front();
+  const auto found =
+      std::ranges::find_if(files, [&document](const auto& file) { return isOf(document, file); });
+  // Whoever opened one of the kept sessions chose among them.
+  if (found != files.end() && *found != kept.left && !document.request().isUnsavedSession)
+    kept.ofThis = *found;
+  // One offer at a time: what a crash left behind goes before what was closed.
+  else if (!hasLeft && isFirst && !m_keeper->abandoned())
+    kept.left = files.front();
+  return kept;
 }
 
 // The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
-  const std::optional<std::string> left = std::exchange(m_left, std::nullopt);
-  const bool isFirst = std::exchange(m_saysWithFirst, false);
-  std::filesystem::path file;
-  if (!left && isFirst)
-    file = keptOfEarlier();
-  else if (const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
-           left && !kept.empty())
-    file = kept.front();
-  if (file.empty() || !m_context.document.scene().volume)
-    return m_context.kept.hide();
-  m_context.kept.show(
-      MessageBar::Kind::note,
-      tr("Your work on %1 is kept.").arg(left ? QString::fromStdString(*left) : described(file)), {},
-      {tr("Bring back"), [this, file = QString::fromStdString(file.string())] {
-         m_context.kept.hide();
-         emit restoreRequested(file);
-       }});
+  const std::optional<std::string> label = std::exchange(m_left, std::nullopt);
+  const Kept kept = keptNow(label.has_value(), std::exchange(m_saysWithFirst, false));
+  const QString left = label               ? QString::fromStdString(*label)
+                       : kept.left.empty() ? QString()
+                                           : described(kept.left);
+  const auto opening = [this](const QString& text, const std::filesystem::path& file) {
+    return MessageBar::Action{text, [this, file = QString::fromStdString(file.string())] {
+                                m_context.kept.hide();
+                                emit restoreRequested(file);
+                              }};
+  };
+  const auto say = [this](const QString& sentence, const MessageBar::Action& action,
+                          const MessageBar::Action& other = {}) {
+    m_context.kept.show(MessageBar::Kind::note, sentence, {}, action, {}, other);
+  };
+  if (kept.ofThis.empty() && kept.left.empty())
+    m_context.kept.hide();
+  else if (kept.ofThis.empty())
+    say(tr("Your work on %1 is kept.").arg(left), opening(tr("Bring back"), kept.left));
+  else if (kept.left.empty())
+    say(tr("Your earlier work on this volume (%1) is kept.").arg(timeText(kept.ofThis)),
+        opening(tr("Continue"), kept.ofThis));
+  else
+    say(tr("Your earlier work on this volume (%1) is kept, and so is your work on %2.")
+            .arg(timeText(kept.ofThis), left),
+        opening(tr("Continue"), kept.ofThis), opening(tr("Bring back the other"), kept.left));
 }
 
 bool SessionSafety::askBeforeLosing(const QString& why) {

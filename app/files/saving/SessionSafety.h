@@ -44,7 +44,8 @@ public:
   /// the first volume is shown.
   void sayWithFirst() { m_saysWithFirst = true; }
 
-  /// Says that what was left with changes is kept, and offers it: once something else is shown.
+  /// Once something else is shown: says that what was left with changes is kept, and earlier work on the
+  /// volume that is open now, and offers them.
   void sayWhatIsKept();
 
   /// The session that a kept file holds is open: from here on this window keeps it, and the file goes, unless
@@ -67,8 +68,13 @@ private:
   void sayUnsafe(const QString& why);
   void offerAbandoned();
   void tellUnfinished();
-  /// What an earlier window left: of the volume that is open, or else the latest; empty where nothing is.
-  std::filesystem::path keptOfEarlier() const;
+  /// Kept sessions to tell of; empty: none.
+  struct Kept {
+    std::filesystem::path left;   ///< what was open before
+    std::filesystem::path ofThis; ///< the latest of the volume that is open now
+  };
+  /// `hasLeft`: something was just left with changes; `isFirst`: nothing was shown before.
+  Kept keptNow(bool hasLeft, bool isFirst) const;
 
   WindowContext& m_context;
   QMenu* m_unsaved; ///< of sessions that were left unsaved

@@ -168,21 +168,39 @@ HelpRows helpRows(const ActionList& actions) {
 
 namespace {
 
+constexpr int widestGesture = 210; // pixels that do not give way
+
+// A line that becomes several where it finds no room.
+class FoldingLine : public QLabel {
+public:
+  explicit FoldingLine(const QString& text) : QLabel(text) {
+    setWordWrap(true);
+    setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  }
+
+  QSize sizeHint() const override {
+    return fontMetrics().size(Qt::TextSingleLine, text()) + QSize(1, 0); // for parts of a pixel
+  }
+};
+
 // One grid for all that stands below each other, so that its columns do, too.
 void addRows(QGridLayout& grid, const QList<HelpRow>& rows) {
   for (const HelpRow& row : rows) {
     const int line = grid.rowCount();
-    auto* effect = new QLabel(row.effect);
     if (row.gesture.isEmpty()) {
-      QFont bold = effect->font();
+      auto* heading = new QLabel(row.effect);
+      QFont bold = heading->font();
       bold.setWeight(QFont::DemiBold);
-      effect->setFont(bold);
-      effect->setContentsMargins(0, line > 1 ? 12 : 0, 0, 2);
-      grid.addWidget(effect, line, 0, 1, 2);
+      heading->setFont(bold);
+      heading->setContentsMargins(0, line > 1 ? 12 : 0, 0, 2);
+      grid.addWidget(heading, line, 0, 1, 2);
       continue;
     }
+    auto* gesture = new FoldingLine(row.gesture);
+    gesture->setMinimumWidth(std::min(gesture->sizeHint().width(), widestGesture));
+    auto* effect = new FoldingLine(row.effect);
     effect->setForegroundRole(QPalette::PlaceholderText);
-    grid.addWidget(new QLabel(row.gesture), line, 0);
+    grid.addWidget(gesture, line, 0);
     grid.addWidget(effect, line, 1);
   }
 }
@@ -201,7 +219,7 @@ QGridLayout* columnOf(const QList<QList<HelpRow>>& groups) {
 } // namespace
 
 // Side by side, because one below the other they are higher than a small screen; on one that is smaller yet
-// they scroll.
+// lines fold, and all scrolls up and down.
 void showShortcuts(const ActionList& actions, QWidget* parent) {
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

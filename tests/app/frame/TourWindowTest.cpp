@@ -46,6 +46,33 @@ TEST_F(TourWindow, isOfferedUntilItIsTakenOrDeclined) {
   EXPECT_FALSE(question().isVisible());
 }
 
+TEST_F(TourWindow, itsOfferCoversNothingThatOneWouldClick) {
+  EmptyPanel& page = view().emptyPanel();
+  page.setRecentSources({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
+  for (const QSize size : {QSize(1024, 700), QSize(800, 560), QSize(1280, 800)}) {
+    for (const char* unfinished : {"", "CT 512×512×120"}) {
+      window->resize(size);
+      page.setUnfinished(QString::fromUtf8(unfinished));
+      tour().offer();
+      settle();
+      ASSERT_TRUE(question().isVisible());
+      const QRect offer(question().mapTo(window.get(), QPoint()), question().size());
+      int buttons = 0;
+      for (const QPushButton* each : page.findChildren<QPushButton*>()) {
+        if (!each->isVisible())
+          continue;
+        ++buttons;
+        const QRect place(each->mapTo(window.get(), QPoint()), each->size());
+        EXPECT_FALSE(place.intersects(offer)) << size.width() << ": " << each->text().toStdString();
+        EXPECT_TRUE(page.rect().contains({each->mapTo(&page, QPoint()), each->size()})) << size.width();
+        EXPECT_GE(each->height(), each->minimumSizeHint().height()) << size.width();
+      }
+      EXPECT_GE(buttons, *unfinished ? 4 : 3) << size.width();
+      question().hide();
+    }
+  }
+}
+
 TEST_F(TourWindow, sixStepsPointAtTheirPartsAndEnterGoesOn) {
   window->resize(1280, 800);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
@@ -70,6 +97,54 @@ TEST_F(TourWindow, sixStepsPointAtTheirPartsAndEnterGoesOn) {
   EXPECT_EQ(tour().step(), -1);
   EXPECT_EQ(callout(), nullptr);
   EXPECT_TRUE(window->findChild<QDockWidget*>(QStringLiteral("shadingDock"))->isVisible());
+}
+
+TEST_F(TourWindow, saysWhatIsSeenWhereThePicturesAre) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
+  start().trigger();
+  press(Qt::Key_Return);
+  ASSERT_EQ(tour().step(), 1);
+  const auto says = [this](const char* words) {
+    return callout()->accessibleDescription().contains(QString::fromUtf8(words));
+  };
+  EXPECT_TRUE(says("At the left you see \"Classic\", at the right \"Enhanced\"; Space swaps them"))
+      << callout()->accessibleDescription().toStdString();
+  setLayout(CompareLayout::single);
+  EXPECT_TRUE(test::waitUntil([&] { return says("View ▸ Side by side"); })) << "one picture is seen";
+  EXPECT_FALSE(says("At the left"));
+  EXPECT_FALSE(says("Space"));
+  setLayout(CompareLayout::difference);
+  EXPECT_TRUE(test::waitUntil([&] { return says("where \"Classic\" and \"Enhanced\" differ"); }));
+  EXPECT_FALSE(says("Space"));
+  for (const QLabel* label : callout()->findChildren<QLabel*>())
+    EXPECT_GE(label->height(), label->heightForWidth(label->width())) << "its text is cut";
+}
+
+TEST_F(TourWindow, pointsAtWhatHoldsTheCameraWhereThatFindsNoRoom) {
+  auto* bar = window->findChild<QToolBar*>();
+  auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+  const QWidget* camera = bar->widgetForAction(window->findChild<QAction*>(QStringLiteral("savePicture")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
+  window->resize(800, 700);
+  start().trigger();
+  for (int step = 0; step < 5; ++step)
+    press(Qt::Key_Return);
+  ASSERT_EQ(tour().step(), 5);
+  ASSERT_TRUE(test::waitUntil([&] { return more->isVisible(); }) && !camera->isVisible());
+  const auto frames = [&](const QWidget& part) {
+    const QRect place(part.mapTo(window.get(), QPoint()), part.size());
+    return frame().isVisible() && frame().geometry().contains(place & window->rect());
+  };
+  const auto says = [this](const char* words) {
+    return callout()->accessibleDescription().contains(QString::fromUtf8(words));
+  };
+  EXPECT_TRUE(test::waitUntil([&] { return frames(*more) && says("behind »"); }));
+  bar->hide();
+  EXPECT_TRUE(test::waitUntil([&] { return !frame().isVisible() && says("File ▸ Save picture"); }));
+  bar->show();
+  window->resize(1280, 800);
+  EXPECT_TRUE(test::waitUntil([&] { return camera->isVisible() && frames(*camera); }));
+  EXPECT_FALSE(says("behind »"));
 }
 
 TEST_F(TourWindow, goesBackEndsByEscAndReturnsTheKeyboard) {

@@ -194,6 +194,18 @@ TEST_F(GuideWindowTest, noPictureIsWiderThanThePage) {
   }
 }
 
+TEST_F(GuideWindowTest, neverScrollsSideways) {
+  GuideWindow& shown = guide();
+  const GuideView& page = shown.page();
+  for (const int width : {800, 700, 741, 778, 815, 926, 1000}) {
+    shown.resize(width, 560);
+    ASSERT_TRUE(test::waitUntil([&] { return shown.width() == width; }));
+    QCoreApplication::processEvents(); // lays its pictures out
+    EXPECT_LE(page.document()->size().width(), page.viewport()->width()) << width;
+    EXPECT_EQ(page.horizontalScrollBar()->maximum(), 0) << width;
+  }
+}
+
 TEST_F(GuideWindowTest, everyMenuPathThatDocumentsNameExists) {
   std::set<QString> paths;
   for (const QAction* action : window->menuBar()->actions())

@@ -14,6 +14,8 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 
 // The tools of the left button, in the program's window.
 
@@ -247,6 +249,22 @@ TEST_F(ToolWindow, theListOfKeysNamesThem) {
   dialog->resize(700, 480);
   const auto* close = dialog->findChild<QPushButton*>();
   ASSERT_TRUE(test::waitUntil([&] { return dialog->rect().contains(close->geometry()); }));
+  const auto* scroll = dialog->findChild<QScrollArea*>();
+  const QSize small = dialog->size();
+  dialog->resize(dialog->sizeHint());
+  EXPECT_TRUE(test::waitUntil([&] { return dialog->size() != small; }));
+  EXPECT_TRUE(test::waitUntil([&] { return scroll->verticalScrollBar()->maximum() == 0; }))
+      << "where it has room nothing folds";
+  for (const int width : {1008, 784, 700}) { // of windows on screens of 1024 and 800 pixels
+    dialog->resize(width, 480);
+    ASSERT_TRUE(test::waitUntil([&] { return dialog->width() == width; }));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0) << width;
+    for (const QLabel* label : scroll->findChildren<QLabel*>())
+      EXPECT_GE(label->height(), label->hasHeightForWidth() ? label->heightForWidth(label->width())
+                                                            : label->sizeHint().height())
+          << width << ": " << label->text().toStdString() << " is cut";
+  }
   QString text;
   for (const QLabel* label : dialog->findChildren<QLabel*>())
     text += label->text();

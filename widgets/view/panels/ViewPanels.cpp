@@ -71,6 +71,7 @@ QColor panelColor(const char* name) {
   return isContrast() ? found->contrast : found->usual;
 }
 
+constexpr QMargins pageMargins(16, 8, 16, 8);
 constexpr int leastWidth = 520;    // of the place to drop something, where there is room
 constexpr int mostRecentShown = 3; // they fit a window of 800 pixels
 
@@ -153,7 +154,7 @@ EmptyPanel::EmptyPanel(QWidget* parent)
   m_target->setMaximumSize(leastWidth, 380);
 
   auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(16, 8, 16, 8);
+  outer->setContentsMargins(pageMargins);
   outer->addStretch();
   outer->addWidget(m_continue, 0, Qt::AlignHCenter);
   auto* row = new QHBoxLayout;
@@ -204,8 +205,33 @@ void EmptyPanel::resizeEvent(QResizeEvent* event) {
   fit();
 }
 
+void EmptyPanel::keepClearOf(QWidget& cover) {
+  m_covers.emplace_back(&cover);
+  cover.installEventFilter(this);
+}
+
+bool EmptyPanel::eventFilter(QObject* watched, QEvent* event) {
+  const QEvent::Type type = event->type();
+  if (type == QEvent::Move || type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide)
+    fit();
+  return PicturePanel::eventFilter(watched, event);
+}
+
+int EmptyPanel::coveredBelow() const {
+  int top = height();
+  for (const QPointer<QWidget>& cover : m_covers) {
+    if (!cover || !cover->isVisible())
+      continue;
+    const QRect place(mapFromGlobal(cover->mapToGlobal(QPoint())), cover->size());
+    if (place.intersects(rect()))
+      top = std::min(top, place.top());
+  }
+  return height() - top;
+}
+
 // What was open before first, then the words, the arrow last.
 void EmptyPanel::fit() {
+  layout()->setContentsMargins(pageMargins);
   QLayout& inner = *m_target->layout();
   const int width = std::min(m_target->maximumWidth(), this->width()) - 2 * targetMargin;
   const auto wordsIn = [&](const QLabel& label) { return label.heightForWidth(width) + inner.spacing(); };
@@ -219,6 +245,9 @@ void EmptyPanel::fit() {
                                      {m_formats, wordsIn(*m_formats)},
                                      {m_recent, recent}})
     room += part->isHidden() ? 0 : pixels;
+  const int covered = std::clamp(coveredBelow(), 0, std::max(0, room));
+  room -= covered;
+  layout()->setContentsMargins(pageMargins + QMargins(0, 0, 0, covered));
   const auto hasRoom = [&room](int pixels) {
     const bool has = room >= pixels;
     room -= has ? pixels : 0;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
 #include <QStringList>
 
 #include <optional>
+#include <vector>
 
 class QBoxLayout;
 class QLabel;
@@ -43,6 +45,9 @@ public:
   /// What was left with unsaved changes, as a few words; empty: nothing.
   void setUnfinished(const QString& text);
 
+  /// What it offers stands above this, which may lie over its lower edge, as long as that is seen.
+  void keepClearOf(QWidget& cover);
+
   /// Gives the keyboard to what is likeliest to be wanted.
   void takeFocus() { showLikeliest(true); }
 
@@ -54,12 +59,14 @@ signals:
   void recentRequested(int number); ///< of setRecentSources, from 0 on
 
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
 private:
   void fit();
+  int coveredBelow() const; ///< of its height, pixels
   QPushButton* likeliest() const;
   void showLikeliest(bool takesFocus);
 
@@ -70,6 +77,7 @@ private:
   QLabel* m_title = nullptr;
   QLabel* m_formats = nullptr;
   QWidget* m_recent = nullptr;
+  std::vector<QPointer<QWidget>> m_covers;
   bool m_hasRecent = false;
   bool m_hasArrow = true;
 };

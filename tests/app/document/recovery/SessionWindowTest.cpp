@@ -480,7 +480,8 @@ TEST_F(SessionWindow, whatWasLeftUnsavedIsOfferedBesideAVolumeThatIsNamedAtTheSt
     if (other != bar)
       other->hide();
   ASSERT_TRUE(test::waitUntil([&] { return bar->isVisible(); }));
-  EXPECT_TRUE(bar->sentence().startsWith(QStringLiteral("Your work on "))) << bar->sentence().toStdString();
+  EXPECT_TRUE(bar->sentence().startsWith(QStringLiteral("Your earlier work on this volume (")))
+      << bar->sentence().toStdString();
   QTest::mouseClick(bar->findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
   EXPECT_TRUE(test::waitUntil([&] { return scene().transferFunction == edited; })) << "that of this volume";
 }

@@ -5,6 +5,7 @@
 #include "app/figures/FigureOptions.h"
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/figure/FigurePreview.h"
+#include "app/files/figure/PanelList.h"
 #include "app/panels/presets/PresetController.h"
 #include "app/picture/ComparisonController.h"
 #include "app/presets/PresetStore.h"
@@ -516,6 +517,35 @@ TEST_F(FigureWindow, aPanelThatShowsNothingIsSaidInThePreview) {
   session().setTransferFunction({1.0, {{0.0, {1, 1, 1}, 0.0}}}, {nextGestureId(), QStringLiteral("nothing")});
   EXPECT_TRUE(test::waitUntil([this] { return said().contains(QStringLiteral("Panel a shows nothing")); }))
       << said().toStdString();
+}
+
+TEST_F(FigureWindow, theFieldOfALongNameShowsItsBeginning) {
+  PanelSource source;
+  source.text = QStringLiteral("Compared look");
+  source.panel.name = QStringLiteral("CT skin, modified · Enhanced, normals smoothed by hand");
+  PanelList list;
+  list.setSources({source});
+  list.choose({0, 0});
+  list.resize(list.minimumSizeHint());
+  list.show();
+  ASSERT_TRUE(test::waitUntilExposed(list));
+  ASSERT_TRUE(test::waitUntil([&] {
+    if (!list.isActiveWindow())
+      list.activateWindow();
+    return list.isActiveWindow();
+  }));
+  auto& name = *list.findChild<QLineEdit*>(QStringLiteral("panelName-a"));
+  const auto firstSeen = [&] { return name.cursorPositionAt({1, name.height() / 2}); };
+  ASSERT_LT(name.width(), name.fontMetrics().horizontalAdvance(source.panel.name));
+  name.repaint();
+  EXPECT_EQ(firstSeen(), 0);
+  name.setFocus();
+  QTest::keyClick(&name, Qt::Key_End);
+  name.repaint();
+  EXPECT_GT(firstSeen(), 0) << "where it is typed";
+  QTest::keyClick(&name, Qt::Key_Tab);
+  name.repaint();
+  EXPECT_EQ(firstSeen(), 0) << "left";
 }
 
 } // namespace
