@@ -11,12 +11,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTextBlock>
+#include <QTextTable>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -55,6 +57,22 @@ QToolButton* stepButton(const QString& text, const QString& tip) {
   button->setToolTip(tip);
   button->setProperty("framed", true);
   return button;
+}
+
+// What is read as one: a paragraph, or from the first cell of a row of a table the whole row; nothing from
+// its other cells.
+QTextCursor pieceFrom(const QTextBlock& block) {
+  QTextCursor piece(block);
+  const QTextTable* table = piece.currentTable();
+  if (!table) {
+    piece.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    return piece;
+  }
+  const QTextTableCell cell = table->cellAt(block.position());
+  if (cell.column() == 0)
+    piece.setPosition(table->cellAt(cell.row(), table->columns() - 1).lastPosition(),
+                      QTextCursor::KeepAnchor);
+  return piece;
 }
 
 } // namespace
@@ -112,9 +130,6 @@ void GuideView::goBack() {
 // Anew where colours or the room for pictures change.
 void GuideView::layOut() {
   const Place seen = placeAtTop();
-  QString wanted;
-  if (m_shown >= 0)
-    wanted = m_hits[m_shown].selectedText();
   m_width = roomForPictures();
   document()->clear();
   document()->setDefaultStyleSheet(styleOf(themeColors(palette())));
@@ -127,8 +142,8 @@ void GuideView::layOut() {
   m_shown = -1;
   if (seen.heading >= 0)
     showPlace(seen);
-  if (!wanted.isEmpty())
-    look(wanted);
+  if (!m_looked.isEmpty())
+    look(m_looked);
 }
 
 int GuideView::topOf(int heading) const {
@@ -150,11 +165,15 @@ int GuideView::headingAtTop() const {
 
 int GuideView::look(const QString& text) {
   const int from = cursorForPosition({margin, margin}).position();
+  m_looked = text;
   m_hits.clear();
   m_shown = -1;
   if (!text.isEmpty())
     for (QTextCursor at = document()->find(text, 0); !at.isNull(); at = document()->find(text, at))
       m_hits.push_back(at);
+  static const QRegularExpression space(QStringLiteral("\\s+"));
+  if (const QStringList words = text.split(space, Qt::SkipEmptyParts); m_hits.empty() && words.size() > 1)
+    m_hits = placesOf(words);
   if (!m_hits.empty()) {
     const auto first =
         std::ranges::find_if(m_hits, [from](const QTextCursor& hit) { return hit.selectionStart() >= from; });
@@ -162,6 +181,27 @@ int GuideView::look(const QString& text) {
   }
   mark();
   return hits();
+}
+
+std::vector<QTextCursor> GuideView::placesOf(const QStringList& words) const {
+  std::vector<QTextCursor> places;
+  QStringList above; // the headings, from the chapter's on
+  for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+    const QTextCursor piece = pieceFrom(block);
+    const QString text = piece.selectedText();
+    if (const int level = block.blockFormat().headingLevel(); level > 0)
+      above = above.mid(0, level - 1) << text;
+    const auto isInText = [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); };
+    const auto isNamed = [&](const QString& word) {
+      return isInText(word) || std::ranges::any_of(above, [&](const QString& heading) {
+               return heading.contains(word, Qt::CaseInsensitive);
+             });
+    };
+    const auto own = std::ranges::find_if(words, isInText);
+    if (own != words.end() && std::ranges::all_of(words, isNamed))
+      places.push_back(document()->find(*own, piece.selectionStart()));
+  }
+  return places;
 }
 
 int GuideView::step(int direction) {

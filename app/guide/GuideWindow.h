@@ -34,8 +34,9 @@ public:
   void goBack();
   bool canGoBack() const { return !m_left.empty(); }
 
-  /// Marks every place of a text, whatever its case, and goes to the first from what is seen on. The number
-  /// of places.
+  /// Marks every place of a text, whatever its case, and goes to the first from what is seen on. Of a text
+  /// that stands nowhere these are the paragraphs and rows of tables that hold all of its words, if need be
+  /// with the headings above them. The number of places.
   int look(const QString& text);
   /// Goes to the next place or the one before, around the end; the number of it, from 1 on, or 0 for none.
   int step(int direction);
@@ -64,11 +65,13 @@ private:
   void layOut();
   void mark();
   int topOf(int heading) const;
+  std::vector<QTextCursor> placesOf(const QStringList& words) const;
 
   GuidePage m_page;
   std::vector<int> m_places; ///< of the headings in the document
   std::vector<QTextCursor> m_hits;
   std::vector<Place> m_left; ///< where links were followed
+  QString m_looked;          ///< what they are of
   int m_shown = -1;          ///< of the hits
   int m_width = 0;           ///< for which pictures were made, pixels
   QTimer m_layOut; ///< once the event that asks for it is over: a page must not change while it is laid out

@@ -68,13 +68,11 @@ public:
   /// The look remembered as "before", of the volume that is open.
   const std::optional<Preset>& remembered() const { return m_snapshot; }
 
-  /// Who knows whether a look is a preset whose curve was moved onto the values of the volume: its name says
-  /// so.
+  /// Tells presets whose curve was moved onto the values of the volume, as their names then say.
   void setIsFitted(std::function<bool(const Preset&)> isFitted) { m_isFitted = std::move(isFitted); }
 
-  /// A scene has been opened. A picture that tells its sides is shown with those. An unlit image (imageLook)
-  /// is shown alone: no model of light tells it from another. What is opened after either has the layout from
-  /// before, unless someone chose one meanwhile.
+  /// A scene has been opened: a picture that tells its sides is shown with those, an unlit image (imageLook)
+  /// alone. What is opened after either has the layout from before, unless someone chose one meanwhile.
   void showOpened(const std::optional<ShownSides>& sides);
 
   /// Shows models or looks and layout of the moment. Nothing of another volume is compared.
@@ -99,8 +97,7 @@ public:
   void restore(const SessionDocument& session);
 
 signals:
-  /// The models in the pictures on screen, from left to right; `keptLook` is how the look at the left is
-  /// called that keeps its own light, empty where there is none.
+  /// The models on screen, from left to right, and the name of a look at the left that keeps its own light.
   void modelsShown(const std::vector<limn::ShadingModel>& models, const QString& keptLook);
   void shown();
   void layoutChosen(); ///< by the user

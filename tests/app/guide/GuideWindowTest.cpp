@@ -2,6 +2,7 @@
 #include "app/guide/GuideWindow.h"
 #include "app/WindowHarness.h"
 #include "app/frame/dialogs/DialogController.h"
+#include "app/frame/dialogs/MouseAndKeys.h"
 #include "documentation/Matches.h"
 #include "documentation/Tree.h"
 #include "widgets/controls/FoldingSection.h"
@@ -150,6 +151,12 @@ TEST_F(GuideWindowTest, findsEveryPlaceByKeysAlone) {
   EXPECT_EQ(found->text(), QStringLiteral("%1 of %1").arg(hits)) << "around the end";
   EXPECT_GT(shown.page().verticalScrollBar()->value(), 0);
   EXPECT_EQ(shown.page().extraSelections().size(), hits);
+  // Words that stand apart, in a paragraph and in the headings above it.
+  for (const char* words : {"rename measurement", "hide label", "only one label"}) {
+    search->setText(QLatin1String(words));
+    EXPECT_TRUE(found->text().startsWith(QStringLiteral("1 of "))) << words;
+    EXPECT_FALSE(shown.page().extraSelections().isEmpty()) << words;
+  }
   search->setText(QStringLiteral("unheard of"));
   EXPECT_EQ(found->text(), QStringLiteral("not found"));
   QTest::keyClick(&shown, Qt::Key_Escape);

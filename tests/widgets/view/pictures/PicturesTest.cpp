@@ -86,53 +86,6 @@ Scene litPhantom() {
   return scene;
 }
 
-Pictures picturesFollowedBeside(int* made = nullptr) {
-  return {makeRayCasterEngine(), makeGlScreen(), {}, [made] {
-            if (made)
-              ++*made;
-            return makeCpuEngine(2);
-          }};
-}
-
-TEST_F(PicturesWithoutWindow, lightThatTheRayCasterLooksUpIsFollowedOnceThePictureIsFinal) {
-  Pictures pictures = picturesFollowedBeside();
-  finish(pictures, {litPhantom()});
-  EXPECT_FALSE(pictures.state().sides[0].isLightMeasured);
-  while (!pictures.state().refinementEnd)
-    pictures.workAtRest(true, 20.0);
-  const PictureState state = pictures.state();
-  EXPECT_EQ(state.refinementEnd, RefinementEnd::gridOfLight);
-  EXPECT_FALSE(state.refines);
-  const SidePicture& side = pictures.side(0);
-  CpuRenderer processor;
-  EXPECT_EQ(*side.picture().image, processor.render(side.shownScene(), pictureSize));
-  // And it says what that is off by.
-  EXPECT_TRUE(state.sides[0].isLightMeasured);
-  ASSERT_TRUE(state.sides[0].estimate);
-  Scene exact = side.shownScene();
-  exact.quality.light = LightDetail::sampled;
-  const ImageError found = imageError(*side.picture().image, processor.render(exact, pictureSize));
-  EXPECT_GE(state.sides[0].estimate->p99_9, 0.8 * found.p99_9);
-  EXPECT_GT(found.p99_9, 0.0);
-}
-
-TEST_F(PicturesWithoutWindow, lightIsFollowedBesideNothingThatMovesAndNoPictureWithoutIt) {
-  int made = 0;
-  Pictures pictures = picturesFollowedBeside(&made);
-  finish(pictures, {phantomWith(ShadingModel::classic)});
-  while (!pictures.state().refinementEnd)
-    pictures.workAtRest(true, 20.0);
-  EXPECT_EQ(made, 0);
-  finish(pictures, {litPhantom()});
-  while (pictures.workAtRest(false, 20.0) != RestTurn::nothing) {
-  }
-  EXPECT_EQ(made, 0) << "pictures are not to be sharpened";
-  Scene turned = litPhantom();
-  turned.camera = orbited(turned.camera, 0.5, 0.0);
-  finish(pictures, {turned});
-  EXPECT_FALSE(pictures.state().sides[0].isLightMeasured) << "what was known of the picture before";
-}
-
 // Without OpenGL: this one makes no context.
 TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAreShownAsItsBytes) {
   Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
