@@ -203,6 +203,8 @@ WindowHandover MainWindow::handOver() {
   handed.picture = m_picture.memory();
   handed.panels = m_panels.memory();
   handed.remarks = m_files.remarks().memory();
+  if (!handed.remarks.isSaid && !m_picture.regions().offers().isAsking())
+    handed.said = m_context.said();
   handed.frame = m_frame.memory();
   handed.keepsSessions = m_files.safety().keeps();
   end();
@@ -222,6 +224,7 @@ void MainWindow::takeOver(WindowHandover before) {
   m_picture.takeOver(before.picture);
   m_panels.takeOver(before.panels);
   m_files.remarks().takeOver(before.remarks);
+  m_context.takeOver(before.said);
   m_frame.title().show();
   if (before.keepsSessions) {
     m_files.safety().begin(std::move(before.keeper));

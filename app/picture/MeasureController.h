@@ -29,6 +29,9 @@ class MeasureController : public QObject {
 public:
   explicit MeasureController(WindowContext& context);
 
+  /// Whether one has been begun in the picture that lacks places.
+  bool isDrawing() const { return m_open.has_value(); }
+
 public slots:
   /// The measurements shall be these.
   void edit(const limn::MeasurementsEdited& edited);

@@ -124,6 +124,10 @@ void PlaneDeck::setWheelIsForPiece(bool isForPiece) {
     view->setWheelIsForPiece(isForPiece);
 }
 
+bool PlaneDeck::isDrawing() const {
+  return std::ranges::any_of(m_views, &PlaneView::isDrawing);
+}
+
 PlaneLayout PlaneDeck::shownLayout() const {
   return m_content.volume ? m_content.settings.layout : PlaneLayout::pictureOnly;
 }

@@ -33,6 +33,8 @@ public:
   /// As PlaneView has them.
   void setLinesRemoveInside(bool isInside);
   void setWheelIsForPiece(bool isForPiece);
+  /// Whether in one of the slices something is begun, and neither finished nor given up.
+  bool isDrawing() const;
   /// A button in the row above the slices, for something that is done elsewhere.
   void addButton(QAction& action);
 
