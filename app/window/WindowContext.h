@@ -103,8 +103,8 @@ struct WindowContext {
   /// What the bar of messages says now is about the last undo step, and goes where that is undone or gone.
   void messageGoesWithLastStep();
 
-  /// The messages that are open, for a window that takes this one's place: there they stand as they were said,
-  /// without what can be done about them.
+  /// The messages that are open, for a window that takes this one's place: there they stand as they were
+  /// said, without what can be done about them.
   struct Said {
     std::optional<MessageBar::Said> message, kept;
     QString ofStep; ///< the sentence about an undo step

@@ -48,8 +48,8 @@ public:
     QString sentence;
     QStringList details;
   };
-  /// What it says now, for a bar that takes its place and shows it: a question, which nobody can answer there,
-  /// as a note. Nothing while it says nothing.
+  /// What it says now, for a bar that takes its place and shows it: a question, which nobody can answer
+  /// there, as a note. Nothing while it says nothing.
   std::optional<Said> said() const;
   void show(const Said& said) { show(said.kind, said.sentence, said.details); }
 

@@ -50,6 +50,7 @@ signals:
   // As PlaneView says it (also what `onlyAbove` means), of the slice in a plane:
   void pieceRequested(const glm::dvec3& worldMm);
   void pieceNarrowed(double notches, bool onlyAbove);
+  void cornersBegun(bool isBegun);
   void lineClosed(limn::PatientPlane plane, const limn::Scissors& scissors);
   void menuRequested(limn::PatientPlane plane, const glm::dvec3& worldMm, const QPoint& globalAt);
 

@@ -66,6 +66,8 @@ signals:
   void pieceNarrowed(double notches, bool onlyAbove);
   /// A line was closed that goes around something; these scissors cut through everything.
   void lineClosed(const limn::Scissors& scissors);
+  /// A line is being drawn corner by corner from now on, or no longer.
+  void cornersBegun(bool isBegun);
   /// What can be done with a place of the slice, by a right click on it or the key for menus at the
   /// crosshair.
   void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);
