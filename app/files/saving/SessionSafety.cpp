@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/saving/SessionSafety.h"
 
+#include "app/document/DocumentText.h"
 #include "app/window/WindowContext.h"
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
@@ -10,7 +11,6 @@
 
 #include <QDateTime>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,9 +20,8 @@
 namespace limn {
 namespace {
 
-QString timeText(const std::filesystem::path& file) {
-  const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
-  return QLocale().toString(time, QLocale::ShortFormat);
+QDateTime timeOf(const std::filesystem::path& file) {
+  return QFileInfo(QString::fromStdString(file.string())).lastModified();
 }
 
 // Of which volume a session is; empty where it cannot be read.
@@ -34,7 +33,7 @@ std::string volumeOf(const std::filesystem::path& file) {
   }
 }
 
-// "CT 512×512×120, 21.11.26 14:03". What cannot be read still has a time.
+// "CT 512×512×120, 21 Nov 2026, 14:03". What cannot be read still has a time.
 QString described(const std::filesystem::path& file) {
   QString label;
   try {
@@ -42,7 +41,8 @@ QString described(const std::filesystem::path& file) {
   } catch (const Error&) {
     // Opening it says why.
   }
-  return label.isEmpty() ? timeText(file) : label + QStringLiteral(", ") + timeText(file);
+  const QString time = momentText(timeOf(file));
+  return label.isEmpty() ? time : label + QStringLiteral(", ") + time;
 }
 
 } // namespace
@@ -133,6 +133,7 @@ std::filesystem::path SessionSafety::keptOfEarlier() const {
 
 // The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
+  tellUnfinished(); // what was opened may be newer
   const std::optional<std::string> left = std::exchange(m_left, std::nullopt);
   const bool isFirst = std::exchange(m_saysWithFirst, false);
   std::filesystem::path file;
@@ -183,7 +184,13 @@ void SessionSafety::tellUnfinished() {
   // One offer at a time: what a crash left behind goes before what was closed.
   const bool isOffered = m_keeper && m_keeper->abandoned();
   const auto kept = m_keeper && !isOffered ? m_keeper->kept() : std::vector<std::filesystem::path>();
-  m_context.view.emptyPanel().setUnfinished(kept.empty() ? QString() : described(kept.front()));
+  EmptyPanel& page = m_context.view.emptyPanel();
+  if (kept.empty())
+    return page.setUnfinished({});
+  // Saving a session to a file counts as opening it.
+  const QList<RecentSource> recent = m_context.settings.recentSources();
+  page.setUnfinished(described(kept.front()),
+                     recent.isEmpty() || timeOf(kept.front()) > recent.front().openedAt());
 }
 
 void SessionSafety::continueLast() {

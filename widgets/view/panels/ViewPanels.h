@@ -40,8 +40,9 @@ public:
   /// Latest first; the first few are offered.
   void setRecentSources(const QStringList& texts);
 
-  /// What was left with unsaved changes, as a few words; empty: nothing.
-  void setUnfinished(const QString& text);
+  /// What was left with unsaved changes, as a few words; empty: nothing. The keyboard stands on it where it
+  /// `isLatest`, newer than all that was opened before; else it stands below that.
+  void setUnfinished(const QString& text, bool isLatest = true);
 
   /// Gives the keyboard to what is likeliest to be wanted.
   void takeFocus() { showLikeliest(true); }
@@ -70,6 +71,7 @@ private:
   QLabel* m_title = nullptr;
   QLabel* m_formats = nullptr;
   QWidget* m_recent = nullptr;
+  bool m_isUnfinishedLatest = true;
   bool m_hasRecent = false;
   bool m_hasArrow = true;
 };
