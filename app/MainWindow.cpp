@@ -203,8 +203,9 @@ WindowHandover MainWindow::handOver() {
   handed.picture = m_picture.memory();
   handed.panels = m_panels.memory();
   handed.remarks = m_files.remarks().memory();
-  if (!handed.remarks.isSaid && !m_picture.regions().offers().isAsking())
-    handed.said = m_context.said();
+  handed.said = m_context.said();
+  if (handed.remarks.isSaid || m_picture.regions().offers().isAsking())
+    handed.said.message.reset(); // it is said anew
   handed.frame = m_frame.memory();
   handed.keepsSessions = m_files.safety().keeps();
   end();

@@ -26,8 +26,7 @@ struct MeasureShape {
   QString text;                ///< empty: none stands beside it
   bool isInHand = false;
   bool isOpen = false;   ///< nothing of it can be taken: it is being measured, or is led elsewhere
-  bool isHidden =
-      false; ///< behind what is seen, or cut away with what it lies in: its lines are drawn faintly
+  bool isHidden = false; ///< behind what is seen, or in what is cut away: its lines are drawn faintly
 };
 
 /// With the place of its text: beside an end and clear of what was measured, with a thin leader.
