@@ -204,6 +204,9 @@ WindowHandover MainWindow::handOver() {
   handed.picture = m_picture.memory();
   handed.panels = m_panels.memory();
   handed.remarks = m_files.remarks().memory();
+  handed.said = m_context.said();
+  if (handed.remarks.isSaid || m_picture.regions().offers().isAsking())
+    handed.said.message.reset(); // it is said anew
   handed.frame = m_frame.memory();
   handed.keepsSessions = m_files.safety().keeps();
   end();
@@ -223,6 +226,7 @@ void MainWindow::takeOver(WindowHandover before) {
   m_picture.takeOver(before.picture);
   m_panels.takeOver(before.panels);
   m_files.remarks().takeOver(before.remarks);
+  m_context.takeOver(before.said);
   m_frame.title().show();
   if (before.keepsSessions) {
     m_files.safety().begin(std::move(before.keeper));

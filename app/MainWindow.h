@@ -18,6 +18,7 @@ struct WindowHandover {
   PictureArea::Memory picture;
   Panels::Memory panels;
   RemarksController::Memory remarks;
+  WindowContext::Said said; ///< but for what is said anew
   Frame::Memory frame;
   bool keepsSessions = false;
   std::unique_ptr<SessionKeeper> keeper; ///< null: there is none

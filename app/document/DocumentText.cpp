@@ -7,6 +7,7 @@
 #include "widgets/ValueText.h"
 
 #include <QFileInfo>
+#include <QLocale>
 
 #include <algorithm>
 #include <optional>
@@ -54,6 +55,10 @@ QString nameShown(const OpenDocument& document, bool showsPatient) {
 }
 
 } // namespace
+
+QString momentText(const QDateTime& moment) {
+  return QLocale().toString(moment.toLocalTime(), QObject::tr("d MMM yyyy, HH:mm", "as Qt formats dates"));
+}
 
 QString titleOf(const OpenDocument& document, bool showsPatient) {
   const QString program = QObject::tr("Limn · not for diagnosis");

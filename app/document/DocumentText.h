@@ -3,6 +3,7 @@
 
 #include "scene/volume/Volume.h"
 
+#include <QDateTime>
 #include <QString>
 
 namespace limn {
@@ -12,6 +13,9 @@ class OpenDocument;
 /// What the window is called that shows it: by its file or folder, and what a series of DICOM says that it
 /// is; "[*]" stands where unsaved changes are marked. Names the patient only where that is asked for.
 QString titleOf(const OpenDocument& document, bool showsPatient);
+
+/// A moment in the time of here: "27 Nov 2026, 20:13".
+QString momentText(const QDateTime& moment);
 
 /// What may stand in a list without naming anybody, of what was opened. A volume is open.
 QString labelOf(const OpenDocument& document);

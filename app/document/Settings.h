@@ -8,6 +8,7 @@
 #include "scene/view/HistogramView.h"
 
 #include <QByteArray>
+#include <QDateTime>
 #include <QList>
 #include <QString>
 
@@ -24,6 +25,7 @@ struct RecentSource {
   QString path;
   QString label;
   QString opened; ///< when, ISO 8601 in UTC
+  QDateTime openedAt() const { return QDateTime::fromString(opened, Qt::ISODateWithMs); }
 };
 
 /// What the program remembers between runs: window, theme, recent files. The only thing about patients in it

@@ -265,7 +265,8 @@ void Frame::addLanguages() {
        .label = tr("Language"),
        .choice = languages,
        .consequence = tr("The window speaks this language as soon as nothing is being read, written or "
-                         "measured, no other dialog is open and no picture waits to be saved elsewhere.")});
+                         "measured, no measurement, line or piece is unfinished, no other dialog is open and "
+                         "no picture waits to be saved elsewhere.")});
   connect(languages, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     const QString language = chosen->data().toString();
     m_context.settings.setLanguage(language);

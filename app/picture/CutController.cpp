@@ -97,6 +97,8 @@ CutController::CutController(WindowContext& context)
   connect(planes, &PlaneDeck::pieceRequested, this, &CutController::pickAt);
   connect(planes, &PlaneDeck::pieceNarrowed, this, &CutController::narrow);
   connect(planes, &PlaneDeck::lineClosed, this, &CutController::cutInSlice);
+  connect(&context.view, &CompareView::cornersBegun, this, &CutController::tellHowCornersEnd);
+  connect(planes, &PlaneDeck::cornersBegun, this, &CutController::tellHowCornersEnd);
   connect(m_bar, &CutBar::insideChosen, this, &CutController::takeInside);
   connect(m_bar, &CutBar::depthChosen, this, [this](bool onlySeen) { m_onlySeen = onlySeen; });
   connect(m_bar, &CutBar::similarRequested, this, &CutController::takeSimilar);
@@ -315,6 +317,16 @@ void CutController::takeInside(bool isInside) {
   m_removesInside = isInside;
   m_context.view.setLinesRemoveInside(isInside);
   m_context.planes.setLinesRemoveInside(isInside);
+}
+
+// Meanwhile the bar is out of the way.
+void CutController::tellHowCornersEnd(bool areBegun) const {
+  const QString how = tr("Enter or a double click closes the line. Esc takes it back.");
+  QStatusBar& bar = *m_context.window.statusBar();
+  if (areBegun)
+    bar.showMessage(how);
+  else if (bar.currentMessage() == how)
+    bar.clearMessage();
 }
 
 void CutController::say(const QString& sentence) const {

@@ -68,6 +68,7 @@ private:
   void layDown();
   void takeInside(bool isInside);
   void showScene(const Scene& scene);
+  void tellHowCornersEnd(bool areBegun) const;
   void say(const QString& sentence) const;
 
   WindowContext& m_context;

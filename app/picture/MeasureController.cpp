@@ -5,6 +5,7 @@
 #include "app/picture/CrosshairController.h"
 #include "app/window/WindowContext.h"
 #include "planes/EllipseVoxels.h"
+#include "scene/framing/KeptVoxels.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/ViewInput.h"
@@ -25,6 +26,20 @@ constexpr int leastHeightForBar =
 // What lies in a slice is led there: a place that is seen in the picture lies elsewhere.
 bool isLedInSlices(const Measurement& measurement) {
   return measurement.plane && measurement.kind != Measurement::Kind::mark;
+}
+
+// Whether the voxel that a place lies in and all around it are hidden by crop, cuts or labels: what lies
+// within a voxel of what is kept is seen at it.
+bool liesCutAway(const Scene& scene, const glm::dvec3& placeMm) {
+  const Grid& grid = scene.volume->grid();
+  const KeptVoxels kept(grid, scene.keep, scene.crop);
+  const glm::ivec3 at(glm::round(worldToIndex(grid, placeMm)));
+  for (int k = -1; k <= 1; ++k)
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i)
+        if (kept.has(at.x + i, at.y + j, at.z + k))
+          return false;
+  return true;
 }
 
 // What to do with the tool, which is in hand in the picture and in slices alike.
@@ -177,7 +192,7 @@ void MeasureController::findHidden() {
           std::array<bool, 2>& found = hidden.emplace_back();
           for (std::size_t side = 0; side < sides.size() && isSeenInPicture(one); ++side)
             found.at(side) = std::ranges::all_of(one.placesMm, [&](const glm::dvec3& placeMm) {
-              return isHidden(sides[side], scales[side], placeMm);
+              return liesCutAway(sides[side], placeMm) || isHidden(sides[side], scales[side], placeMm);
             });
         }
         return [this, hidden] {

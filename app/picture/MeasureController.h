@@ -29,6 +29,9 @@ class MeasureController : public QObject {
 public:
   explicit MeasureController(WindowContext& context);
 
+  /// Whether one has been begun in the picture that lacks places.
+  bool isDrawing() const { return m_open.has_value(); }
+
 public slots:
   /// The measurements shall be these.
   void edit(const limn::MeasurementsEdited& edited);
@@ -79,7 +82,8 @@ private:
   std::optional<Led> m_led;
   QString m_next;          ///< what was said to do next of what is being drawn
   bool m_isAtRest = false; ///< the picture
-  /// Which of them lay behind what was seen on each side when it came to rest; may be shorter.
+  /// Which of them lay behind what was seen on each side when it came to rest, or in what was cut away; may
+  /// be shorter.
   std::vector<std::array<bool, 2>> m_hidden;
   std::vector<Measurement> m_lookedFor;
   BackgroundWork m_looking; ///< for them

@@ -232,14 +232,23 @@ void PictureArea::restore(const SessionDocument& session) {
   m_crosshair.restore(session);
 }
 
+bool PictureArea::isDrawing() const {
+  return m_context.view.input().cutLine() || m_context.planes.isDrawing() || m_measures.isDrawing() ||
+         m_cuts.hasPiece();
+}
+
 PictureArea::Memory PictureArea::memory() const {
-  return {m_camera.memory(), m_comparison.memory(), m_context.view.tool()};
+  const RegionOffers& offers = m_regions.offers();
+  return {m_camera.memory(), m_comparison.memory(), m_context.view.tool(),
+          offers.isOffering() || offers.isAsking()};
 }
 
 void PictureArea::takeOver(const Memory& memory) {
   m_camera.takeOver(memory.camera);
   m_comparison.takeOver(memory.comparison);
   m_context.view.setTool(memory.tool);
+  if (memory.offersBody)
+    m_regions.offers().offerBody();
 }
 
 } // namespace limn

@@ -61,8 +61,9 @@ public:
   /// What another volume, or none, is called in the status bar.
   void showVolume(const Volume* volume) { m_status.showVolume(volume); }
 
-  /// Whether parts of the volume are being found or cut.
-  bool isBusy() const { return m_regions.isBusy() || m_cuts.isBusy(); }
+  /// Whether parts of the volume are being found or cut, or something is begun that would be lost: a
+  /// measurement that lacks places, a line to cut along, a piece that is lit and not cut yet.
+  bool isBusy() const { return m_regions.isBusy() || m_cuts.isBusy() || isDrawing(); }
 
   /// What a session file says of it.
   void describe(SessionDocument& session) const;
@@ -73,6 +74,7 @@ public:
     CameraController::Memory camera;
     ComparisonController::Memory comparison;
     ViewTool tool = ViewTool::rotate;
+    bool offersBody = false; ///< it is asked, or being found, whether to hide what lies beside the body
   };
   Memory memory() const;
   /// Of the same volume, which is shown already.
@@ -86,6 +88,7 @@ signals:
   void sliceSaveChosen(limn::PatientPlane plane);
 
 private:
+  bool isDrawing() const;
   void addTools();
   void shareTools();
   void addCopying();

@@ -38,6 +38,7 @@ public:
   bool isBusy() const { return m_work.isRunning(); }
 
   RegionOffers& offers() { return m_offers; }
+  const RegionOffers& offers() const { return m_offers; }
 
 public slots:
   void askForLabels();

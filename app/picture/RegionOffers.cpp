@@ -79,12 +79,16 @@ void RegionOffers::askAboutTable(const std::shared_ptr<const Volume>& volume, co
                           {tr("Leave them"), {}});
 }
 
+bool RegionOffers::isAsking() const {
+  return m_context.messages.isAsking() && m_context.messages.sentence() == tableQuestion();
+}
+
 void RegionOffers::showScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     m_offering.cancel();
     offerCutsOfBefore(scene);
     m_volume = scene.volume;
-    if (m_context.messages.isAsking() && m_context.messages.sentence() == tableQuestion())
+    if (isAsking())
       m_context.messages.hide(); // it was about the volume before
   }
   if (scene.volume)

@@ -35,6 +35,8 @@ public:
 
   /// Whether it is still being found whether there is something to ask.
   bool isOffering() const { return m_offering.isRunning(); }
+  /// Whether that is asked now.
+  bool isAsking() const;
 
   void showScene(const Scene& scene);
 

@@ -165,6 +165,21 @@ void WindowContext::messageGoesWithLastStep() {
   m_stepSaid.emplace(session.undoStack());
 }
 
+WindowContext::Said WindowContext::said() const {
+  return {messages.said(), kept.said(), m_saidOfStep, m_stepSaid, notes.failure()};
+}
+
+void WindowContext::takeOver(const Said& said) {
+  notes.takeOver(said.failure);
+  if (said.kept && !kept.isWanted())
+    kept.show(*said.kept);
+  if (!said.message || messages.isWanted())
+    return;
+  messages.show(*said.message);
+  m_saidOfStep = said.ofStep;
+  m_stepSaid = said.step;
+}
+
 // With another volume all steps go.
 void WindowContext::leaveUndone() {
   if (m_stepSaid)

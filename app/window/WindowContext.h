@@ -10,6 +10,7 @@
 #include "app/window/ActionList.h"
 #include "app/window/Docks.h"
 #include "scene/basics/MemoryBudget.h"
+#include "widgets/controls/MessageBar.h"
 #include "widgets/view/drawing/DriverRecovery.h"
 
 #include <QMainWindow>
@@ -28,7 +29,6 @@ namespace limn {
 
 class CompareView;
 class HintBar;
-class MessageBar;
 class PlaneDeck;
 
 /// Says of whatever is saved that it was, or why not; what failed is forgotten once something is saved.
@@ -41,6 +41,10 @@ public:
   bool attempt(const std::function<void()>& write, const QString& path = {});
 
   void sayFailure(const QString& sentence);
+
+  /// The last failure, until something was saved; it may have been said by the window before.
+  const QString& failure() const { return m_failure; }
+  void takeOver(const QString& failure) { m_failure = failure; }
 
 private:
   QStatusBar& m_status;
@@ -98,6 +102,18 @@ struct WindowContext {
 
   /// What the bar of messages says now is about the last undo step, and goes where that is undone or gone.
   void messageGoesWithLastStep();
+
+  /// The messages that are open, for a window that takes this one's place: there they stand as they were
+  /// said, without what can be done about them.
+  struct Said {
+    std::optional<MessageBar::Said> message, kept;
+    QString ofStep; ///< the sentence about an undo step
+    std::optional<UndoStep> step;
+    QString failure; ///< to save
+  };
+  Said said() const;
+  /// Where nothing newer is said.
+  void takeOver(const Said& said);
 
 private:
   // Before the session, whose undo stack tells of its end.

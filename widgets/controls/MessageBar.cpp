@@ -253,6 +253,14 @@ QString MessageBar::sentence() const {
   return m_sentence->text();
 }
 
+std::optional<MessageBar::Said> MessageBar::said() const {
+  if (!m_isWanted)
+    return std::nullopt;
+  const QString details = m_details->text();
+  return Said{m_kind == Kind::question ? Kind::note : m_kind, sentence(),
+              details.isEmpty() ? QStringList() : details.split(QLatin1Char('\n'))};
+}
+
 MessageOrder::MessageOrder(const std::vector<MessageBar*>& bars, QObject* parent)
     : QObject(parent), m_bars(bars) {
   for (const MessageBar* bar : m_bars)

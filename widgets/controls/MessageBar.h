@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QBoxLayout;
@@ -40,6 +41,17 @@ public:
             const Action& dismissal = {}, const Action& other = {});
 
   QString sentence() const;
+
+  /// What a bar says, without what can be done about it.
+  struct Said {
+    Kind kind = Kind::note;
+    QString sentence;
+    QStringList details;
+  };
+  /// What it says now, for a bar that takes its place and shows it: a question, which nobody can answer
+  /// there, as a note. Nothing while it says nothing.
+  std::optional<Said> said() const;
+  void show(const Said& said) { show(said.kind, said.sentence, said.details); }
 
   /// Keeps it from being seen while something more urgent is said; then it is seen again.
   void setHeldBack(bool isHeldBack);

@@ -71,6 +71,7 @@ PlaneDeck::PlaneDeck(QWidget& picture, QWidget* parent)
     connect(view, &PlaneView::toolRequested, this, &PlaneDeck::setTool);
     connect(view, &PlaneView::pieceRequested, this, &PlaneDeck::pieceRequested);
     connect(view, &PlaneView::pieceNarrowed, this, &PlaneDeck::pieceNarrowed);
+    connect(view, &PlaneView::cornersBegun, this, &PlaneDeck::cornersBegun);
     connect(view, &PlaneView::lineClosed, this,
             [this, plane](const Scissors& scissors) { emit lineClosed(plane, scissors); });
     connect(view, &PlaneView::menuRequested, this,
@@ -122,6 +123,10 @@ void PlaneDeck::setLinesRemoveInside(bool isInside) {
 void PlaneDeck::setWheelIsForPiece(bool isForPiece) {
   for (PlaneView* view : m_views)
     view->setWheelIsForPiece(isForPiece);
+}
+
+bool PlaneDeck::isDrawing() const {
+  return std::ranges::any_of(m_views, &PlaneView::isDrawing);
 }
 
 PlaneLayout PlaneDeck::shownLayout() const {

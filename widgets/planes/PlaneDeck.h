@@ -33,6 +33,8 @@ public:
   /// As PlaneView has them.
   void setLinesRemoveInside(bool isInside);
   void setWheelIsForPiece(bool isForPiece);
+  /// Whether in one of the slices something is begun, and neither finished nor given up.
+  bool isDrawing() const;
   /// A button in the row above the slices, for something that is done elsewhere.
   void addButton(QAction& action);
 
@@ -48,6 +50,7 @@ signals:
   // As PlaneView says it (also what `onlyAbove` means), of the slice in a plane:
   void pieceRequested(const glm::dvec3& worldMm);
   void pieceNarrowed(double notches, bool onlyAbove);
+  void cornersBegun(bool isBegun);
   void lineClosed(limn::PatientPlane plane, const limn::Scissors& scissors);
   void menuRequested(limn::PatientPlane plane, const glm::dvec3& worldMm, const QPoint& globalAt);
 

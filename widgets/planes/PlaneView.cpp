@@ -203,16 +203,18 @@ bool PlaneView::pressCut(const QMouseEvent& event) {
 }
 
 void PlaneView::closeLine() {
-  const CutLine line = *std::exchange(m_line, std::nullopt);
-  update();
+  const CutLine line = *m_line;
+  forgetLine();
   if (isArea(line))
     emit lineClosed(scissorsOn(m_content, frame(), line, m_linesRemoveInside));
 }
 
 void PlaneView::forgetLine() {
-  if (m_line)
+  const std::optional<CutLine> line = std::exchange(m_line, std::nullopt);
+  if (line)
     update();
-  m_line.reset();
+  if (line && line->isByClicks)
+    emit cornersBegun(false);
 }
 
 // Keys that belong to a line while one is open.
@@ -252,8 +254,11 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event) {
 
 void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
   if (m_line && m_line->isHeld && event->button() == Qt::LeftButton) {
+    const bool hadCorners = m_line->isByClicks;
     if (releaseLine(*m_line, event->position()))
       closeLine();
+    else if (!hadCorners)
+      emit cornersBegun(true);
     return update();
   }
   if (!m_drag || m_drag->isLoose || event->button() != m_drag->button)

@@ -41,6 +41,9 @@ public:
   /// The line that is being drawn to cut along.
   const std::optional<CutLine>& cutLine() const { return m_line; }
 
+  /// Whether a line, a measurement or another drag is begun, and neither finished nor given up.
+  bool isDrawing() const { return m_line || m_drag; }
+
   /// How the slice lies in the view; there is a volume.
   PlaneFrame frame() const;
 
@@ -63,6 +66,8 @@ signals:
   void pieceNarrowed(double notches, bool onlyAbove);
   /// A line was closed that goes around something; these scissors cut through everything.
   void lineClosed(const limn::Scissors& scissors);
+  /// A line is being drawn corner by corner from now on, or no longer.
+  void cornersBegun(bool isBegun);
   /// What can be done with a place of the slice, by a right click on it or the key for menus at the
   /// crosshair.
   void menuRequested(const glm::dvec3& worldMm, const QPoint& globalAt);

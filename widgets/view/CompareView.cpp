@@ -15,6 +15,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include <utility>
+
 namespace limn {
 
 CompareView::CompareView(DrawingEngines engines, Engine engine, QWidget* parent)
@@ -54,6 +56,9 @@ void CompareView::push() {
   m_order.coveredBelow = m_panels->coveredBelow();
   m_order.isSeen = m_isShown && scene().volume;
   m_engines->show(m_order);
+  const bool hasCorners = m_order.cutLine && m_order.cutLine->isByClicks;
+  if (std::exchange(m_hasCorners, hasCorners) != hasCorners)
+    emit cornersBegun(hasCorners);
 }
 
 void CompareView::take(const ViewNews& news) {

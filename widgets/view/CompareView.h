@@ -181,6 +181,8 @@ signals:
   void swapAsked(); ///< the two pictures shall change their sides
   void wipeMoved(double fraction);
   void toolChanged(limn::ViewTool tool);
+  /// A line of the scissors is being drawn corner by corner from now on, or no longer.
+  void cornersBegun(bool isBegun);
   /// Whenever anything in it changes.
   void told(const limn::ViewNews& news);
   /// Drawing failed; the view already shows the sentence.
@@ -223,6 +225,7 @@ private:
   void offerModels(int position);
 
   ViewOrder m_order;
+  bool m_hasCorners = false; ///< of a line that is drawn so
   bool m_isShown = false;
   bool m_isPreparing = false; ///< it is said that a volume is got ready
   QString m_problem;          ///< why nothing is drawn, as the panels say it

@@ -2,6 +2,7 @@
 #include "app/files/opening/OpeningController.h"
 
 #include "app/asking/FileDialogs.h"
+#include "app/document/DocumentText.h"
 #include "app/files/opening/SeriesDialog.h"
 #include "app/window/WindowContext.h"
 #include "io/looks/dicom/DicomLook.h"
@@ -10,10 +11,8 @@
 #include "widgets/view/CompareView.h"
 #include "widgets/view/panels/ViewPanels.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <QInputDialog>
-#include <QLocale>
 #include <QMenu>
 
 #include <algorithm>
@@ -344,10 +343,7 @@ QStringList OpeningController::recentTexts() {
     const bool isAlone = std::count_if(recent.begin(), recent.end(), [&](const RecentSource& other) {
                            return other.label == source.label;
                          }) == 1;
-    const QDateTime opened = QDateTime::fromString(source.opened, Qt::ISODateWithMs).toLocalTime();
-    texts << (isAlone
-                  ? source.label
-                  : tr("%1, opened %2").arg(source.label, QLocale().toString(opened, QLocale::ShortFormat)));
+    texts << (isAlone ? source.label : tr("%1, opened %2").arg(source.label, momentText(source.openedAt())));
   }
   return texts;
 }

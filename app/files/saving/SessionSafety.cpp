@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/saving/SessionSafety.h"
 
+#include "app/document/DocumentText.h"
 #include "app/window/WindowContext.h"
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
@@ -10,7 +11,6 @@
 
 #include <QDateTime>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,9 +20,8 @@
 namespace limn {
 namespace {
 
-QString timeText(const std::filesystem::path& file) {
-  const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
-  return QLocale().toString(time, QLocale::ShortFormat);
+QDateTime timeOf(const std::filesystem::path& file) {
+  return QFileInfo(QString::fromStdString(file.string())).lastModified();
 }
 
 // Whether a session is of the volume that is open: of several series in a folder, of the same.
@@ -36,7 +35,7 @@ bool isOf(const OpenDocument& document, const std::filesystem::path& file) {
   }
 }
 
-// "CT 512×512×120, 21.11.26 14:03". What cannot be read still has a time.
+// "CT 512×512×120, 21 Nov 2026, 14:03". What cannot be read still has a time.
 QString described(const std::filesystem::path& file) {
   QString label;
   try {
@@ -44,7 +43,8 @@ QString described(const std::filesystem::path& file) {
   } catch (const Error&) {
     // Opening it says why.
   }
-  return label.isEmpty() ? timeText(file) : label + QStringLiteral(", ") + timeText(file);
+  const QString time = momentText(timeOf(file));
+  return label.isEmpty() ? time : label + QStringLiteral(", ") + time;
 }
 
 } // namespace
@@ -142,6 +142,7 @@ SessionSafety::Kept SessionSafety::keptNow(bool hasLeft, bool isFirst) const {
 
 // The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
+  tellUnfinished(); // what was opened may be newer
   const std::optional<std::string> label = std::exchange(m_left, std::nullopt);
   const Kept kept = keptNow(label.has_value(), std::exchange(m_saysWithFirst, false));
   const QString left = label               ? QString::fromStdString(*label)
@@ -162,11 +163,11 @@ void SessionSafety::sayWhatIsKept() {
   else if (kept.ofThis.empty())
     say(tr("Your work on %1 is kept.").arg(left), opening(tr("Bring back"), kept.left));
   else if (kept.left.empty())
-    say(tr("Your earlier work on this volume (%1) is kept.").arg(timeText(kept.ofThis)),
+    say(tr("Your earlier work on this volume (%1) is kept.").arg(momentText(timeOf(kept.ofThis))),
         opening(tr("Continue"), kept.ofThis));
   else
     say(tr("Your earlier work on this volume (%1) is kept, and so is your work on %2.")
-            .arg(timeText(kept.ofThis), left),
+            .arg(momentText(timeOf(kept.ofThis)), left),
         opening(tr("Continue"), kept.ofThis), opening(tr("Bring back the other"), kept.left));
 }
 
@@ -201,7 +202,13 @@ void SessionSafety::tellUnfinished() {
   // One offer at a time: what a crash left behind goes before what was closed.
   const bool isOffered = m_keeper && m_keeper->abandoned();
   const auto kept = m_keeper && !isOffered ? m_keeper->kept() : std::vector<std::filesystem::path>();
-  m_context.view.emptyPanel().setUnfinished(kept.empty() ? QString() : described(kept.front()));
+  EmptyPanel& page = m_context.view.emptyPanel();
+  if (kept.empty())
+    return page.setUnfinished({});
+  // Saving a session to a file counts as opening it.
+  const QList<RecentSource> recent = m_context.settings.recentSources();
+  page.setUnfinished(described(kept.front()),
+                     recent.isEmpty() || timeOf(kept.front()) > recent.front().openedAt());
 }
 
 void SessionSafety::continueLast() {

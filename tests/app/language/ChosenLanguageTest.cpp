@@ -18,6 +18,7 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -282,6 +283,58 @@ TEST_F(ChosenLanguage, waitsWhileAPictureIsOfferedToBeSavedElsewhere) {
   ASSERT_TRUE(saving.unwritten().isEmpty());
   ASSERT_TRUE(isReplaced(replaced));
   EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
+}
+
+// What is half drawn would be gone with the window.
+TEST_F(ChosenLanguage, waitsUntilAMeasurementOrALineIsFinishedOrGivenUp) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(waitUntil([this] { return window().view().pictureState().resting; }));
+  const auto click = [this](const QPoint& fromMiddle) {
+    CompareView& view = window().view();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.logicalRect(0).center().toPoint() + fromMiddle);
+  };
+  window().view().setTool(ViewTool::distance);
+  click({-20, 0});
+  ASSERT_EQ(window().view().order().comparison.measures.size(), 1U);
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  choose("Language", Qt::Key_Down);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(replaced.count(), 0);
+  click({25, 10});
+  ASSERT_TRUE(isReplaced(replaced));
+  ASSERT_EQ(session().measurements().size(), 1U);
+  EXPECT_EQ(session().measurements().front().placesMm.size(), 2U);
+
+  window().view().setTool(ViewTool::scissors);
+  for (const QPoint& corner : {QPoint(-30, 0), QPoint(0, 30), QPoint(30, 0)})
+    click(corner);
+  ASSERT_TRUE(window().view().input().cutLine());
+  choose("Sprache", Qt::Key_Up);
+  replaced.clear();
+  QCoreApplication::processEvents();
+  ASSERT_EQ(replaced.count(), 0);
+  QTest::keyClick(&window().view(), Qt::Key_Escape);
+  ASSERT_TRUE(isReplaced(replaced));
+  EXPECT_EQ(firstMenu(), QStringLiteral("&File"));
+  EXPECT_EQ(window().view().tool(), ViewTool::scissors);
+}
+
+TEST_F(ChosenLanguage, keepsWhatWasSaidAsLongAsItIsTrue) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  const auto save = [this](const std::filesystem::path& file) {
+    window().findChild<SavingController*>()->writeSession(QString::fromStdString(file.string()));
+  };
+  const auto bar = [this] { return window().findChild<MessageBar*>(QStringLiteral("messageBar")); };
+  save(folder.path() / "gone" / "mine.limn.json");
+  ASSERT_TRUE(bar()->isError());
+  const QString said = bar()->sentence();
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  choose("Language", Qt::Key_Down);
+  ASSERT_TRUE(isReplaced(replaced));
+  EXPECT_TRUE(bar()->isError() && bar()->isVisible());
+  EXPECT_EQ(bar()->sentence(), said);
+  save(folder.path() / "mine.limn.json");
+  EXPECT_FALSE(bar()->isWanted());
 }
 
 TEST_F(ChosenLanguage, comesOnceADragHasEnded) {

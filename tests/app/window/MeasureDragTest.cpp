@@ -117,6 +117,27 @@ TEST_F(MeasureDrag, isTakenBackByEscAndTheToolStays) {
   EXPECT_EQ(view().tool(), ViewTool::distance);
 }
 
+TEST_F(MeasureDrag, isFaintOnceItsTissueIsCroppedOrCutAway) {
+  press(Qt::Key_D);
+  drag(inPicture({-20, 0}), inPicture({25, 10}));
+  ASSERT_EQ(measurements().size(), 1u);
+  const auto isFaint = [this] { return seen().front().isHidden[0]; };
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(isFaint());
+  CropBox behind;
+  behind.lower.y = 0.5;
+  session().setCrop(behind, {nextGestureId(), QStringLiteral("crop")});
+  EXPECT_TRUE(test::waitUntil([&] { return isFaint(); })) << "its place lies in front";
+  undo().undo();
+  EXPECT_TRUE(test::waitUntil([&] { return !isFaint(); }));
+  press(Qt::Key_X);
+  for (const QPoint& corner : {QPoint(-60, -60), QPoint(60, -60), QPoint(60, 60), QPoint(-60, 60)})
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, inPicture(corner));
+  press(Qt::Key_Return);
+  EXPECT_TRUE(test::waitUntil([&] { return isFaint(); }));
+  EXPECT_EQ(scene().keep.cuts.size(), 1u);
+}
+
 TEST_F(MeasureDrag, thatEndsBesideThePictureOrWhereItBeganMeasuresNothing) {
   press(Qt::Key_D);
   hold(inPicture({-20, 0}), inPicture({25, 10}));

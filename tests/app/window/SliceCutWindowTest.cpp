@@ -436,5 +436,44 @@ TEST_F(SliceCutWindow, aDistanceOfASliceStandsInThePictureAndIsLedInTheSlice) {
   EXPECT_TRUE(seen.front().isOpen) << "what is seen along a ray lies elsewhere";
 }
 
+// The bar, which says it before, is out of the way then.
+TEST_F(SliceCutWindow, cornersSayHowTheirLineIsClosed) {
+  const auto isTold = [this] { return said().contains(QStringLiteral("double click closes the line")); };
+  press(view(), Qt::Key_X);
+  EXPECT_FALSE(isTold());
+  const QPoint middle = view().logicalRect(0).center().toPoint();
+  const auto clickPicture = [&](const QPoint& fromMiddle) {
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, middle + fromMiddle);
+  };
+  clickPicture({-30, -30});
+  clickPicture({30, -30});
+  EXPECT_TRUE(isTold());
+  press(view(), Qt::Key_Escape);
+  EXPECT_FALSE(isTold());
+  clickPicture({-30, -30});
+  clickPicture({30, -30});
+  clickPicture({0, 30});
+  EXPECT_TRUE(isTold());
+  QTest::mouseDClick(&view(), Qt::LeftButton, {}, middle + QPoint(0, 30));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle + QPoint(0, 30));
+  EXPECT_FALSE(isTold());
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(cuts().size(), 1u);
+
+  const glm::dvec3 place = crosshairOf(axial().content());
+  const PlaneAxes axes = axesOf(PatientPlane::axial);
+  const auto clickSlice = [&](double right, double down) {
+    click(axial(), place + 20.0 * (right * axes.right + down * axes.down));
+  };
+  clickSlice(-1, -1);
+  clickSlice(1, -1);
+  EXPECT_TRUE(isTold());
+  clickSlice(0, 1);
+  press(axial(), Qt::Key_Return);
+  EXPECT_FALSE(isTold());
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(cuts().size(), 2u);
+}
+
 } // namespace
 } // namespace limn

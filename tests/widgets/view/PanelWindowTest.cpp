@@ -63,6 +63,9 @@ TEST(Panels, enterDoesWhatIsLikeliestWhereverThePointerIs) {
   EXPECT_TRUE(buttonNamed(host, "continue")->hasFocus());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   EXPECT_EQ(goingOn.count(), 1);
+  panel.setUnfinished(QStringLiteral("Head & neck, 3.4.26 14:03"), false);
+  EXPECT_TRUE(buttonNamed(host, "openFolder")->hasFocus() && buttonNamed(host, "openFolder")->isDefault());
+  EXPECT_TRUE(buttonNamed(host, "continue")->isVisible() && !buttonNamed(host, "continue")->isDefault());
   panel.setUnfinished({});
   EXPECT_TRUE(buttonNamed(host, "openFolder")->hasFocus());
 }

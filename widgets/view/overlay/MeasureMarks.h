@@ -26,7 +26,7 @@ struct MeasureShape {
   QString text;                ///< empty: none stands beside it
   bool isInHand = false;
   bool isOpen = false;   ///< nothing of it can be taken: it is being measured, or is led elsewhere
-  bool isHidden = false; ///< it lies behind what is seen, and its lines are drawn faintly
+  bool isHidden = false; ///< behind what is seen, or in what is cut away: its lines are drawn faintly
 };
 
 /// With the place of its text: beside an end and clear of what was measured, with a thin leader.

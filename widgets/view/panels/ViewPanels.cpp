@@ -168,18 +168,23 @@ EmptyPanel::EmptyPanel(QWidget* parent)
   setUnfinished({});
 }
 
-void EmptyPanel::setUnfinished(const QString& text) {
+void EmptyPanel::setUnfinished(const QString& text, bool isLatest) {
   const bool hadFocus = likeliest() == window()->focusWidget();
+  m_isUnfinishedLatest = isLatest;
   m_continue->setVisible(!text.isEmpty());
   m_continue->setText(
-      tr("Continue where you left\n%1").arg(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&"))));
-  m_continue->setAccessibleName(tr("Continue where you left: %1").arg(text));
+      tr("Unsaved work:\n%1").arg(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&"))));
+  m_continue->setAccessibleName(tr("Unsaved work: %1").arg(text));
+  auto* column = static_cast<QBoxLayout*>(layout());
+  column->removeWidget(m_continue);
+  const int place = isLatest ? 1 : column->indexOf(m_recent) + 1;
+  column->insertWidget(place, m_continue, 0, Qt::AlignHCenter);
   showLikeliest(hadFocus);
   fit();
 }
 
 QPushButton* EmptyPanel::likeliest() const {
-  return m_continue->isHidden() ? m_folder : m_continue;
+  return m_continue->isHidden() || !m_isUnfinishedLatest ? m_folder : m_continue;
 }
 
 void EmptyPanel::showLikeliest(bool takesFocus) {

@@ -42,8 +42,9 @@ public:
   /// Latest first; the first few are offered.
   void setRecentSources(const QStringList& texts);
 
-  /// What was left with unsaved changes, as a few words; empty: nothing.
-  void setUnfinished(const QString& text);
+  /// What was left with unsaved changes, as a few words; empty: nothing. The keyboard stands on it where it
+  /// `isLatest`, newer than all that was opened before; else it stands below that.
+  void setUnfinished(const QString& text, bool isLatest = true);
 
   /// What it offers stands above this, which may lie over its lower edge, as long as that is seen.
   void keepClearOf(QWidget& cover);
@@ -78,6 +79,7 @@ private:
   QLabel* m_formats = nullptr;
   QWidget* m_recent = nullptr;
   std::vector<QPointer<QWidget>> m_covers;
+  bool m_isUnfinishedLatest = true;
   bool m_hasRecent = false;
   bool m_hasArrow = true;
 };

@@ -408,8 +408,7 @@ TEST_F(SessionWindow, whatWasLeftUnsavedIsOneKeyAwayOnTheEmptyPage) {
   window->activateWindow();
   offered = window->findChild<QPushButton*>(QStringLiteral("continue"));
   ASSERT_TRUE(offered->isVisible());
-  EXPECT_TRUE(offered->text().startsWith(QStringLiteral("Continue where you left\n")))
-      << offered->text().toStdString();
+  EXPECT_TRUE(offered->text().startsWith(QStringLiteral("Unsaved work:\n"))) << offered->text().toStdString();
   ASSERT_TRUE(test::waitUntil([&] { return offered->hasFocus(); }));
   QTest::keyClick(offered, Qt::Key_Return);
   ASSERT_TRUE(test::waitUntil([&] { return scene().volume != nullptr; }));

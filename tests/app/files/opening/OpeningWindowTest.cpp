@@ -7,6 +7,7 @@
 #include "support/ShortVolume.h"
 
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTreeView>
 
 // What the window remembers of what was opened, and where it looks and asks for it, in the window.
@@ -360,6 +361,43 @@ TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {
   ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
   ASSERT_TRUE(scene().volume);
   EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+}
+
+TEST_F(OpeningWindow, olderUnsavedWorkStandsBehindWhatWasSavedLast) {
+  const auto button = [this](const char* name) {
+    return window->findChild<QPushButton*>(QLatin1String(name));
+  };
+  const auto startAgain = [this] {
+    window->close();
+    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    window->resize(1280, 800);
+    window->show();
+    window->keepSessions();
+    QCoreApplication::processEvents();
+  };
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  ASSERT_TRUE(open(QStringLiteral("phantom:6"))); // the one before is kept
+  dragAPoint();
+  saving().writeSession(pathTo("mine.limn.json"));
+  startAgain();
+  const QPushButton* unsaved = button("continue");
+  const QPushButton* recent = button("recent");
+  ASSERT_TRUE(unsaved->isVisible() && recent && recent->isVisible());
+  static const QRegularExpression dated(QStringLiteral(R"(^Unsaved work:\n.+, \d+ \S+ \d{4}, \d\d:\d\d$)"));
+  EXPECT_TRUE(unsaved->text().contains(dated)) << unsaved->text().toStdString();
+  EXPECT_FALSE(unsaved->isDefault());
+  EXPECT_TRUE(button("openFolder")->isDefault());
+  EXPECT_TRUE(recent->text().startsWith(QStringLiteral("mine.limn.json"))) << recent->text().toStdString();
+  EXPECT_GT(unsaved->mapTo(window.get(), QPoint()).y(), recent->mapTo(window.get(), QPoint()).y());
+  // Opened and left again, it is the latest.
+  QTest::mouseClick(button("continue"), Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([this] { return scene().volume && !window->loader().isLoading(); }));
+  startAgain();
+  ASSERT_TRUE(button("continue")->isVisible());
+  EXPECT_TRUE(button("continue")->isDefault());
+  EXPECT_FALSE(button("openFolder")->isDefault());
 }
 
 // An offer to restore what a crash left waits until that is read.
