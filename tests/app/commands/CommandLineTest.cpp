@@ -89,7 +89,8 @@ TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
 // The volume may be elsewhere.
 TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
   const std::string picture = file("a.png").string();
-  const std::string render = "render phantom:8 --size 32x24 --preset \"CT bone\" --light headlight --view left ";
+  const std::string render =
+      "render phantom:8 --size 32x24 --preset \"CT bone\" --light headlight --view left ";
   ASSERT_EQ(run(render + "--model robust --tolerance 4 -o " + picture).status, 0);
   nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
   const std::string statement = scene["accuracy"]["statement"].get<std::string>();
