@@ -70,7 +70,7 @@ private:
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;
   std::vector<std::uint8_t> m_keptLine; ///< of the picture: where it runs; empty where there is none
-  Region m_looked;      ///< of whose labels the looks were read
+  Region m_looked;                      ///< of whose labels the looks were read
   PlaneLooks m_looks;   ///< of the content, or of the label alone of whose curve a point lights up
   OnPlane m_labels;     ///< of a segmentation
   ShownColors m_colors; ///< of its labels
