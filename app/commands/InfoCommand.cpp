@@ -3,14 +3,17 @@
 
 #include "app/commands/Arguments.h"
 #include "app/core/drawing/ProcessCost.h"
+#include "app/core/sources/BuiltInPresets.h"
 #include "app/document/Settings.h"
 #include "cpu/CpuRenderer.h"
 #include "gl/DriverHealth.h"
 #include "gl/HeadlessContext.h"
 #include "glsl/programs/FilterBits.h"
+#include "io/ImageFile.h"
 #include "io/reports/ReportJson.h"
 #include "raycaster/RayCaster.h"
 #include "scene/basics/Error.h"
+#include "scene/light/LightPresets.h"
 #include "scene/light/ModulusSearch.h"
 #include "scene/volume/Phantom.h"
 
@@ -18,6 +21,7 @@
 #include <QSysInfo>
 #include <QtGlobal>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -42,6 +46,81 @@ std::string rescaleText(const Rescale& rescale) {
     std::snprintf(offset, sizeof offset, " %c %.6g", rescale.intercept < 0.0 ? '-' : '+',
                   std::abs(rescale.intercept));
   return std::string(factor) + "stored" + offset;
+}
+
+// As its list calls it.
+std::string curveName(const SceneDocument& document) {
+  for (const Preset& preset : builtInPresets())
+    if (preset.transferFunction == document.scene.transferFunction)
+      return "preset \"" + preset.name + "\"";
+  return document.hasTransferFunction ? "of its own" : "left to the program";
+}
+
+// "from anterior and left": the directions to which the view leans by a sixteenth of a turn at least.
+std::string viewName(const SceneDocument& document) {
+  constexpr double leastShare = 0.38; // sin 22.5°
+  const glm::dvec3 from = -basisOf(document.scene.camera).forward;
+  std::string name = document.hasCamera ? "from" : "left to the program";
+  for (const auto& [share, side] :
+       {std::pair(-from.y, "anterior"), std::pair(from.y, "posterior"), std::pair(from.x, "left"),
+        std::pair(-from.x, "right"), std::pair(from.z, "superior"), std::pair(-from.z, "inferior")})
+    if (document.hasCamera && share > leastShare)
+      name += (name == "from" ? " " : " and ") + std::string(side);
+  return name;
+}
+
+void addScene(CarriedFacts& facts, const SceneDocument& document) {
+  const auto add = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  };
+  const Shading& shading = document.scene.shading;
+  const std::optional<LightPreset> light = lightPresetOf(shading);
+  const bool areTwo = document.sides && pictureCount(document.sides->layout) == 2;
+  add(facts.curves, curveName(document));
+  add(facts.models, nameOf(areTwo ? document.sides->left : shading.model));
+  add(facts.models, nameOf(areTwo ? document.sides->right : shading.model));
+  add(facts.lights, light ? nameOf(*light) : "of its own");
+  add(facts.views, viewName(document));
+  add(facts.volumes, document.volume);
+}
+
+// What a picture says of itself, which needs no volume; nothing of any other source.
+std::optional<CarriedFacts> carriedFacts(const std::string& source) {
+  const std::string text = carriedBy(source);
+  if (text.empty())
+    return std::nullopt;
+  const std::string name = std::filesystem::path(source).filename().string();
+  CarriedFacts facts;
+  facts.size = readImageSize(source);
+  if (looksLikeFigure(text)) {
+    for (const FigurePanelDocument& panel : parseFigure(text, name).panels)
+      addScene(facts, panel.scene);
+    return facts;
+  }
+  addScene(facts, parseScene(text, name));
+  if (const std::optional<PictureAccuracy> accuracy = accuracyIn(text, name)) {
+    facts.withinLevels = accuracy->levels;
+    facts.statement = accuracy->sentence;
+  }
+  return facts;
+}
+
+void printText(const CarriedFacts& facts) {
+  const auto line = [](const char* what, const std::vector<std::string>& told) {
+    std::printf("%-12s", what);
+    for (std::size_t n = 0; n < told.size(); ++n)
+      std::printf("%s%s", n > 0 ? ", " : "", told[n].c_str());
+    std::printf("\n");
+  };
+  if (facts.size)
+    std::printf("picture     %d x %d pixels\n", facts.size->x, facts.size->y);
+  line("curve", facts.curves);
+  line("model", facts.models);
+  line("light", facts.lights);
+  line("view", facts.views);
+  line("accuracy", {facts.statement.empty() ? "not stated" : facts.statement});
+  line("volume", facts.volumes);
 }
 
 void printText(const VolumeFacts& facts) {
@@ -135,6 +214,14 @@ void runInfo(const InfoArguments& arguments) {
   }
   if (arguments.source.source.empty())
     throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
+  const std::optional<CarriedFacts> picture = carriedFacts(arguments.source.source);
+  if (picture && !arguments.json)
+    printText(*picture);
+  if (picture && arguments.source.volume.empty()) {
+    if (arguments.json)
+      std::cout << carriedJson(*picture);
+    return;
+  }
   VolumeFacts facts;
   const Progress progress = terminalProgress(arguments.source.quiet);
   const LoadedScene loaded = loadScene(arguments.source, progress);
@@ -146,7 +233,7 @@ void runInfo(const InfoArguments& arguments) {
   facts.gradientPercentile = gradients.percentile;
   requireWhole(loaded.volumePath, *facts.volume);
   if (arguments.json)
-    std::cout << volumeJson(facts);
+    std::cout << volumeJson(facts, picture);
   else
     printText(facts);
 }
@@ -155,9 +242,10 @@ void runInfo(const InfoArguments& arguments) {
 
 void addInfoCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<InfoArguments>();
-  CommandSyntax command = root.command("info", "what a volume is: grid, values, gradients, series, warnings");
+  CommandSyntax command = root.command(
+      "info", "what a volume is: grid, values, gradients, series, warnings; or what a picture carries");
   addSourceArguments(command, arguments->source,
-                     "volume, DICOM folder, scene, `sample` or `phantom:SPACING`");
+                     "volume, DICOM folder, scene, picture, `sample` or `phantom:SPACING`");
   command.added("SOURCE").required(false);
   command.flag("--json", arguments->json, "one JSON object on stdout");
   command.flag("--system", arguments->system,

@@ -351,12 +351,14 @@ void AccuracyController::showOnScreen(const PictureState& state) {
   if (!state.resting || index >= state.sides.size())
     return m_panel.setOnScreen(std::nullopt);
   const Scene scene = m_context.view.sceneOfSide(measuredSide());
-  PictureState alone = state; // of two pictures the status bar tells the worse
+  PictureState alone = state; // of two pictures the status bar tells the worse, and which that is
   alone.sides = {state.sides[index]};
   // What was measured the panel knows itself.
   const bool isTold = levelsOf(state.sides[index]) && !tellsMeasured(state.sides[index]);
+  const QString told = isTold ? pictureStatusText(alone, scene).estimate : QString();
   m_panel.setOnScreen(qualityShown(scene.quality, state.sides[index]),
-                      isTold ? pictureStatusText(alone, scene).estimate : QString());
+                      isTold && index > 0 ? tr("at the right %1", "how far a picture is off").arg(told)
+                                          : told);
 }
 
 // While something is measured the pictures at rest do not refine: each would slow the other down.

@@ -349,8 +349,9 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
     labels.cuts = m_context.session.scene().keep.cuts;
     setKeep(labels, {nextGestureId(), tr("labels of before")});
   };
-  say(tr("The labels of %1 took the place of those of %2.")
-          .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume)),
+  const QString gaveWay = tr("The labels of %1 took the place of those of %2.")
+                              .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume));
+  say(found.covered.empty() ? gaveWay : gaveWay + QLatin1Char(' ') + translated(found.covered),
       found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
       {tr("Bring those back"), bringBack});
 }

@@ -131,10 +131,10 @@ void writeBytes(const fs::path& path, const BytePicture& picture, const std::str
                          picture.hasAlpha, picture.dotsPerInch});
 }
 
-std::string readImageDescription(const fs::path& path) {
-  if (isPdf(path))
-    return readPdfDescription(path);
-  const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
+namespace {
+
+StoredPicture openedPicture(const fs::path& path) {
+  std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
   if (!picture) {
     std::error_code problem;
     const bool isThere = fs::exists(path, problem);
@@ -144,7 +144,20 @@ std::string readImageDescription(const fs::path& path) {
                                      : Message::tr("it is no picture, or a damaged one");
     failReading(path, reason, Message::tr("choose a PNG, TIFF, JPEG or EXR picture"));
   }
-  return picture->description;
+  return std::move(*picture);
+}
+
+} // namespace
+
+std::string readImageDescription(const fs::path& path) {
+  return isPdf(path) ? readPdfDescription(path) : openedPicture(path).description;
+}
+
+std::optional<glm::ivec2> readImageSize(const fs::path& path) {
+  if (isPdf(path))
+    return std::nullopt;
+  const StoredPicture picture = openedPicture(path);
+  return glm::ivec2(picture.width, picture.height);
 }
 
 BytePicture readBytes(const fs::path& path) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ void writeBytes(const std::filesystem::path& path, const BytePicture& picture,
 /// Reads the image description of a picture, or what a PDF carries in its place (PdfDescription.h); empty
 /// where there is none. Throws Error where it cannot be read.
 std::string readImageDescription(const std::filesystem::path& path);
+
+/// How many pixels a picture has each way; nothing of a PDF. Throws Error (input) where it cannot be read.
+std::optional<glm::ivec2> readImageSize(const std::filesystem::path& path);
 
 /// The pixels of a picture of 8 bits in three or four channels, as RGB; alpha is left out. Throws Error
 /// (input) where it is none, or damaged.

@@ -290,6 +290,8 @@ void MasksOnGrid::add(const Volume& mask, const Label& label, const Effort& effo
 
 void MasksOnGrid::noteOverlap(std::size_t loser, std::size_t winner, std::size_t voxels) {
   m_overlapping += voxels;
+  if (voxels > 0)
+    m_takers[loser].push_back(winner);
   if (voxels > (m_largest ? m_largest->voxels : 0))
     m_largest = Overlap{m_labels[loser].name, m_labels[winner].name, voxels};
 }
@@ -328,6 +330,16 @@ void MasksOnGrid::add(const LabelMap& masks, const std::vector<std::optional<Lab
       sums[pair] += voxels;
   for (const auto& [pair, voxels] : sums)
     noteOverlap(pair.first, pair.second, voxels);
+}
+
+std::vector<MasksOnGrid::Covered> MasksOnGrid::coveredIn(const LabelMap& finished) const {
+  const std::vector<Label>& labels = finished.labels();
+  std::vector<Covered> covered;
+  for (const auto& [place, takers] : m_takers)
+    if (const VoxelBox& box = finished.boxAround(place); box.lower == box.upper)
+      covered.push_back(
+          {labels[place].name, takers.size() == 1 ? labels[takers.front()].name : std::string()});
+  return covered;
 }
 
 std::shared_ptr<const LabelMap> MasksOnGrid::finished() {

@@ -5,8 +5,11 @@
 #include "scene/volume/Volume.h"
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace limn {
 
@@ -51,6 +54,13 @@ public:
   const std::optional<Overlap>& largestOverlap() const { return m_largest; }
   std::size_t overlapping() const { return m_overlapping; }
 
+  /// A label that later ones took voxels from until none was left, and which: empty where several did.
+  struct Covered {
+    std::string label, by;
+  };
+  /// Of the map that was finished, in its order.
+  std::vector<Covered> coveredIn(const LabelMap& finished) const;
+
   /// What has become of them, the background first; of use once.
   std::shared_ptr<const LabelMap> finished();
 
@@ -60,6 +70,7 @@ private:
   Grid m_grid;
   LabelMap::Places m_places;
   std::vector<Label> m_labels;
+  std::map<std::size_t, std::vector<std::size_t>> m_takers; ///< of the places that lost voxels
   std::optional<Overlap> m_largest;
   std::size_t m_overlapping = 0;
 };

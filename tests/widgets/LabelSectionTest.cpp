@@ -93,6 +93,16 @@ TEST_F(LabelSectionTest, restingOnALabelTellsItsSizeAndValues) {
   EXPECT_FALSE(tip(1).contains(QStringLiteral("ml")));
 }
 
+TEST_F(LabelSectionTest, aLabelWithoutAVoxelIsDimAndSaysThatThereIsNothingToShow) {
+  const QString nothing = QStringLiteral("It has no voxels of its own, so there is nothing to show");
+  EXPECT_FALSE(at(0, 0, Qt::ToolTipRole).toString().contains(nothing));
+  EXPECT_FALSE(at(0, 0, Qt::ForegroundRole).isValid());
+  EXPECT_TRUE(at(1, 0, Qt::ToolTipRole).toString().contains(nothing));
+  for (int column = 0; column < model().columnCount(); ++column)
+    EXPECT_EQ(at(1, column, Qt::ForegroundRole).value<QBrush>().color(),
+              QApplication::palette().color(QPalette::PlaceholderText));
+}
+
 TEST(LabelGroups, areLabelsWhoseNamesBeginWithTheSameWord) {
   const auto groups = [](const std::vector<const char*>& names) {
     std::vector<LabelKind> all;

@@ -83,6 +83,15 @@ bool isBeaten(const OperatingPoint& point, const std::vector<OperatingPoint>& st
   });
 }
 
+// "2", "2 or 1", "2, 1 or 1/8".
+QString listed(QStringList names) {
+  if (names.size() < 2)
+    return names.join(QString());
+  const QString last = names.takeLast();
+  return DialSection::tr("%1 or %2", "a list, and the last of it")
+      .arg(names.join(QStringLiteral(", ")), last);
+}
+
 QLabel* endLabel(const QString& text) {
   auto* label = new QLabel(text);
   label->setForegroundRole(QPalette::PlaceholderText);
@@ -175,13 +184,13 @@ QString DialSection::noteFor(const Scene& scene, const MeasuredAccuracy* measure
   if (!averaged.isEmpty())
     parts
         << (averaged.size() == steps
-                ? tr("With every step thin tissue between two samples is counted in, too (curve averaged); "
-                     "the chart also has each step without that.")
-                : tr("With these steps thin tissue between two samples is counted in, too (curve averaged): "
-                     "%1. The chart has each step with and without that.")
-                      .arg(averaged.join(QStringLiteral(", "))));
+                ? tr("Tissue that is thinner than a step is not missed (\"curve averaged\" in the chart).")
+                : tr("Tissue that is thinner than a step is not missed with a step of %1 (\"curve averaged\" "
+                     "in the chart).")
+                      .arg(listed(averaged)));
   if (!beaten.isEmpty())
-    parts << tr("Slower and farther off than another position: %1.").arg(beaten.join(QStringLiteral(", ")));
+    parts << tr("Rather than %1 choose a position that is both faster and closer to the exact picture.")
+                 .arg(listed(beaten));
   if (measured && steps > 0)
     parts << tr("Levels and times of the steps are those of the picture before it is refined.");
   const bool refines = !scene.quality.toleranceLevels && !m_points.empty();

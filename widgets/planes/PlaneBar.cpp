@@ -222,6 +222,7 @@ QToolButton* PlaneBar::makeMoreButton() {
   more->setText(tr("More"));
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
+  menu->setToolTipsVisible(true);
   more->setMenu(menu);
   looksIdleAfterMenu(*more);
   const auto addSwitch = [&](const char* name, const QString& text, const auto& change) {
@@ -238,6 +239,8 @@ QToolButton* PlaneBar::makeMoreButton() {
       });
   QAction* outline = addSwitch("plane-outline", tr("Outline labels, kept region and crop box"),
                                [](PlaneSettings& s, bool on) { s.outlinesRegion = on; });
+  outline->setToolTip(tr("Labels in their own colours, what is kept in orange, and the crop box in dashed "
+                         "white."));
   menu->addSeparator();
   menu->addAction(tr("Crosshair to the middle"), this,
                   [this] { edit([](PlaneSettings& s) { s.crosshairMm.reset(); }); });

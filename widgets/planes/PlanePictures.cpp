@@ -108,16 +108,31 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
                                     looksOf(content, plane), content.emphasisedLabel ? 1u : 0u})
           : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
-  paintLabelsOver(pixels, content, plane, outlinePixels);
-  if (weighs && content.settings.outlinesRegion) {
-    const std::vector<std::uint8_t> edge = outlineOf(m_weights, outlinePixels);
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-      if (edge[i])
-        pixels[i] = outlineColor;
-  }
+  m_keptLine.clear();
+  if (weighs && content.settings.outlinesRegion)
+    paintKeptLine(pixels, outlinePixels);
+  paintLabelsOver(pixels, content, plane, outlinePixels); // whose lines are seen where both run
   m_picture = imageOf(pixels, plane.size);
   m_painted = painted;
   return m_picture;
+}
+
+void PlanePictures::paintKeptLine(std::vector<std::uint32_t>& pixels, int outlinePixels) {
+  m_keptLine = outlineOf(m_weights, outlinePixels);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (m_keptLine[i])
+      pixels[i] = outlineColor;
+}
+
+bool PlanePictures::hasKeptLineNear(const glm::ivec2& pixel, int within) const {
+  const glm::ivec2 size(m_picture.width(), m_picture.height());
+  const glm::ivec2 first = glm::max(pixel - within, glm::ivec2(0));
+  const glm::ivec2 last = glm::min(pixel + within, size - 1);
+  for (int y = first.y; y <= last.y && !m_keptLine.empty(); ++y)
+    for (int x = first.x; x <= last.x; ++x)
+      if (m_keptLine[static_cast<std::size_t>(y) * size.x + x])
+        return true;
+  return false;
 }
 
 const PlanePlaces& PlanePictures::placesIn(OnPlane& known, const std::shared_ptr<const LabelMap>& map,

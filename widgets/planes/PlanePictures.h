@@ -27,9 +27,12 @@ PlaneReading readingOf(const PlaneContent& content, const PlaneGrid& plane);
 class PlanePictures {
 public:
   /// The slice on a plane: grey, tinted and outlined as the content's settings ask, with labels in their
-  /// colours and what is lit above them, transparent outside of the volume; outlines are so many pixels
-  /// thick. There is a volume.
+  /// colours above the line around what is kept, and what is lit above them, transparent outside of the
+  /// volume; outlines are so many pixels thick. There is a volume.
   const QImage& picture(const PlaneContent& content, const PlaneGrid& plane, int outlinePixels = 1);
+
+  /// Whether the line around what is kept was painted within so many pixels of one of the last picture.
+  bool hasKeptLineNear(const glm::ivec2& pixel, int within) const;
 
   /// How many pixels each way had better be read as one (`coarser`) so that it takes at most `mostMs`, judged
   /// by how long the last reading took: 1 where all can be, where nothing of the kind was read yet, and where
@@ -55,6 +58,7 @@ private:
 
   void keep(const PlaneReading& read, PlaneImage values, double ms);
   void weigh(const PlaneContent& content, const PlaneGrid& plane);
+  void paintKeptLine(std::vector<std::uint32_t>& pixels, int outlinePixels);
   static const PlanePlaces& placesIn(OnPlane& known, const std::shared_ptr<const LabelMap>& map,
                                      const PlaneContent& content, const PlaneGrid& plane);
   void paintLabelsOver(std::vector<std::uint32_t>& pixels, const PlaneContent& content,
@@ -65,7 +69,8 @@ private:
   PlaneImage m_values;
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;
-  Region m_looked;      ///< of whose labels the looks were read
+  std::vector<std::uint8_t> m_keptLine; ///< of the picture: where it runs; empty where there is none
+  Region m_looked;                      ///< of whose labels the looks were read
   PlaneLooks m_looks;   ///< of the content, or of the label alone of whose curve a point lights up
   OnPlane m_labels;     ///< of a segmentation
   ShownColors m_colors; ///< of its labels

@@ -139,8 +139,20 @@ bool PlaneView::event(QEvent* event) {
     return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const PlaneOverlay overlay = planeOverlay(m_content, m_plane, frame(), size(), font());
-  QToolTip::showText(help->globalPos(), planeToolTip(overlay, m_content, help->pos()), this);
+  QString tip = planeToolTip(overlay, m_content, help->pos());
+  if (tip.isEmpty() && isOnKeptLine(help->pos()))
+    tip = tr("<p>The edge of what is kept, an orange line where no label's own runs: what lies beyond it is "
+             "hidden or faded in the picture.</p>");
+  QToolTip::showText(help->globalPos(), tip, this);
   return true;
+}
+
+// As near as the pointer is exact; the picture may be a coarser one.
+bool PlaneView::isOnKeptLine(const QPoint& point) const {
+  const PlaneFrame shown = frame();
+  const double scale = shown.pixelRatio / m_pictures.coarseness(m_content, shown.grid, mostMovingMs);
+  const glm::ivec2 pixel(scale * (point.x() + 0.5), scale * (point.y() + 0.5));
+  return m_pictures.hasKeptLineNear(pixel, static_cast<int>(std::lround(2.0 * scale)));
 }
 
 void PlaneView::paintEvent(QPaintEvent*) {

@@ -100,6 +100,7 @@ private:
   void look();
   void readAllPixels();
   void describe();
+  bool isOnKeptLine(const QPoint& point) const;
 
   PatientPlane m_plane;
   PlaneContent m_content;

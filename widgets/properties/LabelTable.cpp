@@ -113,9 +113,18 @@ QVariant LabelTable::data(const QModelIndex& index, int role) const {
   if (!index.isValid())
     return {};
   const auto place = static_cast<std::size_t>(index.row());
+  if (role == Qt::ForegroundRole)
+    return hasVoxels(place) ? QVariant() : QVariant(QApplication::palette().brush(QPalette::PlaceholderText));
   return index.column() == nameColumn     ? nameData(place, role)
          : index.column() == weightColumn ? weightData(place, role)
                                           : curveData(place, role);
+}
+
+// Before anything was cut, as its size is told.
+bool LabelTable::hasVoxels(std::size_t place) const {
+  const LabelMap& map = m_region.isCut && m_region.uncut ? *m_region.uncut : *m_region.labels;
+  const VoxelBox& box = map.boxAround(place);
+  return box.lower != box.upper;
 }
 
 QVariant LabelTable::nameData(std::size_t place, int role) const {
@@ -137,6 +146,9 @@ QVariant LabelTable::nameData(std::size_t place, int role) const {
               "square gives it a colour.")
                .arg(QString::fromStdString(label.name))
                .arg(label.value) +
+           (hasVoxels(place) ? QString()
+                             : QLatin1Char('\n') + tr("It has no voxels of its own, so there is nothing to "
+                                                      "show: labels read after it cover it.")) +
            (m_volume && place < m_figures.size()
                 ? QLatin1Char('\n') + figuresText(m_figures[place], *m_volume)
                 : QString());

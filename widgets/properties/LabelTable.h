@@ -14,8 +14,8 @@
 namespace limn {
 
 /// The labels of a region as rows: colour and name with a mark (shown, hidden, or between), the weight in
-/// percent, and whether the label has a curve of its own. Edits change nothing here: they are asked for, and
-/// the answer comes by setScene.
+/// percent, and whether the label has a curve of its own; dim where it has no voxel to show. Edits change
+/// nothing here: they are asked for, and the answer comes by setScene.
 class LabelTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -62,6 +62,7 @@ signals:
 
 private:
   bool setCurve(std::size_t place, bool isOwn);
+  bool hasVoxels(std::size_t place) const;
   QVariant nameData(std::size_t place, int role) const;
   QVariant weightData(std::size_t place, int role) const;
   QVariant curveData(std::size_t place, int role) const;

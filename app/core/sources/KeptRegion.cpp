@@ -77,10 +77,11 @@ FoundRegion openedBeside(const Region& kept, const Segmentation& opened, const V
                          const Progress& progress) {
   const Region before = withoutCuts(kept);
   if (!isOfMasks(before) || !isOfMasks(opened.region))
-    return {opened.region, opened.remark};
+    return {opened.region, opened.remark, false, opened.covered};
   const Segmentation joined =
       joinedMasks(before, opened.region, gridOfFile(volume), progress, volume.info().patient, volume.room());
-  return {joined.region, opened.remark.followedBy(" ", joined.remark)};
+  return {joined.region, opened.remark.followedBy(" ", joined.remark), false,
+          opened.covered.followedBy(" ", joined.covered)};
 }
 
 bool replacesLabels(const Region& region, const Region& before) {
@@ -143,6 +144,7 @@ FoundRegion cutIn(const Volume& volume, const Region& region, const std::vector<
 FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vector<Cut>& cuts,
                   const Progress& progress) {
   FoundRegion cut = cutAnew(volume, found.region, cuts, false, progress);
+  cut.covered = found.covered;
   if (!found.remark.empty())
     cut.remark = found.remark;
   return cut;

@@ -16,6 +16,7 @@ struct FoundRegion {
   Region region;
   Message remark;
   bool takesNothing = false; ///< the last of its cuts, as the remark says
+  Message covered{};         ///< of labels that others left no voxel to; the remark has it, too
 };
 
 /// The body of a volume, asked for: everything where there is none. Throws Cancelled.

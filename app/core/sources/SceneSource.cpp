@@ -330,6 +330,12 @@ std::optional<std::filesystem::path> installedSampleHead() {
   return fs::exists(head) ? std::optional(head) : std::nullopt;
 }
 
+std::string carriedBy(const std::string& source) {
+  const std::string description = descriptionIn(source);
+  const bool isScene = description.find("\"limn_scene\"") != std::string::npos;
+  return isScene || looksLikeFigure(description) ? description : std::string();
+}
+
 std::string absoluteSource(const std::string& source) {
   if (source == "sample" || isPhantom(source))
     return source;

@@ -103,6 +103,10 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
 std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
                                        const Progress& progress);
 
+/// What a picture or figure that Limn wrote says of its scenes, as it stands in the file (FigureFile.h,
+/// SceneFile.h); empty of any other source. Throws Error.
+std::string carriedBy(const std::string& source);
+
 /// How a source is called from wherever: a path becomes absolute, what is built in (`sample`, `phantom:1`)
 /// keeps its name.
 std::string absoluteSource(const std::string& source);

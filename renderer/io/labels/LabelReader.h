@@ -14,6 +14,7 @@ namespace limn {
 struct Segmentation {
   Region region;
   Message remark;
+  Message covered{}; ///< which labels others left no voxel to; the remark begins with it
 };
 
 /// Labels as a volume on a grid of their own, and what the file and its name say of them.

@@ -90,6 +90,31 @@ Message overlapOf(std::size_t voxels, Order order) {
                            "and not to %3.");
 }
 
+// Of labels that stay in the list without a voxel; in one sentence, however many they are.
+Message coveredIn(const MasksOnGrid& masks, const LabelMap& finished) {
+  const std::vector<MasksOnGrid::Covered> covered = masks.coveredIn(finished);
+  if (covered.empty())
+    return {};
+  std::vector<std::string> names;
+  for (const MasksOnGrid::Covered& one : covered)
+    names.push_back(one.label);
+  const std::string& by = covered.front().by;
+  const bool isByOne = !by.empty() && std::ranges::all_of(covered, [&](const MasksOnGrid::Covered& one) {
+    return one.by == by;
+  });
+  if (covered.size() == 1)
+    return isByOne ? Message::tr("%1 has no voxels of its own: %2, read after it, covers them.")
+                         .arg(listOf(names), by)
+                   : Message::tr("%1 has no voxels of its own: masks read after it cover them.")
+                         .arg(listOf(names));
+  return isByOne ? Message::tr("%1 labels have no voxels of their own, because %2, read after them, covers "
+                               "them: %3.")
+                       .arg(names.size(), by, listOf(names))
+                 : Message::tr("%1 labels have no voxels of their own, because masks read after them cover "
+                               "them: %2.")
+                       .arg(names.size(), listOf(names));
+}
+
 Message overlapIn(const MasksOnGrid& masks, Order order) {
   const auto& largest = masks.largestOverlap();
   if (!largest)
@@ -195,10 +220,11 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
                 Message::tr("open the folder that the segmentation was written to"));
   const Message remark = leftOutOf(read.skipped).followedBy(" ", overlapIn(*read.masks, Order::byName));
   const Region region = regionOf(*read.masks, sourceOf(folder));
+  const Message covered = coveredIn(*read.masks, *region.labels);
   if (region.weights.size() == 1)
     failReading(folder, Message::tr("all of its masks are empty"),
                 Message::tr("open the segmentation of this volume"));
-  return {region, remark};
+  return {region, covered.followedBy(" ", remark), covered};
 }
 
 Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, const Progress& progress,
@@ -211,6 +237,7 @@ Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, con
                 Message::tr("open a file of several labels by itself"));
   const Message remark = leftOutOf(read.skipped).followedBy(" ", overlapIn(*read.masks, Order::asChosen));
   Region region = regionOf(*read.masks, sourceOf(read.files.front()));
+  const Message covered = coveredIn(*read.masks, *region.labels);
   if (region.weights.size() == 1)
     failReading(files.front(), Message::tr("it and the other masks that were chosen are empty"),
                 Message::tr("open the segmentation of this volume"));
@@ -218,7 +245,7 @@ Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, con
     return {readSegmentation(read.files.front(), grid, progress, patient).region, remark};
   for (std::size_t n = 1; n < read.files.size(); ++n)
     region.moreSources.push_back(sourceOf(read.files[n]));
-  return {region, remark};
+  return {region, covered.followedBy(" ", remark), covered};
 }
 
 bool isOfMasks(const Region& region) {
@@ -308,8 +335,11 @@ public:
     for (std::size_t n = 1; n < m_files.size(); ++n)
       region.moreSources.push_back(m_files[n].string());
     region.isOfFile = m_files.size() == 1;
+    const Message covered = coveredIn(*m_masks, *region.labels);
     const Message overlap = overlapIn(*m_masks, Order::asChosen);
-    return {withLooks(region, m_looks), overlap.followedBy(" ", leftToNobody(*region.labels, progress))};
+    return {withLooks(region, m_looks),
+            covered.followedBy(" ", overlap).followedBy(" ", leftToNobody(*region.labels, progress)),
+            covered};
   }
 
 private:

@@ -209,7 +209,26 @@ std::string pictureJson(const PictureReport& picture) {
   return textOf(json);
 }
 
-std::string volumeJson(const VolumeFacts& facts) {
+static Json toJson(const CarriedFacts& picture) {
+  Json json = {{"curves", picture.curves},
+               {"models", picture.models},
+               {"lights", picture.lights},
+               {"views", picture.views},
+               {"volumes", picture.volumes}};
+  if (picture.size)
+    json["size"] = {picture.size->x, picture.size->y};
+  if (!picture.statement.empty())
+    json["accuracy"] = {{"statement", picture.statement}};
+  if (picture.withinLevels)
+    json["accuracy"]["within_levels"] = *picture.withinLevels;
+  return json;
+}
+
+std::string carriedJson(const CarriedFacts& picture) {
+  return textOf({{"picture", toJson(picture)}});
+}
+
+std::string volumeJson(const VolumeFacts& facts, const std::optional<CarriedFacts>& picture) {
   const Volume& volume = *facts.volume;
   const Grid& grid = volume.grid();
   Json direction = Json::array();
@@ -219,16 +238,19 @@ std::string volumeJson(const VolumeFacts& facts) {
   Json series = Json::array();
   for (const SeriesSummary& one : facts.series)
     series.push_back(toJson(one));
-  return textOf({{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
-                 {"spacing_mm", toJson(grid.spacingMm)},
-                 {"origin_mm", toJson(grid.originMm)},
-                 {"direction", direction},
-                 {"type", voxelTypeName(volume.stored())},
-                 {"range", {volume.range().lowest, volume.range().highest}},
-                 {"invalid_voxels", volume.invalidVoxels()},
-                 {"gradient", {{"max", facts.gradientMax}, {"p99_5", facts.gradientPercentile}}},
-                 {"series", series},
-                 {"warnings", warningsOf(volume)}});
+  Json json = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
+               {"spacing_mm", toJson(grid.spacingMm)},
+               {"origin_mm", toJson(grid.originMm)},
+               {"direction", direction},
+               {"type", voxelTypeName(volume.stored())},
+               {"range", {volume.range().lowest, volume.range().highest}},
+               {"invalid_voxels", volume.invalidVoxels()},
+               {"gradient", {{"max", facts.gradientMax}, {"p99_5", facts.gradientPercentile}}},
+               {"series", series},
+               {"warnings", warningsOf(volume)}};
+  if (picture)
+    json["picture"] = toJson(*picture);
+  return textOf(json);
 }
 
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,

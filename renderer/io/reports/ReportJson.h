@@ -24,6 +24,16 @@ struct ScaleRow;
 struct StabilityReport;
 class Volume;
 
+/// What is told of a picture that Limn saved, from its own file: of a figure each value that its panels have,
+/// once.
+struct CarriedFacts {
+  std::optional<glm::ivec2> size; ///< pixels; absent of a PDF
+  std::vector<std::string> curves, models, lights, views;
+  std::optional<double> withinLevels; ///< of the exact picture, as it was stated
+  std::string statement;              ///< how many pixels, and how sure that is; empty: nothing was stated
+  std::vector<std::string> volumes;   ///< that it needs, as their names are stored
+};
+
 /// What is told of a volume.
 struct VolumeFacts {
   std::shared_ptr<const Volume> volume;
@@ -56,8 +66,11 @@ struct PictureReport {
 
 std::string pictureJson(const PictureReport& picture);
 
-/// Nothing of the patient.
-std::string volumeJson(const VolumeFacts& facts);
+/// Nothing of the patient. `picture` is the one by which the volume was named, if it was.
+std::string volumeJson(const VolumeFacts& facts, const std::optional<CarriedFacts>& picture = {});
+
+/// Of a picture without its volume.
+std::string carriedJson(const CarriedFacts& picture);
 
 /// The effects of a scene. `costs` has one entry per row, absent where an effect costs nothing; so has
 /// `wouldCosts`, of those that are off, which stand under "if_switched_on".

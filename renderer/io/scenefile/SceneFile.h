@@ -68,6 +68,10 @@ struct PictureAccuracy {
   std::optional<AccuracyOfPaths> paths{}; ///< of a picture of physical light
 };
 
+/// What the text of a scene says of the accuracy of its picture; nothing where it says none. `name` is how
+/// errors call it. Throws Error (input).
+std::optional<PictureAccuracy> accuracyIn(std::string_view text, const std::string& name);
+
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
 std::string sceneToJson(const Scene& scene, const std::string& volume,
                         const std::optional<PictureAccuracy>& accuracy = {});

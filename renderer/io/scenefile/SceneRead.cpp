@@ -298,14 +298,24 @@ Slab readSlab(JsonFields fields) {
 }
 
 // What a saved picture says of itself; it decides nothing.
-void readAccuracy(JsonFields fields) {
-  double number = 0.0;
-  std::string statement;
-  for (const char* levels : {"within_levels", "rms_levels", "filter_rms_levels", "filter_largest_levels"})
-    fields.number(levels, number, accuracyLimits);
-  fields.number("paths", number, positive);
-  fields.text("statement", statement);
+PictureAccuracy readAccuracy(JsonFields fields) {
+  PictureAccuracy accuracy;
+  AccuracyOfPaths paths;
+  const auto levels = [&](const char* key, std::optional<double>& target) {
+    if (double number = 0.0; fields.number(key, number, accuracyLimits))
+      target = number;
+  };
+  levels("within_levels", accuracy.levels);
+  levels("rms_levels", paths.rmsLevels);
+  levels("filter_rms_levels", paths.filterRms);
+  levels("filter_largest_levels", paths.filterLargest);
+  if (double count = 0.0; fields.number("paths", count, positive)) {
+    paths.count = static_cast<int>(std::min<double>(count, std::numeric_limits<int>::max()));
+    accuracy.paths = paths;
+  }
+  fields.text("statement", accuracy.sentence);
   fields.finish();
+  return accuracy;
 }
 
 ShownSides readSides(JsonFields fields) {
@@ -392,6 +402,12 @@ SceneDocument readScene(JsonFields fields) {
 SceneDocument parseScene(std::string_view text, const std::string& name) {
   const nlohmann::json json = parsedJson(text, name);
   return readScene(JsonFields(json, name, ""));
+}
+
+std::optional<PictureAccuracy> accuracyIn(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsedJson(text, name);
+  JsonFields fields(json, name, "");
+  return fields.has("accuracy") ? std::optional(readAccuracy(fields.object("accuracy"))) : std::nullopt;
 }
 
 SceneDocument readSceneFile(const std::filesystem::path& path) {

@@ -199,6 +199,17 @@ TEST_F(AccuracyWindowTest, afterUseDialChartSentenceAndStatusBarTellOneNumber) {
   }
 }
 
+// The status bar tells the worse of two.
+TEST_F(AccuracyWindowTest, besideAnotherPictureThePanelSaysThatItTellsTheRightOnes) {
+  const auto sentence = [this] { return textOf<DialSection>("sentence"); };
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest() && idle());
+  EXPECT_TRUE(sentence().contains(QStringLiteral(": at the right "))) << sentence().toStdString();
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest() && idle());
+  EXPECT_FALSE(sentence().contains(QStringLiteral("at the right"))) << sentence().toStdString();
+}
+
 TEST_F(AccuracyWindowTest, theChartIsOnScreenIn1280By800) {
   window->resize(1280, 800);
   QCoreApplication::processEvents();

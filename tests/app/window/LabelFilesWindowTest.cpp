@@ -136,6 +136,23 @@ TEST_F(LabelFilesWindow, labelsThatGaveWayAreNamedAndComeBack) {
   EXPECT_EQ(names().size(), 3u) << "which is a step";
 }
 
+TEST_F(LabelFilesWindow, aLabelThatOthersCoverIsNamedInTheSentenceItself) {
+  const QString covered = QStringLiteral("%1 has no voxels of its own: Head, read after it, covers them.");
+  const auto head = [](const glm::ivec3& v) { return isInBoxes(v) ? 1 : 0; };
+  ASSERT_TRUE(openLabels("label_Skull.nrrd"));
+  write("label_Head.nrrd", head);
+  ASSERT_TRUE(openLabels("label_Head.nrrd"));
+  EXPECT_TRUE(messages().sentence().startsWith(covered.arg(QStringLiteral("Skull"))))
+      << messages().sentence().toStdString();
+  std::filesystem::create_directory(folder.path() / "masks");
+  write("masks/label_Brain.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) && v.x >= 16 ? 1 : 0; });
+  write("masks/label_Head.nrrd", head);
+  ASSERT_TRUE(openLabels("masks"));
+  EXPECT_EQ(messages().sentence(),
+            QStringLiteral("The labels of masks took the place of those of 2 files. ") +
+                covered.arg(QStringLiteral("Brain")));
+}
+
 TEST_F(LabelFilesWindow, whatIsSaidOfLabelsThatGaveWayGoesWhereThatIsUndone) {
   ASSERT_TRUE(openLabels("label_Skull.nrrd"));
   ASSERT_TRUE(openLabels("parts.seg.nrrd"));

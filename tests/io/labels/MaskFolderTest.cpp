@@ -120,6 +120,28 @@ TEST_F(MaskFolder, ofTwoMasksTheLaterByNameHasTheVoxelWhichIsSaid) {
             "colon.");
 }
 
+TEST_F(MaskFolder, saysFirstWhichLabelsOthersLeftNoVoxel) {
+  mask("brain.nii.gz", boxOf({0, 0, 0}, {2, 1, 1}));
+  mask("head.nii.gz", boxOf({0, 0, 0}, {4, 1, 1}));
+  const Segmentation one = readSegmentation(masks(), grid);
+  EXPECT_EQ(one.covered.english(), "brain has no voxels of its own: head, read after it, covers them.");
+  EXPECT_EQ(one.remark.english(),
+            one.covered.english() + " 2 voxels lie in two masks and belong to the one whose name comes last: "
+                                    "to head and not to brain.");
+  EXPECT_EQ(readSegmentations({masks() / "brain.nii.gz", masks() / "head.nii.gz"}, grid).covered,
+            one.covered);
+  mask("cerebellum.nii.gz", boxOf({2, 0, 0}, {4, 1, 1}));
+  EXPECT_EQ(readSegmentation(masks(), grid).covered.english(),
+            "2 labels have no voxels of their own, because head, read after them, covers them: brain, "
+            "cerebellum.");
+  mask("cerebellum.nii.gz", boxOf({1, 0, 0}, {3, 1, 1}));
+  mask("head.nii.gz", boxOf({0, 0, 0}, {1, 1, 1}));
+  EXPECT_EQ(readSegmentation(masks(), grid).covered.english(),
+            "brain has no voxels of its own: masks read after it cover them.");
+  mask("brain.nii.gz", boxOf({0, 0, 0}, {2, 2, 1}));
+  EXPECT_TRUE(readSegmentation(masks(), grid).covered.empty()) << "some are left";
+}
+
 TEST_F(MaskFolder, callsAMaskWhoseNameTellsNothingAfterItsWholeName) {
   mask("label_1.nii.gz", boxOf({0, 0, 0}, {1, 1, 1}));
   mask("label_Brain.nii.gz", boxOf({2, 0, 0}, {3, 1, 1}));

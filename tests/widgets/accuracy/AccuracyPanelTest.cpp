@@ -194,7 +194,8 @@ TEST_F(AccuracyPanelTest, theDialSaysWhichStepsAverageTheCurveAndWhichAnotherBea
   EXPECT_FALSE(note().contains(QStringLiteral("average"))) << note().toStdString();
   scene.quality.preintegrated = Preintegration::always;
   panel.setScene(scene);
-  EXPECT_TRUE(note().startsWith(QStringLiteral("With every step thin tissue between two samples is counted")))
+  EXPECT_TRUE(note().startsWith(QStringLiteral("Tissue that is thinner than a step is not missed (\"curve "
+                                               "averaged\" in the chart). ")))
       << note().toStdString();
   scene.quality.preintegrated = Preintegration::automatic;
   panel.setScene(scene);
@@ -204,18 +205,20 @@ TEST_F(AccuracyPanelTest, theDialSaysWhichStepsAverageTheCurveAndWhichAnotherBea
   ASSERT_FALSE(dialPoints(scene, steepest)[1].preintegrated) << "a tenth steeper than steps of 2 allow";
   AccuracyReport report = sampleReport(pointsToMeasure(scene, steepest));
   panel.setMeasured({report, scene, steepest, {}});
-  EXPECT_TRUE(note().startsWith(QStringLiteral("With these steps thin tissue between two samples is counted "
-                                               "in, too (curve averaged): 2. ")))
+  EXPECT_TRUE(note().startsWith(QStringLiteral("Tissue that is thinner than a step is not missed with a step "
+                                               "of 2 (\"curve averaged\" in the chart). ")))
       << note().toStdString();
   // Averaged steps take longer, so that the step of 1, which does not average, is there sooner.
-  EXPECT_TRUE(note().contains(QStringLiteral("another position: 2."))) << note().toStdString();
+  EXPECT_TRUE(note().contains(QStringLiteral("Rather than 2 choose a position that is ")))
+      << note().toStdString();
   for (MeasuredPoint& measured : report.points)
     if (measured.point == raysAt(0.125)) { // slower than the exact end, and farther off
       measured.ms.median = 500.0;
       measured.error.p99_9 = 0.6;
     }
   panel.setMeasured({report, scene, steepest, {}});
-  EXPECT_TRUE(note().contains(QStringLiteral("Slower and farther off than another position: 2, 1/8.")))
+  EXPECT_TRUE(note().contains(QStringLiteral("Rather than 2 or 1/8 choose a position that is both faster and "
+                                             "closer to the exact picture.")))
       << note().toStdString();
 }
 

@@ -100,6 +100,35 @@ TEST(PlanePictures, outlineLabelsInTheColourOfTheirOwnCurves) {
   EXPECT_EQ(atEdge(), QColor(Qt::blue));
 }
 
+TEST(PlanePictures, showALabelsColourWhereItsLineAndThatOfWhatIsKeptCoincide) {
+  const auto volume = test::countingVolume({20, 20, 3}, {1.0, 1.0, 1.0});
+  PlaneContent content = test::contentOf(volume);
+  std::vector<std::uint8_t> places(20 * 20 * 3, 0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = i % 20 >= 15 ? 2 : i % 20 >= 10 ? 1 : 0;
+  const std::vector<Label> names{
+      {0, "rest", glm::dvec3(1.0)}, {1, "liver", {0, 0, 1}}, {2, "spleen", {1, 0, 0}}};
+  content.keep = {Region::Kind::labels,
+                  "seg",
+                  std::make_shared<const LabelMap>(glm::ivec3(20, 20, 3), places, names),
+                  {0.0, 1.0, 0.0}};
+  content.settings.interpolation = PlaneInterpolation::nearest;
+  const PlaneGrid plane = test::coveringPlane(volume->grid(), PatientPlane::axial, {0, 0, 1});
+  const QColor orange(0xff, 0xc8, 0x3c);
+  PlanePictures pictures;
+  EXPECT_EQ(pictures.picture(content, plane).pixelColor(10, 5), QColor(Qt::blue));
+  EXPECT_EQ(pictures.picture(content, plane).pixelColor(14, 5), QColor(Qt::blue));
+  EXPECT_TRUE(pictures.hasKeptLineNear({10, 5}, 0)) << "below it";
+  EXPECT_TRUE(pictures.hasKeptLineNear({8, 5}, 2));
+  EXPECT_FALSE(pictures.hasKeptLineNear({7, 5}, 2));
+  EXPECT_FALSE(pictures.hasKeptLineNear({-9, 40}, 2)) << "outside the picture";
+  content.keep.weights = {1.0, 0.0, 0.0}; // the background has no line of its own
+  EXPECT_EQ(pictures.picture(content, plane).pixelColor(9, 5), orange);
+  content.settings.outlinesRegion = false;
+  pictures.picture(content, plane);
+  EXPECT_FALSE(pictures.hasKeptLineNear({9, 5}, 2)) << "none is painted";
+}
+
 TEST(PlanePictures, areCoarseOnlyWhereTheyWouldTakeTooLong) {
   PlaneContent content = test::contentOf(test::countingVolume({40, 40, 20}, glm::dvec3(1.0)));
   const PlaneGrid plane = test::coveringPlane(content.volume->grid(), PatientPlane::axial, {0, 0, 5});

@@ -7,8 +7,10 @@
 #include "widgets/planes/PlaneView.h"
 
 #include <QAccessible>
+#include <QHelpEvent>
 #include <QPainterPath>
 #include <QSignalSpy>
+#include <QToolTip>
 
 #include <gtest/gtest.h>
 
@@ -390,6 +392,31 @@ TEST_F(PlaneViewTest, whatIsShortenedIsToldInFullByAToolTip) {
   EXPECT_TRUE(tipAt(view.size(), measure)
                   .contains(QStringLiteral(
                       "vessel &lt;that&gt; is called by more letters than have room beside it")));
+}
+
+TEST_F(PlaneViewTest, whoRestsOnTheLineAroundWhatIsKeptIsToldWhatItIs) {
+  std::vector<std::uint8_t> places(60 * 50 * 20, 0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = i % 60 >= 40;
+  host.content.keep = bodyRegion({60, 50, 20}, places);
+  view.setContent(host.content);
+  view.grab(); // the line is where it was painted
+  const auto restAt = [&](double x) {
+    const QPoint place = pointAt({x, 30.0, crosshair().z});
+    QHelpEvent rests(QEvent::ToolTip, place, view.mapToGlobal(place));
+    QCoreApplication::sendEvent(&view, &rests);
+  };
+  const auto isToldNothing = [] { return test::waitUntil([] { return QToolTip::text().isEmpty(); }); };
+  restAt(39.6);
+  EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("The edge of what is kept, an orange line")))
+      << QToolTip::text().toStdString();
+  restAt(50.0);
+  EXPECT_TRUE(isToldNothing()) << "within it";
+  host.content.settings.outlinesRegion = false;
+  view.setContent(host.content);
+  view.grab();
+  restAt(39.6);
+  EXPECT_TRUE(isToldNothing()) << "none is there";
 }
 
 TEST_F(PlaneViewTest, keysWalkVoxelByVoxelAndSliceBySlice) {

@@ -283,6 +283,16 @@ QString explanationOf(const PictureState& state) {
   return text;
 }
 
+// The accuracy panel tells the right one's.
+QString worseText(const PictureState& state) {
+  const bool areTold = isResolved(state) && isLightMeasured(state) && isKnown(state);
+  if (state.sides.size() < 2 || !areTold || levelsOf(state.sides[0]) == levelsOf(state.sides[1]))
+    return {};
+  return &worstOf(state) == &state.sides.front()
+             ? QObject::tr("This is the left picture; the right one lies closer to its exact one.")
+             : QObject::tr("This is the right picture; the left one lies closer to its exact one.");
+}
+
 QString numbersText(const PictureState& state, const Scene& scene) {
   const SideState& side = state.sides.front();
   QStringList parts;
@@ -400,7 +410,8 @@ PictureStatusText pictureStatusText(const PictureState& told, const Scene& scene
   text.engine = engineText(state);
   // Those sentences are about steps.
   const QString end = hasPaths(state) ? QString() : endText(state).sentence;
-  QStringList lines{explanationOf(state), end, numbersText(state, scene), lightTexts(state)};
+  QStringList lines{explanationOf(state), worseText(state), end, numbersText(state, scene),
+                    lightTexts(state)};
   if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
     lines.prepend(coarsenessText(*coarseness));
   lines.removeAll(QString());

@@ -171,6 +171,23 @@ TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
   EXPECT_TRUE(lineOf(state).starts_with("left estimated within 2.0 of 255 levels")) << lineOf(state);
 }
 
+TEST(PictureStatusText, whoAsksIsToldOfWhichPictureTheNumberIs) {
+  const auto tip = [](const PictureState& state) { return pictureStatusText(state, {}).toolTip; };
+  const QString left =
+      QStringLiteral("This is the left picture; the right one lies closer to its exact one.");
+  PictureState state = resting({sideWithin(0.3), sideWithin(0.76)});
+  state.sides[0].chance = ErrorByChance{0.49, 0.005, 0.3, chancePixels};
+  state.sides[1].chance = ErrorByChance{0.47, 0.005, 0.3, chancePixels};
+  EXPECT_TRUE(tip(state).contains(QStringLiteral("0.49"))) << tip(state).toStdString();
+  EXPECT_TRUE(tip(state).contains(left)) << tip(state).toStdString();
+  state.sides[1].chance->levels = 0.5;
+  EXPECT_TRUE(tip(state).contains(QStringLiteral("This is the right picture"))) << tip(state).toStdString();
+  state.sides[0].chance->levels = 0.5;
+  EXPECT_FALSE(tip(state).contains(QStringLiteral("This is the "))) << "both lie as far off";
+  state.sides.pop_back();
+  EXPECT_FALSE(tip(state).contains(QStringLiteral("This is the "))) << "there is one";
+}
+
 TEST(PictureStatusText, saysWhereAnEstimateIsRoughMissingOrWorthNothing) {
   PictureState state = resting({sideWithin(2.0), sideWithin(1.0)});
   state.sides[0].isRough = true;
