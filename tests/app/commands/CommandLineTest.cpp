@@ -75,6 +75,17 @@ TEST_F(CommandLine, aToleranceIsKeptToldAndReproducedByItsPicture) {
   EXPECT_EQ(run("render phantom:6 --tolerance 1 --step 0.5 -o x.png").status, 2);
 }
 
+TEST_F(CommandLine, accuracyMeasuresTheToleranceThatIsAskedFor) {
+  const std::string quick = "accuracy phantom:16 --quick --size 16x12 --quiet -o " + file("report").string();
+  const Outcome outcome = run(quick + " --tolerance 3");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("error-controlled, within 3 levels"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("error-controlled, within 2 levels"), std::string::npos) << outcome.out;
+  const Outcome refused = run(quick + " --model physical --tolerance 3");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("leave out --tolerance"), std::string::npos) << refused.err;
+}
+
 TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   const std::string first = file("a.png").string();
   const std::string second = file("b.png").string();
