@@ -58,6 +58,16 @@ TEST_F(TurntableWindow, framesOfWhatIsOpenAreSaved) {
   EXPECT_EQ(undo().count(), 0);
 }
 
+TEST_F(TurntableWindow, whileFramesAreDrawnThePictureOnScreenStaysAsItIs) {
+  view().setRefinesAtRest(true);
+  type("turntableFrames", QStringLiteral("4"));
+  save("turn.frames");
+  ASSERT_TRUE(dialog().isWorking());
+  EXPECT_FALSE(view().order().refines);
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_TRUE(view().order().refines);
+}
+
 TEST_F(TurntableWindow, saysOfAFolderThatTakesNoneWhyItCannotBeMade) {
   type("turntableFrames", QStringLiteral("2"));
   save("/proc/turn.frames"); // of which the system says that there is none
