@@ -7,6 +7,7 @@
 
 #include <array>
 
+class QLabel;
 class QPushButton;
 
 namespace limn {
@@ -30,8 +31,12 @@ protected:
 
 private:
   std::vector<ShadingModel> m_chosen{ShadingModel::classic};
+  QString noExponentRange() const;
+
   ChoiceRow* m_model; ///< of a single picture
   std::array<ChoiceRow*, 2> m_sides;
+  QLabel* m_classicHeading;
+  QLabel* m_rangesHeading; ///< above what follows boundaries
   ValueSlider* m_exponent;
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;
