@@ -136,6 +136,19 @@ void measureRivals(AccuracyReport& report, const LoadedScene& loaded, const Scen
             part(progress, 0.4, 1.0).report);
 }
 
+// Steps or a tolerance that somebody asks for are measured beside the others.
+std::vector<OperatingPoint> pointsOf(const AccuracyArguments& arguments) {
+  std::vector<OperatingPoint> points = arguments.isQuick ? fewPoints() : usualPoints();
+  OperatingPoint asked;
+  if (arguments.scene.toleranceLevels > 0.0)
+    asked.toleranceLevels = arguments.scene.toleranceLevels;
+  else if (arguments.scene.stepVoxels > 0.0)
+    asked.stepVoxels = arguments.scene.stepVoxels;
+  else
+    return points;
+  return withPoint(std::move(points), asked);
+}
+
 // Of physical light paths are followed, by the processor, and nothing else is compared.
 AccuracyReport pathReport(const LoadedScene& loaded, const Scene& scene, const AccuracyArguments& arguments,
                           const Progress& progress) {
@@ -143,6 +156,10 @@ AccuracyReport pathReport(const LoadedScene& loaded, const Scene& scene, const A
     throw Error(Error::Kind::usage,
                 "Physical light is followed by the processor alone and tells its own error: "
                 "leave out --engine gl, --rivals and --exact-by.");
+  if (arguments.scene.toleranceLevels > 0.0)
+    throw Error(Error::Kind::usage,
+                "Physical light is measured by the number of its paths, not by steps that "
+                "keep a tolerance: leave out --tolerance.");
   constexpr int mostPathsMeasured = 256, mostPathsQuick = 32;
   return measurePaths(nameOf(arguments.scene, loaded), scene, {scene.image.width, scene.image.height},
                       arguments.isQuick ? mostPathsQuick : mostPathsMeasured, {arguments.threads, {}, {}},
@@ -160,8 +177,8 @@ AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
   const ConvergedPicture converged =
       exactPicture(loaded, scene, renderers, arguments, part(progress, 0.0, 0.3));
   const std::string name = nameOf(arguments.scene, loaded);
-  AccuracyReport report = measureAccuracy(name, scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
-                                          converged, renderers, part(progress, 0.3, end).report);
+  AccuracyReport report = measureAccuracy(name, scene, size, pointsOf(arguments), converged, renderers,
+                                          part(progress, 0.3, end).report);
   // Decisions are those of the textures.
   if (!arguments.isQuick && rays == Engine::rayCaster)
     report.decisions = measureDecisions(scene, size, converged.pixels, part(progress, end, whole).report);
@@ -279,7 +296,9 @@ void addAccuracyCommand(CommandSyntax& root) {
   command.option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
       .within(0.01, 1e7);
   command.footer("Errors are told in levels of 255 against a picture in double precision that finer steps no "
-                 "longer change; of physical light by its own standard error, after 4 to 256 paths a pixel.\n"
+                 "longer change; of physical light by its own standard error, after 4 to 256 paths a pixel. "
+                 "What --step or --tolerance "
+                 "ask for is measured beside the usual points.\n"
                  "Example: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report\n"
                  "Example: limn accuracy --join reports/* -o cohort");
   command.runs([arguments] { runAccuracy(*arguments); });

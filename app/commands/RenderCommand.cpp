@@ -3,6 +3,8 @@
 #include "app/commands/RenderWork.h"
 
 #include "accuracy/SamplePicture.h"
+#include "app/commands/NamedLook.h"
+#include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/PathDrawing.h"
 #include "app/document/PrivateNames.h"
 #include "app/document/Settings.h"
@@ -12,6 +14,7 @@
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 #include "scene/effects/EffectPlan.h"
+#include "scene/light/LightPresets.h"
 #include "scene/presets/PresetFit.h"
 
 #include <algorithm>
@@ -30,17 +33,61 @@ Scene withModel(Scene scene, ShadingModel model) {
   return scene;
 }
 
-MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments, const MakeAll& make) {
-  const glm::ivec2 size(scene.image.width, scene.image.height);
-  if (arguments.scene.model != "compare")
-    return make({scene}, size).front();
-  const glm::ivec2 half(size.x / 2, size.y);
-  if (half.x < 1)
+// Whether something was asked for that is of one model alone.
+bool asksForOneModel(const RenderArguments& arguments) {
+  const SceneArguments& asked = arguments.scene;
+  return !asked.model.empty() || asked.light == nameOf(LightPreset::physical) ||
+         namesLookFile(asked.preset) || arguments.filtersNoise || arguments.printsFigures ||
+         !arguments.samplesSpent.empty();
+}
+
+// How many models are drawn, and which: of a picture those that it shows, if nobody asks for others.
+ShownSides sidesOf(const RenderArguments& arguments, const LoadedScene& loaded) {
+  if (arguments.scene.model == "compare")
+    return {CompareLayout::sideBySide, ShadingModel::classic, ShadingModel::enhanced};
+  return asksForOneModel(arguments) ? ShownSides{} : loaded.sides.value_or(ShownSides{});
+}
+
+// A scene tells the size of one side.
+Scene sceneOf(LoadedScene loaded, SceneArguments arguments, const ShownSides& sides) {
+  if (sides.layout != CompareLayout::sideBySide)
+    return adjusted(loaded, arguments);
+  if (loaded.sides && loaded.sides->layout == CompareLayout::sideBySide)
+    loaded.scene.image.width *= 2;
+  arguments.model = "compare";
+  Scene scene = adjusted(loaded, arguments);
+  scene.image.width /= 2;
+  if (scene.image.width < 1)
     throw Error(Error::Kind::usage, "A comparison needs a picture at least two pixels wide; see --size.");
-  std::vector<MadePicture> pair =
-      make({withModel(scene, ShadingModel::classic), withModel(scene, ShadingModel::enhanced)}, half);
-  pair.front().image = sideBySide(pair[0].image, pair[1].image);
-  return std::move(pair.front());
+  return scene;
+}
+
+// What the second side has to tell beside the first.
+void addNotes(const std::vector<Message>& more, std::vector<Message>& notes) {
+  for (const Message& note : more)
+    if (std::ranges::find(notes, note) == notes.end())
+      notes.push_back(note);
+}
+
+MadePicture pictureOf(const Scene& scene, const ShownSides& sides, const MakeAll& make) {
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  if (sides.layout == CompareLayout::single)
+    return make({scene}, size).front();
+  std::vector<MadePicture> pair = make({withModel(scene, sides.left), withModel(scene, sides.right)}, size);
+  MadePicture& both = pair.front();
+  both.image =
+      comparedPicture(both.image, pair.back().image, sides.layout, sides.wipe, scene.image.background);
+  addNotes(pair.back().notes, both.notes);
+  return std::move(both);
+}
+
+// What of a picture of two models is left out, because something was asked for that is of one.
+std::string leftOutNote(const LoadedScene& loaded, const Scene& scene, const ShownSides& sides) {
+  if (!loaded.sides || loaded.sides->layout == CompareLayout::single || sides.layout != CompareLayout::single)
+    return {};
+  return std::string("The picture shows two models, ") + nameOf(loaded.sides->left) + " and " +
+         nameOf(loaded.sides->right) + "; one was asked for, and " + nameOf(scene.shading.model) +
+         " is drawn.";
 }
 
 PictureFigures measured(const Scene& scene, Engine engine, int threads) {
@@ -114,14 +161,15 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
       requirePictureEnding(picture);
       requireWritable(picture);
     }
-  const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
   const LoadedScene loaded = loadScene(arguments.scene, progress);
+  const ShownSides sides = sidesOf(arguments, loaded);
+  const bool isComparison = sides.layout != CompareLayout::single;
   if (isComparison && !arguments.samplesSpent.empty())
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
     throw Error(Error::Kind::usage, "--figures measures one model at a time; choose one with --model.");
-  Scene scene = adjusted(loaded, arguments.scene);
+  Scene scene = sceneOf(loaded, arguments.scene, sides);
   if (!arguments.scene.model.empty() && !isComparison)
     scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
   if (arguments.filtersNoise && (isComparison || !isPhysical(scene)))
@@ -130,7 +178,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   scene.shading.physical.filtersNoise |= arguments.filtersNoise;
   const auto start = std::chrono::steady_clock::now();
   reportOrStop(progress, -1.0, "Drawing");
-  MadePicture picture = pictureOf(scene, arguments, make);
+  MadePicture picture = pictureOf(scene, sides, make);
   reportOrStop(progress, 1.0, "Drawing");
   requireWhole(loaded.volumePath, *scene.volume);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
@@ -154,7 +202,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
       isComparison ? std::nullopt : accuracyOf(scene, picture, arguments.threads, progress);
   SceneDocument document = documentOf(written, shareable(loaded.volumePath));
   document.measurements = loaded.measurements;
-  document.sides.emplace().layout = isComparison ? CompareLayout::sideBySide : CompareLayout::single;
+  document.sides = sides;
   writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(document, accuracy),
              isComparison ? Image{} : picture.radiance);
   if (arguments.json)
@@ -163,6 +211,8 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())
     note("Shown with the preset \"" + loaded.preset + "\".");
+  if (const std::string leftOut = leftOutNote(loaded, scene, sides); !leftOut.empty())
+    note(leftOut);
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
   for (const Message& remark : remarksOf(picture))

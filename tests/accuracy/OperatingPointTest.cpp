@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/sweep/OperatingPoint.h"
+#include "accuracy/sweep/AccuracySweep.h"
 #include "accuracy/sweep/FigureText.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
 
 namespace limn {
 namespace {
@@ -35,6 +39,34 @@ TEST(OperatingPoint, isChosenByAWishOrNot) {
   ASSERT_TRUE(mostAccurateWithin(points, 33.0));
   EXPECT_EQ(mostAccurateWithin(points, 33.0)->point.stepVoxels, 0.5);
   EXPECT_EQ(mostAccurateWithin(points, 5.0), nullptr);
+}
+
+TEST(OperatingPoint, thatWasAskedForStandsAmongThoseOfItsFamily) {
+  const auto toleranceOf = [](double levels) {
+    OperatingPoint point;
+    point.toleranceLevels = levels;
+    return point;
+  };
+  const auto placeIn = [](const std::vector<OperatingPoint>& points, const OperatingPoint& point) {
+    return std::ranges::find(points, point) - points.begin();
+  };
+  const std::vector<OperatingPoint> usual = usualPoints();
+  for (const double levels : {16.0, 3.0, 0.1}) {
+    const std::vector<OperatingPoint> points = withPoint(usual, toleranceOf(levels));
+    ASSERT_EQ(points.size(), usual.size() + 1);
+    std::vector<double> tolerances;
+    for (const OperatingPoint& point : points)
+      if (point.toleranceLevels)
+        tolerances.push_back(*point.toleranceLevels);
+    EXPECT_EQ(tolerances.size(), 6u);
+    EXPECT_TRUE(std::ranges::is_sorted(tolerances, std::greater<>())) << levels;
+  }
+  EXPECT_EQ(withPoint(usual, toleranceOf(2.0)), usual) << "it is measured anyway";
+  OperatingPoint step;
+  step.stepVoxels = 0.3;
+  const std::vector<OperatingPoint> points = withPoint(usual, step);
+  EXPECT_EQ(points.at(static_cast<std::size_t>(placeIn(points, step)) - 1).stepVoxels, 0.5);
+  EXPECT_EQ(points.at(static_cast<std::size_t>(placeIn(points, step)) + 1).stepVoxels, 0.25);
 }
 
 TEST(OperatingPoint, showsItsOrderBesideThePointOfTwiceItsStep) {

@@ -165,6 +165,40 @@ TEST_F(PropertiesPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
   EXPECT_FALSE(rowNamed<ValueSlider>(m_panel, "Ambient (ka)")->isEnabled());
 }
 
+// Of enhanced and robust, physical light has the sharpness of highlights on its surfaces, if there are any.
+TEST_F(PropertiesPanelTest, physicalLightDisablesWhatItDoesNotUse) {
+  auto* range = rowNamed<RangeSlider>(m_panel, "Highlight sharpness (SP)");
+  const auto heading = [this](const char* text) -> QLabel* {
+    for (auto* label : m_panel.findChildren<QLabel*>())
+      if (label->text() == QLatin1String(text))
+        return label;
+    return nullptr;
+  };
+  m_panel.setModelsShown({ShadingModel::physical});
+  const auto show = [this](double surface, double gloss) {
+    Shading shading;
+    shading.model = ShadingModel::physical;
+    shading.physical.surface = surface;
+    shading.physical.specularShare = gloss;
+    m_panel.setShading(shading);
+  };
+  show(0.5, 0.5);
+  EXPECT_TRUE(range->isEnabled());
+  ASSERT_TRUE(heading("Enhanced, robust and physical"));
+  EXPECT_TRUE(heading("Enhanced, robust and physical")->isEnabled());
+  EXPECT_FALSE(rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)")->isEnabled());
+  for (const auto& [surface, gloss] : {std::pair(0.0, 0.5), std::pair(0.5, 0.0)}) {
+    show(surface, gloss);
+    EXPECT_FALSE(range->isEnabled());
+    EXPECT_TRUE(range->toolTip().contains(QStringLiteral("surfaces with gloss alone")));
+    EXPECT_FALSE(heading("Enhanced, robust and physical")->isEnabled());
+  }
+  m_panel.setModelsShown({ShadingModel::enhanced});
+  EXPECT_TRUE(range->isEnabled());
+  ASSERT_TRUE(heading("Enhanced and robust"));
+  EXPECT_TRUE(heading("Enhanced and robust")->isEnabled());
+}
+
 TEST_F(PropertiesPanelTest, aComparisonEnablesWhatEitherModelUses) {
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}); // the scene's model is classic
   EXPECT_TRUE(rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)")->isEnabled());

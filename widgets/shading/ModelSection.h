@@ -32,9 +32,16 @@ protected:
 
 private:
   std::vector<ShadingModel> m_chosen{ShadingModel::classic};
+  QString noExponentRange() const;
+
   ChoiceRow* m_model; ///< of a single picture
   std::array<ChoiceRow*, 2> m_sides;
+<<<<<<< HEAD
   QLabel* m_kept; ///< says which side is not edited
+=======
+  QLabel* m_classicHeading;
+  QLabel* m_rangesHeading; ///< above what follows boundaries
+>>>>>>> n3
   ValueSlider* m_exponent;
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;

@@ -65,7 +65,17 @@ public:
 
   /// Whether resting pictures go on to smaller steps until they lie within half a level of the exact ones;
   /// they do by default.
-  void setRefinesAtRest(bool refines) { set(m_order.refines, refines); }
+  void setRefinesAtRest(bool refines) {
+    m_refinesAtRest = refines;
+    set(m_order.refines, m_refinesAtRest && m_pauses == 0);
+  }
+
+  /// While something is drawn for a file resting pictures stay as they are: each would slow the other down.
+  /// Pauses count: it goes on once each of them has ended.
+  void pauseRefinement(bool pauses) {
+    m_pauses += pauses ? 1 : -1;
+    setRefinesAtRest(m_refinesAtRest);
+  }
 
   /// Where the border of the wipe lies, as a fraction of the view's width, 0..1.
   void setWipePosition(double fraction) { set(m_order.comparison.wipe, std::clamp(fraction, 0.0, 1.0)); }
@@ -225,7 +235,12 @@ private:
   void offerModels(int position);
 
   ViewOrder m_order;
+<<<<<<< HEAD
   bool m_hasCorners = false; ///< of a line that is drawn so
+=======
+  bool m_refinesAtRest = true; ///< unless it pauses
+  int m_pauses = 0;            ///< of refinement
+>>>>>>> n3
   bool m_isShown = false;
   bool m_isPreparing = false; ///< it is said that a volume is got ready
   QString m_problem;          ///< why nothing is drawn, as the panels say it

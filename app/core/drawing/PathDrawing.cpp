@@ -15,6 +15,9 @@ namespace {
 
 constexpr int pathsAtFirst = 4;
 
+// A pass that takes longer than there is time is not done before it ends.
+constexpr double almostAll = 0.99;
+
 // On the way to a number of paths so much of it is followed at once: between passes it is told how far it is.
 constexpr int mostOfAll = 16;
 
@@ -85,19 +88,28 @@ DrawnByPaths drawnByPaths(CpuRenderer& renderer, const Scene& scene, const glm::
   const auto begin = std::chrono::steady_clock::now();
   const bool filters = scene.shading.physical.filtersNoise;
   requireMemoryForPaths(size, filters);
+  const double share = filters ? shareOfPaths : 1.0;
+  const auto secondsSoFar = [begin] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  // Time goes on within a pass, too, of which the first may take all of it.
+  const auto isCancelled = [&] {
+    if (const auto* time = std::get_if<UntilSeconds>(&until); time && effort.report)
+      effort.report(share * std::min(almostAll, secondsSoFar() / time->seconds));
+    return effort.isCancelled && effort.isCancelled();
+  };
   Scene pass = scene;
   pass.quality.paths.reset();
   DrawnByPaths drawn;
   for (int next = nextPaths(until, {}, 0.0); next > drawn.figures.paths;) {
     pass.shading.physical.until = UntilPaths{next};
-    drawn.image = renderer.draw(pass, size, {{0, 0}, size}, effort.isCancelled);
+    drawn.image = renderer.draw(pass, size, {{0, 0}, size}, isCancelled);
     drawn.figures = *renderer.pathFigures(pass, size);
     // A picture without anything to see has them all at once.
     drawn.figures.paths = next;
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    drawn.seconds = time.count();
+    drawn.seconds = secondsSoFar();
     if (effort.report)
-      effort.report((filters ? shareOfPaths : 1.0) * wayTo(until, drawn.figures, drawn.seconds));
+      effort.report(share * wayTo(until, drawn.figures, drawn.seconds));
     next = nextPaths(until, drawn.figures, drawn.seconds);
   }
   drawn.radiance = *renderer.radiance(pass, size);

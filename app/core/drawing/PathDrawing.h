@@ -27,7 +27,7 @@ struct DrawnByPaths {
 /// Draws a scene of physical light until its paths, levels or seconds are reached (DEFINITION section 12), or
 /// as many paths as its quality says: in
 /// passes that grow, each of which goes on from the last. A picture that takes longer for its first pass than
-/// it has seconds has that pass. Where the scene
+/// it has seconds has that pass; of seconds it is told all the time how many went. Where the scene
 /// asks for it, noise that remains is filtered (cpu/paths/NoiseFilter). Throws Error, also where
 /// the memory that is free does not hold what paths find (72 bytes a pixel, where noise is filtered 224);
 /// Cancelled.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/exports/ExportDialog.h"
 
+#include "widgets/view/CompareView.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -27,6 +29,7 @@ ExportDialog::ExportDialog(WindowContext& context, const Words& words)
       showProgress(fraction);
   });
   connect(&m_work, &BackgroundWork::failed, this, &ExportDialog::end);
+  connect(this, &ExportDialog::workingChanged, &context.view, &CompareView::pauseRefinement);
 }
 
 void ExportDialog::present() {

@@ -57,6 +57,19 @@ MarkPicture marksOver(OverlaySource window, const glm::ivec2& size) {
   };
 }
 
+// What no mark in its frames tells: what is hidden, and of a video, which carries no scene, the model in any
+// case.
+QString untoldText(const Comparison& shown, const Scene& scene, bool isVideo) {
+  const QString hidden = hiddenText(shown);
+  if (hidden.isEmpty() && !isVideo)
+    return {};
+  QStringList untold{sideTitle(scene)};
+  if (!hidden.isEmpty())
+    untold << hidden;
+  return QLatin1Char(' ') + TurntableDialog::tr("Its frames do not say what they show: %1.")
+                                .arg(untold.join(QStringLiteral(" · ")));
+}
+
 } // namespace
 
 TurntableDialog::TurntableDialog(WindowContext& context, const SavingController* saving)
@@ -315,7 +328,7 @@ void TurntableDialog::save() {
             .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
             .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
             .isPicture = true},
-           [turntable,
+           [turntable, untold = untoldText(m_context.view.order().comparison, turntable.scene, isVideo),
             mark = m_marks->isChecked()
                        ? marksOver({m_context.view.order(), m_context.view.pictureState()}, turntable.size)
                        : MarkPicture(),
@@ -330,7 +343,7 @@ void TurntableDialog::save() {
                return sceneToJson(document);
              };
              writeTurntable(path, turntable, told, describe, mark);
-             return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
+             return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()) + untold};
            });
 }
 

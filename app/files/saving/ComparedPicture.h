@@ -3,7 +3,6 @@
 
 #include "io/ImageFile.h"
 #include "scene/basics/Image.h"
-#include "scene/view/CompareLayout.h"
 #include "widgets/view/overlay/ViewGeometry.h"
 
 #include <string>
@@ -14,11 +13,6 @@ namespace limn {
 
 /// Marks over a picture of their size, both premultiplied.
 Image withMarks(Image image, const QImage& marks);
-
-/// Two pictures of one size as a layout of two shows them: side by side, parted at `wipe` (0..1 of the
-/// width), or as their amplified difference over `background`, which is opaque.
-Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
-                      const glm::dvec3& background);
 
 /// The pixels of what is saved of a view as large as it stands there: pictures beside each other touch.
 glm::ivec2 savedSize(const ViewGeometry& geometry);

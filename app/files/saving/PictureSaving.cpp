@@ -16,6 +16,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <utility>
+
 namespace limn {
 
 static constexpr int cancelledToldForMs = 4000;
@@ -152,7 +154,9 @@ void PictureSaving::forget() {
 }
 
 void PictureSaving::sayDrawing(const QString& text) {
-  m_isDrawing = !text.isEmpty();
+  const bool wasDrawing = std::exchange(m_isDrawing, !text.isEmpty());
+  if (m_isDrawing != wasDrawing)
+    m_context.view.pauseRefinement(m_isDrawing);
   say(text);
 }
 

@@ -2,6 +2,7 @@
 #include "app/files/saving/SavingController.h"
 
 #include "app/asking/FileDialogs.h"
+#include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/PathDrawing.h"
 #include "app/core/drawing/PictureMaker.h"
 #include "app/document/DocumentText.h"

@@ -197,6 +197,26 @@ std::vector<OperatingPoint> fewPoints() {
   return points;
 }
 
+std::vector<OperatingPoint> withPoint(std::vector<OperatingPoint> points, const OperatingPoint& asked) {
+  const auto coarseness = [](const OperatingPoint& point) {
+    return point.toleranceLevels.value_or(point.stepVoxels);
+  };
+  auto place = points.end();
+  for (auto point = points.begin(); point != points.end(); ++point) {
+    if (*point == asked)
+      return points;
+    if (familyOf(*point) != familyOf(asked))
+      continue;
+    place = std::next(point);
+    if (coarseness(*point) < coarseness(asked)) {
+      place = point;
+      break;
+    }
+  }
+  points.insert(place, asked);
+  return points;
+}
+
 void measurePoints(AccuracyReport& report, const Scene& scene, const std::vector<OperatingPoint>& points,
                    const PrecisePixels& converged, const SweepRenderers& renderers,
                    const ReportProgress& progress) {

@@ -51,6 +51,10 @@ std::vector<OperatingPoint> usualPoints();
 /// A few points that take a second or two: equal steps and two tolerances of the ray caster.
 std::vector<OperatingPoint> fewPoints();
 
+/// The points and one that somebody asked for, where it stands among those of its family, from coarse to
+/// fine.
+std::vector<OperatingPoint> withPoint(std::vector<OperatingPoint> points, const OperatingPoint& asked);
+
 /// Draws the scene at every point, compares with the converged picture, takes times in rounds over all points
 /// (so that a machine that grows slower slows them alike), and fills in `points`, with orders and Pareto
 /// marks, and `remarks` of the report. Seven pictures a point where they are quick, two where they take

@@ -75,6 +75,17 @@ TEST_F(CommandLine, aToleranceIsKeptToldAndReproducedByItsPicture) {
   EXPECT_EQ(run("render phantom:6 --tolerance 1 --step 0.5 -o x.png").status, 2);
 }
 
+TEST_F(CommandLine, accuracyMeasuresTheToleranceThatIsAskedFor) {
+  const std::string quick = "accuracy phantom:16 --quick --size 16x12 --quiet -o " + file("report").string();
+  const Outcome outcome = run(quick + " --tolerance 3");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("error-controlled, within 3 levels"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("error-controlled, within 2 levels"), std::string::npos) << outcome.out;
+  const Outcome refused = run(quick + " --model physical --tolerance 3");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("leave out --tolerance"), std::string::npos) << refused.err;
+}
+
 TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   const std::string first = file("a.png").string();
   const std::string second = file("b.png").string();
@@ -131,6 +142,37 @@ TEST_F(CommandLine, aPictureTellsWhetherItIsOfOneModelOrOfTwo) {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(readImageDescription(picture))["shown"]["layout"], layout);
   }
+}
+
+// Each side in its size, unless something is asked for that is of one model.
+TEST_F(CommandLine, aPictureOfTwoModelsIsDrawnAnewAsItWas) {
+  const std::string first = file("two.png").string();
+  const std::string second = file("again.png").string();
+  ASSERT_EQ(run("render phantom:8 --size 48x20 --step 1 --model compare -o " + first).status, 0);
+  Outcome outcome = run("render " + first + " -o " + second);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("48 x 20 pixels"), std::string::npos) << outcome.err;
+  EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
+  outcome = run("render " + first + " --model compare -o " + second);
+  EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second)) << outcome.err;
+
+  for (const char* ofOne : {" --model robust", " --light physical --size 24x20", " --figures"}) {
+    outcome = run("render " + first + ofOne + " -o " + second);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("24 x 20 pixels"), std::string::npos) << ofOne << outcome.err;
+    EXPECT_NE(outcome.err.find("shows two models, classic and enhanced; one was asked for"),
+              std::string::npos)
+        << ofOne << outcome.err;
+  }
+
+  nlohmann::json wiped = nlohmann::json::parse(readImageDescription(first));
+  wiped["shown"]["layout"] = "wipe";
+  wiped["shown"]["right"] = "robust";
+  std::ofstream(file("wiped.limn.json")) << wiped;
+  outcome = run("render " + file("wiped.limn.json").string() + " -o " + second);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("24 x 20 pixels"), std::string::npos) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(readImageDescription(second))["shown"], wiped["shown"]);
 }
 
 TEST_F(CommandLine, theBodyAloneIsKeptWhereThatIsAskedFor) {

@@ -286,6 +286,13 @@ QString regionText(const Region& region, bool namesLabels) {
   return notes.join(QStringLiteral(" · "));
 }
 
+QString hiddenText(const Comparison& comparison) {
+  QStringList texts;
+  for (const HiddenWords& words : hiddenWords(comparison))
+    texts << words.atRest;
+  return texts.join(QStringLiteral(" · "));
+}
+
 std::vector<HiddenNote> hiddenNotesOf(const OverlaySource& source, int position) {
   if (source.geometry.size.height() < leastHeightForNotes)
     return {};

@@ -58,6 +58,10 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point);
 /// empty where it hides nothing. Where it `namesLabels`, up to three of them by their names.
 QString regionText(const Region& region, bool namesLabels = false);
 
+/// What of the volume the pictures hide, in the words of their notes: "Body only: table hidden · Cropped";
+/// empty where they hide nothing.
+QString hiddenText(const Comparison& comparison);
+
 /// Tells that a part of the volume is hidden, and by what.
 struct HiddenNote {
   HiddenBy by;

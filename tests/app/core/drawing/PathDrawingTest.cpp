@@ -119,6 +119,18 @@ TEST(PathDrawing, theErrorOfASinglePathIsNotKnown) {
   EXPECT_EQ(pathErrors(nothing, fewPixels, {2, {}, {}}).error, ImageError{});
 }
 
+TEST(PathDrawing, tellsWithinAPassHowMuchOfItsTimeWent) {
+  CpuRenderer renderer(2);
+  std::vector<double> told;
+  const Effort effort{2, {}, [&told](double fraction) { told.push_back(fraction); }};
+  const DrawnByPaths drawn = drawnByPaths(renderer, pathScene(UntilSeconds{1e-6}), {128, 128}, effort);
+  EXPECT_EQ(drawn.figures.paths, 4) << "the first pass took all of it";
+  ASSERT_GT(told.size(), 2u);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_LT(told.at(told.size() - 2), 1.0);
+  EXPECT_EQ(told.back(), 1.0) << "it is there";
+}
+
 // How far the processor's pictures are is told of in `told`.
 MakingOptions tellingOf(std::vector<double>& told) {
   MakingOptions order;

@@ -58,6 +58,39 @@ TEST_F(TurntableWindow, framesOfWhatIsOpenAreSaved) {
   EXPECT_EQ(undo().count(), 0);
 }
 
+// No title stands in its frames, which another side would hide.
+TEST_F(TurntableWindow, saysWhatItHidesWithItsModel) {
+  const glm::ivec3 dims = scene().volume->grid().dims;
+  const std::vector<std::uint8_t> all(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 1);
+  session().setKeep(bodyRegion(dims, all), {nextGestureId(), QStringLiteral("body only")});
+  ASSERT_TRUE(rest());
+  type("turntableFrames", QStringLiteral("2"));
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_EQ(said(), QStringLiteral("Saved turn.frames. Its frames do not say what they show: Classic · Body "
+                                   "only: table hidden."));
+  session().setKeep({}, {nextGestureId(), QStringLiteral("everything")});
+  ASSERT_TRUE(rest());
+  if (videoProgram().empty())
+    GTEST_SKIP() << "no video is made without ffmpeg";
+  auto& kind = *dialog().findChild<QComboBox*>(QStringLiteral("turntableKind"));
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Down);
+  save("turn.mp4");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_EQ(said(), QStringLiteral("Saved turn.mp4. Its frames do not say what they show: Classic."));
+}
+
+TEST_F(TurntableWindow, whileFramesAreDrawnThePictureOnScreenStaysAsItIs) {
+  view().setRefinesAtRest(true);
+  type("turntableFrames", QStringLiteral("4"));
+  save("turn.frames");
+  ASSERT_TRUE(dialog().isWorking());
+  EXPECT_FALSE(view().order().refines);
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_TRUE(view().order().refines);
+}
+
 TEST_F(TurntableWindow, saysOfAFolderThatTakesNoneWhyItCannotBeMade) {
   type("turntableFrames", QStringLiteral("2"));
   save("/proc/turn.frames"); // of which the system says that there is none

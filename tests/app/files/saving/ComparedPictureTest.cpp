@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/saving/ComparedPicture.h"
 
+#include "app/core/drawing/ComparedSides.h"
+
 #include <gtest/gtest.h>
 
 // What is saved of two pictures: what the layout shows.

@@ -151,6 +151,28 @@ TEST_F(SavedPicture, isCancelledWhileItIsDrawnAndTheNextOneIsAskedFor) {
   EXPECT_FALSE(fs::exists(folder.path() / "large.png"));
 }
 
+// Each would slow the other down.
+TEST_F(SavedPicture, whileItIsDrawnTheOneOnScreenStaysAsItIs) {
+  view().setRefinesAtRest(true);
+  PictureOptions options;
+  options.size = PictureOptions::Size::print;
+  options.printCm = 40.0; // 4,724 pixels
+  saving().writePicture(pathTo("large.png"), options);
+  ASSERT_TRUE(stopButton().isVisible());
+  EXPECT_FALSE(view().order().refines);
+  view().setRefinesAtRest(false);
+  view().setRefinesAtRest(true);
+  EXPECT_FALSE(view().order().refines) << "whoever else allows it";
+  const Camera before = scene().camera;
+  session().setCamera(zoomed(before, 0.5));
+  EXPECT_TRUE(rest()) << "what is asked for is drawn";
+  QTest::mouseClick(&stopButton(), Qt::LeftButton);
+  EXPECT_TRUE(view().order().refines);
+  options.size = PictureOptions::Size::screen;
+  ASSERT_FALSE(saved("small.png", options).isNull());
+  EXPECT_TRUE(view().order().refines);
+}
+
 // What is told rises once, however often it is: that each side has its half of the way stands in
 // PictureProgress.
 TEST_F(SavedPicture, ofTwoTellsHowFarItIsAsOne) {

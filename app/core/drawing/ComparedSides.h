@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/basics/Image.h"
+#include "scene/view/CompareLayout.h"
+
+namespace limn {
+
+/// Two pictures of one size as a layout of two shows them: side by side, parted at `wipe` (0..1 of the
+/// width), or as their amplified difference over `background`, which is opaque.
+Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
+                      const glm::dvec3& background);
+
+} // namespace limn
