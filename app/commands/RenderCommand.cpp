@@ -49,7 +49,7 @@ ShownSides sidesOf(const RenderArguments& arguments, const LoadedScene& loaded) 
 }
 
 // A scene tells the size of one side.
-Scene sceneOf(LoadedScene loaded, SceneArguments arguments, const ShownSides& sides) {
+Scene sceneAsked(LoadedScene loaded, SceneArguments arguments, const ShownSides& sides) {
   if (sides.layout != CompareLayout::sideBySide)
     return adjusted(loaded, arguments);
   if (loaded.sides && loaded.sides->layout == CompareLayout::sideBySide)
@@ -169,7 +169,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
     throw Error(Error::Kind::usage, "--figures measures one model at a time; choose one with --model.");
-  Scene scene = sceneOf(loaded, arguments.scene, sides);
+  Scene scene = sceneAsked(loaded, arguments.scene, sides);
   if (!arguments.scene.model.empty() && !isComparison)
     scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
   if (arguments.filtersNoise && (isComparison || !isPhysical(scene)))

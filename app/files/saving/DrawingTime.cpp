@@ -44,8 +44,11 @@ std::optional<double> secondsToDraw(const Scene& scene, const SideState& shown, 
                : std::nullopt;
   const PhysicalLight& light = scene.shading.physical;
   const double share = light.filtersNoise ? shareOfPaths : 1.0;
-  if (const auto* seconds = std::get_if<UntilSeconds>(&light.until))
-    return seconds->seconds / share;
+  if (const auto* time = std::get_if<UntilSeconds>(&light.until)) {
+    // Its first paths it has in any case.
+    const double first = nextPaths(light.until, {}, 0.0) * shown.msPerPath.value_or(0.0);
+    return std::max(time->seconds, 1e-3 * timesThePixels * first) / share;
+  }
   const std::optional<double> paths = pathsUntil(light.until, shown.paths);
   if (!paths || !shown.msPerPath)
     return std::nullopt;

@@ -29,6 +29,8 @@ TEST(DrawingTime, ofPathsIsTheirsTimesThePixels) {
   // Half of the error takes four times as many paths.
   EXPECT_DOUBLE_EQ(*secondsToDraw(physicalScene(UntilLevels{2.0}), shownPaths(), 1.0), 128 * 0.010);
   EXPECT_DOUBLE_EQ(*secondsToDraw(physicalScene(UntilSeconds{7.0}), shownPaths(), 4.0), 7.0);
+  EXPECT_DOUBLE_EQ(*secondsToDraw(physicalScene(UntilSeconds{7.0}), shownPaths(), 1000.0), 1000 * 0.040)
+      << "four paths take longer than that";
   Scene filtered = physicalScene(UntilPaths{256});
   filtered.shading.physical.filtersNoise = true;
   EXPECT_DOUBLE_EQ(*secondsToDraw(filtered, shownPaths(), 1.0), 2.56 / 0.8) << "the filter is a fifth of all";
