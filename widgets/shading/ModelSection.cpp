@@ -85,21 +85,15 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
     connect(row, &ChoiceRow::indexEdited, this,
             [this, side](int index) { emit sideModelChosen(side, static_cast<ShadingModel>(index)); });
   }
-<<<<<<< HEAD
   m_kept = new QLabel;
   m_kept->setObjectName(QStringLiteral("keptLook"));
   m_kept->setWordWrap(true);
   m_kept->setTextFormat(Qt::PlainText);
   m_kept->hide();
   contents()->addWidget(m_kept);
-  auto* classic = new QLabel(modelName(ShadingModel::classic));
-  auto* enhanced = new QLabel(tr("Enhanced and robust"));
-  for (QLabel* heading : {classic, enhanced})
-=======
   m_classicHeading = new QLabel(modelName(ShadingModel::classic));
   m_rangesHeading = new QLabel;
   for (QLabel* heading : {m_classicHeading, m_rangesHeading})
->>>>>>> n3
     heading->setForegroundRole(QPalette::PlaceholderText);
   contents()->addWidget(m_classicHeading);
   m_exponent = addNumber(exponentSpec(), &Shading::exponent);
@@ -140,30 +134,17 @@ void ModelSection::showShading() {
   m_opacityRange->setRange(shading().opacityRange.atFlat, shading().opacityRange.atBoundary);
 
   m_exponent->setUnavailable(
-<<<<<<< HEAD
       whyUnused({ShadingModel::classic},
                 tr("Only the classic model has one sharpness everywhere, and it is not shown.")));
+  m_classicHeading->setEnabled(shows({ShadingModel::classic}));
   const QString noRange =
       whyUnused({ShadingModel::enhanced, ShadingModel::robust},
                 tr("Only the enhanced and robust models follow boundaries, and none is shown."));
-  // The highlights of physical surfaces have the same range.
-  m_exponentRange->setUnavailable(
-      whyUnused({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical}, noRange));
-=======
-      shows({ShadingModel::classic})
-          ? QString()
-          : tr("Only the classic model has one sharpness everywhere, and it is not shown."));
-  m_classicHeading->setEnabled(shows({ShadingModel::classic}));
-  const QString noRange =
-      shows({ShadingModel::enhanced, ShadingModel::robust})
-          ? QString()
-          : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
   const QString noExponent = noRange.isEmpty() ? QString() : noExponentRange();
   m_rangesHeading->setText(shows({ShadingModel::physical}) ? tr("Enhanced, robust and physical")
                                                            : tr("Enhanced and robust"));
   m_rangesHeading->setEnabled(noExponent.isEmpty());
   m_exponentRange->setUnavailable(noExponent);
->>>>>>> n3
   m_opacityRange->setUnavailable(noRange);
   const bool isLiteral = shading() == asInThePaper(shading());
   m_literal->setEnabled(noRange.isEmpty() && !isLiteral);
@@ -175,8 +156,11 @@ void ModelSection::showShading() {
 
 // Where neither enhanced nor robust shows, the highlights of physical surfaces alone have that range.
 QString ModelSection::noExponentRange() const {
-  if (!shows({ShadingModel::physical}))
-    return tr("Only the enhanced, robust and physical models have such highlights, and none is shown.");
+  const QString unused =
+      whyUnused({ShadingModel::enhanced, ShadingModel::robust, ShadingModel::physical},
+                tr("Only the enhanced, robust and physical models have such highlights, and none is shown."));
+  if (!unused.isEmpty())
+    return unused;
   const PhysicalLight& light = shading().physical;
   return light.surface > 0.0 && light.specularShare > 0.0
              ? QString()

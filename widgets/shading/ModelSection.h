@@ -36,12 +36,9 @@ private:
 
   ChoiceRow* m_model; ///< of a single picture
   std::array<ChoiceRow*, 2> m_sides;
-<<<<<<< HEAD
   QLabel* m_kept; ///< says which side is not edited
-=======
   QLabel* m_classicHeading;
   QLabel* m_rangesHeading; ///< above what follows boundaries
->>>>>>> n3
   ValueSlider* m_exponent;
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;

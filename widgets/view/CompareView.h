@@ -235,12 +235,9 @@ private:
   void offerModels(int position);
 
   ViewOrder m_order;
-<<<<<<< HEAD
-  bool m_hasCorners = false; ///< of a line that is drawn so
-=======
+  bool m_hasCorners = false;   ///< of a line that is drawn so
   bool m_refinesAtRest = true; ///< unless it pauses
   int m_pauses = 0;            ///< of refinement
->>>>>>> n3
   bool m_isShown = false;
   bool m_isPreparing = false; ///< it is said that a volume is got ready
   QString m_problem;          ///< why nothing is drawn, as the panels say it
