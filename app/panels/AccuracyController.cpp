@@ -17,7 +17,7 @@
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/overlay/Titles.h"
-#include "widgets/view/panels/PictureStatus.h"
+#include "widgets/view/panels/PictureStatusText.h"
 
 #include <QBuffer>
 #include <QFileInfo>

@@ -320,8 +320,8 @@ void Panels::addEffects() {
     m_effects.setTimes(news.times);
   });
   connect(&m_effects, &EffectsPanel::effectSwitched, this, &Panels::switchEffect);
-  connect(&m_effects, &EffectsPanel::measureRequested, &m_context.view, &CompareView::measureEffects);
-  connect(&m_effects, &EffectsPanel::cancelRequested, &m_context.view, &CompareView::stopMeasuringEffects);
+  connect(&m_effects, &EffectsPanel::measureRequested, this, [this] { m_context.view.measureEffects(); });
+  connect(&m_effects, &EffectsPanel::cancelRequested, this, [this] { m_context.view.measureEffects(false); });
 }
 
 // What is off may be so because nothing in the picture calls for it: only what was switched off here is

@@ -141,16 +141,13 @@ bool PlaneView::event(QEvent* event) {
   const PlaneOverlay overlay = planeOverlay(m_content, m_plane, frame(), size(), font());
   QString tip = planeToolTip(overlay, m_content, help->pos());
   if (tip.isEmpty() && isOnKeptLine(help->pos()))
-    tip = tr("<p>The edge of what is kept, an orange line where no label's own runs: what lies beyond it is "
-             "hidden or faded in the picture.</p>");
+    tip = tr("<p>The orange line is the edge of what is kept: the rest is hidden or faded.</p>");
   QToolTip::showText(help->globalPos(), tip, this);
   return true;
 }
 
-// As near as the pointer is exact; the picture may be a coarser one.
 bool PlaneView::isOnKeptLine(const QPoint& point) const {
-  const PlaneFrame shown = frame();
-  const double scale = shown.pixelRatio / m_pictures.coarseness(m_content, shown.grid, mostMovingMs);
+  const double scale = frame().pixelRatio / m_pictures.coarseness(m_content, frame().grid, mostMovingMs);
   const glm::ivec2 pixel(scale * (point.x() + 0.5), scale * (point.y() + 0.5));
   return m_pictures.hasKeptLineNear(pixel, static_cast<int>(std::lround(2.0 * scale)));
 }
@@ -222,14 +219,13 @@ void PlaneView::closeLine() {
 }
 
 void PlaneView::forgetLine() {
-  const std::optional<CutLine> line = std::exchange(m_line, std::nullopt);
-  if (line)
-    update();
-  if (line && line->isByClicks)
+  if (!m_line)
+    return;
+  update();
+  if (std::exchange(m_line, std::nullopt)->isByClicks)
     emit cornersBegun(false);
 }
 
-// Keys that belong to a line while one is open.
 bool PlaneView::obeyInLine(int key) {
   if (!m_line)
     return false;

@@ -41,7 +41,7 @@ public:
   /// The line that is being drawn to cut along.
   const std::optional<CutLine>& cutLine() const { return m_line; }
 
-  /// Whether a line, a measurement or another drag is begun, and neither finished nor given up.
+  /// Whether a line or a drag is begun, and neither finished nor given up.
   bool isDrawing() const { return m_line || m_drag; }
 
   /// How the slice lies in the view; there is a volume.

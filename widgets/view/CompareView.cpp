@@ -15,8 +15,6 @@
 #include <QKeyEvent>
 #include <QMenu>
 
-#include <utility>
-
 namespace limn {
 
 CompareView::CompareView(DrawingEngines engines, Engine engine, QWidget* parent)
@@ -143,12 +141,8 @@ void CompareView::setSwapped(bool swapped) {
   m_labels->wake();
 }
 
-void CompareView::measureEffects() {
-  m_engines->drawing().measureEffects(true);
-}
-
-void CompareView::stopMeasuringEffects() {
-  m_engines->drawing().measureEffects(false);
+void CompareView::measureEffects(bool measures) {
+  m_engines->drawing().measureEffects(measures);
 }
 
 void CompareView::setCropBoxVisible(bool visible) {

@@ -70,8 +70,7 @@ public:
     set(m_order.refines, m_refinesAtRest && m_pauses == 0);
   }
 
-  /// While something is drawn for a file resting pictures stay as they are: each would slow the other down.
-  /// Pauses count: it goes on once each of them has ended.
+  /// Resting pictures stay as they are while something is drawn for a file, until each pause has ended.
   void pauseRefinement(bool pauses) {
     m_pauses += pauses ? 1 : -1;
     setRefinesAtRest(m_refinesAtRest);
@@ -175,10 +174,9 @@ public slots:
   void lookFrom(limn::StandardView view);
   void resetCamera();
 
-  /// Measures at rest what each effect of the picture costs whose effects are told; the next change of what
-  /// is shown stops it.
-  void measureEffects();
-  void stopMeasuringEffects();
+  /// Measures at rest what each effect of the picture costs whose effects are told, or no longer; the next
+  /// change of what is shown stops it, too.
+  void measureEffects(bool measures = true);
 
 signals:
   /// By the gesture of this id: what one drag, or one run of notches or key presses, asks for has one id.

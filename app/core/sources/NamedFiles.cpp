@@ -24,6 +24,11 @@ Message missingVolume(NamedBy by) {
 
 } // namespace
 
+std::optional<std::filesystem::path> installedSampleHead() {
+  const fs::path head = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  return fs::exists(head) ? std::optional(head) : std::nullopt;
+}
+
 std::string volumeOf(const SceneDocument& document, const SourceOptions& options, NamedBy by) {
   if (options.volume)
     return options.volume->string();

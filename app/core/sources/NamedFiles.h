@@ -5,6 +5,7 @@
 #include "scene/basics/Error.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace limn {
@@ -50,5 +51,8 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
 /// Where a scene's label map is now: as told, as the scene says, referred to, or beside the volume or others.
 /// Throws LabelsMissing.
 std::string labelsOf(const std::string& written, const std::string& volume, const SourceOptions& options);
+
+/// The CT head that Debian's invesalius-examples installs, where it is installed.
+std::optional<std::filesystem::path> installedSampleHead();
 
 } // namespace limn

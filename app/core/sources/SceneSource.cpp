@@ -325,11 +325,6 @@ LoadedScene loadLook(const fs::path& path, SourceOptions options, const Progress
 
 } // namespace
 
-std::optional<std::filesystem::path> installedSampleHead() {
-  const fs::path head = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
-  return fs::exists(head) ? std::optional(head) : std::nullopt;
-}
-
 std::string carriedBy(const std::string& source) {
   const std::string description = descriptionIn(source);
   const bool isScene = description.find("\"limn_scene\"") != std::string::npos;

@@ -111,7 +111,4 @@ std::string carriedBy(const std::string& source);
 /// keeps its name.
 std::string absoluteSource(const std::string& source);
 
-/// The CT head that Debian's invesalius-examples installs, where it is installed.
-std::optional<std::filesystem::path> installedSampleHead();
-
 } // namespace limn

@@ -6,7 +6,7 @@
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/ModelSection.h"
 #include "widgets/view/overlay/Overlay.h"
-#include "widgets/view/panels/PictureStatus.h"
+#include "widgets/view/panels/PictureStatusText.h"
 
 #include <QObject>
 
