@@ -140,18 +140,6 @@
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>it is no picture, or a damaged one</source>
-        <translation>sie ist kein Bild oder ist beschädigt</translation>
-    </message>
-    <message>
-        <source>choose a PNG, TIFF, JPEG or EXR picture</source>
-        <translation>wählen Sie ein Bild als PNG, TIFF, JPEG oder EXR</translation>
-    </message>
-    <message>
         <source>check the path</source>
         <translation>prüfen Sie den Pfad</translation>
     </message>
@@ -1900,10 +1888,6 @@
         <translation>Zufallspfade</translation>
     </message>
     <message>
-        <source>OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by; the processor can (Draw with, in the settings).</source>
-        <translation>OpenGL schlägt Schatten und Verdeckung in einem Gitter nach und kann nicht sagen, wie weit das daneben liegt; der Prozessor kann es (Zeichnen mit, in den Einstellungen).</translation>
-    </message>
-    <message>
         <source>Light follows random paths through tissue, and what they differ by tells how far the picture lies from the exact one: %1 of 255 levels on average (RMS), 999 of 1000 colour values within %2. Four times as many paths halve it.</source>
         <translation>Licht folgt Zufallspfaden durch das Gewebe, und worin sie sich unterscheiden, sagt, wie weit das Bild neben dem exakten liegt: im Mittel (RMS) %1 von 255 Stufen, 999 von 1000 Farbwerten höchstens %2. Viermal so viele Pfade halbieren es.</translation>
     </message>
@@ -2221,6 +2205,23 @@
         <source>within %1 of 255 levels, measured in a smaller picture</source>
         <translation>auf %1 von 255 Stufen genau, in einem kleineren Bild gemessen</translation>
     </message>
+    <message>
+        <source>d MMM yyyy, HH:mm</source>
+        <comment>as Qt formats dates</comment>
+        <translation>d. MMM yyyy, HH:mm</translation>
+    </message>
+    <message>
+        <source>OpenGL looks shadows and occlusion up on a grid and cannot say what that is off by. Pictures that are sharpened while nothing moves the processor draws once more, and says it.</source>
+        <translation>OpenGL schlägt Schatten und Verdeckung auf einem Gitter nach und kann nicht sagen, wie weit das abliegt. Bilder, die geschärft werden, solange sich nichts bewegt, zeichnet der Prozessor noch einmal und sagt es.</translation>
+    </message>
+    <message>
+        <source>This is the left picture; the right one lies closer to its exact one.</source>
+        <translation>Das ist das linke Bild; das rechte liegt näher an seinem exakten.</translation>
+    </message>
+    <message>
+        <source>This is the right picture; the left one lies closer to its exact one.</source>
+        <translation>Das ist das rechte Bild; das linke liegt näher an seinem exakten.</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2321,6 +2322,11 @@
     <message>
         <source>The picture changed before it was compared with the exact one; tick the box to begin again.</source>
         <translation>Das Bild änderte sich, ehe es mit dem exakten verglichen war; zum Neubeginn das Kästchen anhaken.</translation>
+    </message>
+    <message>
+        <source>at the right %1</source>
+        <comment>how far a picture is off</comment>
+        <translation>rechts %1</translation>
     </message>
 </context>
 <context>
@@ -3091,6 +3097,10 @@
         <source>Click what is meant; the wheel then takes less or more</source>
         <translation>Anklicken, was gemeint ist; das Rad nimmt dann weniger oder mehr</translation>
     </message>
+    <message>
+        <source>Enter or a double click closes the line. Esc takes it back.</source>
+        <translation>Eingabe oder ein Doppelklick schließt die Linie. Esc nimmt sie zurück.</translation>
+    </message>
 </context>
 <context>
     <name>limn::CutSection</name>
@@ -3323,10 +3333,6 @@
         <translation>Gemessen wurde aus einer anderen Richtung.</translation>
     </message>
     <message>
-        <source>Slower and farther off than another position: %1.</source>
-        <translation>Langsamer und weniger genau als eine andere Stellung: %1.</translation>
-    </message>
-    <message>
         <source>From there it refines while nothing moves.</source>
         <translation>Von dort wird es feiner, solange sich nichts bewegt.</translation>
     </message>
@@ -3335,20 +3341,29 @@
         <translation>Schritte, gedacht als %1</translation>
     </message>
     <message>
-        <source>With every step thin tissue between two samples is counted in, too (curve averaged); the chart also has each step without that.</source>
-        <translation>Bei jedem Schritt zählt auch dünnes Gewebe zwischen zwei Abtastpunkten mit (gemittelte Kurve); das Diagramm zeigt jeden Schritt auch ohne.</translation>
-    </message>
-    <message>
-        <source>With these steps thin tissue between two samples is counted in, too (curve averaged): %1. The chart has each step with and without that.</source>
-        <translation>Bei diesen Schritten zählt auch dünnes Gewebe zwischen zwei Abtastpunkten mit (gemittelte Kurve): %1. Das Diagramm zeigt jeden Schritt mit und ohne.</translation>
-    </message>
-    <message>
         <source>Levels and times of the steps are those of the picture before it is refined.</source>
         <translation>Stufen und Zeiten der Schritte sind die des Bildes, bevor es verfeinert wird.</translation>
     </message>
     <message>
         <source>From there it refines while nothing moves, but shadows and occlusion come from few paths or a grid of light, which smaller steps do not make finer: where they show, the picture may stay &quot;not exact&quot;. With &quot;exact&quot; the processor follows more paths, which takes some minutes.</source>
         <translation>Von dort wird es feiner, solange sich nichts bewegt; Schatten und Verdeckung aber kommen von wenigen Lichtpfaden oder einem Lichtgitter, die kleinere Schritte nicht feiner machen: Wo sie zu sehen sind, kann das Bild „nicht exakt“ bleiben. Mit „exakt“ folgt der Prozessor mehr Pfaden, was einige Minuten dauert.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <comment>a list, and the last of it</comment>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>Tissue that is thinner than a step is not missed (&quot;curve averaged&quot; in the chart).</source>
+        <translation>Gewebe, das dünner ist als ein Schritt, wird nicht übersehen („Kurve gemittelt“ im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Tissue that is thinner than a step is not missed with a step of %1 (&quot;curve averaged&quot; in the chart).</source>
+        <translation>Gewebe, das dünner ist als ein Schritt, wird mit einem Schritt von %1 nicht übersehen („Kurve gemittelt“ im Diagramm).</translation>
+    </message>
+    <message>
+        <source>Rather than %1 choose a position that is both faster and closer to the exact picture.</source>
+        <translation>Wählen Sie statt %1 eine Stellung, die schneller ist und näher am exakten Bild liegt.</translation>
     </message>
 </context>
 <context>
@@ -3657,14 +3672,14 @@
         <translation>Wieder öffnen: %1</translation>
     </message>
     <message>
-        <source>Continue where you left
+        <source>Unsaved work:
 %1</source>
-        <translation>Weiterarbeiten, wo Sie aufgehört haben
+        <translation>Nicht gespeicherte Arbeit:
 %1</translation>
     </message>
     <message>
-        <source>Continue where you left: %1</source>
-        <translation>Weiterarbeiten, wo Sie aufgehört haben: %1</translation>
+        <source>Unsaved work: %1</source>
+        <translation>Nicht gespeicherte Arbeit: %1</translation>
     </message>
 </context>
 <context>
@@ -4186,8 +4201,8 @@
         <translation>Das Fenster verwendet sie sofort.</translation>
     </message>
     <message>
-        <source>The window speaks this language as soon as nothing is being read, written or measured, no other dialog is open and no picture waits to be saved elsewhere.</source>
-        <translation>Das Fenster verwendet diese Sprache, sobald nichts gelesen, geschrieben oder gemessen wird, kein anderer Dialog offen ist und kein Bild darauf wartet, anderswo gespeichert zu werden.</translation>
+        <source>The window speaks this language as soon as nothing is being read, written or measured, no measurement, line or piece is unfinished, no other dialog is open and no picture waits to be saved elsewhere.</source>
+        <translation>Das Fenster verwendet diese Sprache, sobald nichts gelesen, geschrieben oder gemessen wird, keine Messung, keine Linie und kein Stück unfertig ist, kein anderer Dialog offen ist und kein Bild darauf wartet, anderswo gespeichert zu werden.</translation>
     </message>
 </context>
 <context>
@@ -4667,6 +4682,10 @@
     <message>
         <source>%1 · %2 · %3 – %4</source>
         <translation>%1 · %2 · %3 – %4</translation>
+    </message>
+    <message>
+        <source>It has no voxels of its own, so there is nothing to show: labels read after it cover it.</source>
+        <translation>Es hat keine eigenen Voxel, daher gibt es nichts zu zeigen: Labels, die nach ihm gelesen wurden, bedecken es.</translation>
     </message>
 </context>
 <context>
@@ -9157,6 +9176,30 @@
         <source>Shadows and occlusion come along few paths of light, which is estimated to move the picture by up to %1; --tolerance has as many followed as it needs.</source>
         <translation>Schatten und Verdeckung kommen von wenigen Lichtpfaden, was das Bild nach Schätzung um bis zu %1 verschiebt; mit --tolerance wird so vielen gefolgt, wie nötig sind.</translation>
     </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>choose a PNG, TIFF, JPEG or EXR picture</source>
+        <translation>wählen Sie ein Bild als PNG, TIFF, JPEG oder EXR</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels of its own: %2, read after it, covers them.</source>
+        <translation>%1 hat keine eigenen Voxel: %2, danach gelesen, bedeckt sie.</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels of its own: masks read after it cover them.</source>
+        <translation>%1 hat keine eigenen Voxel: Danach gelesene Masken bedecken sie.</translation>
+    </message>
+    <message>
+        <source>%1 labels have no voxels of their own, because %2, read after them, covers them: %3.</source>
+        <translation>%1 Labels haben keine eigenen Voxel, weil %2, danach gelesen, sie bedeckt: %3.</translation>
+    </message>
+    <message>
+        <source>%1 labels have no voxels of their own, because masks read after them cover them: %2.</source>
+        <translation>%1 Labels haben keine eigenen Voxel, weil danach gelesene Masken sie bedecken: %2.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9269,6 +9312,22 @@
     <message>
         <source>Sharpness, emphasis and boundaries by the paper&apos;s formulas alone: presets have numbers that show their own tissue better.</source>
         <translation>Schärfe, Betonung und Grenzen allein nach den Formeln der Publikation: Presets haben Zahlen, die ihr Gewebe besser zeigen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; at the left stays as it is; curve and light shape the right side, and Preset ▸ Swap the sides exchanges both.</source>
+        <translation>„%1“ links bleibt, wie es ist; Kurve und Licht formen die rechte Seite, und Preset ▸ Seiten tauschen vertauscht beide.</translation>
+    </message>
+    <message>
+        <source>Enhanced, robust and physical</source>
+        <translation>„Verstärkt“, „Robust“ und „Physikalisch“</translation>
+    </message>
+    <message>
+        <source>Only the enhanced, robust and physical models have such highlights, and none is shown.</source>
+        <translation>Nur die Modelle „Verstärkt“, „Robust“ und „Physikalisch“ haben solche Glanzlichter, und keines wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Physical light has highlights on surfaces with gloss alone, and there are none.</source>
+        <translation>Physikalisches Licht hat Glanzlichter nur auf glänzenden Oberflächen, und es gibt keine.</translation>
     </message>
 </context>
 <context>
@@ -10580,6 +10639,10 @@
         <source>Outline labels, kept region and crop box</source>
         <translation>Labels, behaltenen Bereich und Zuschnittbox umranden</translation>
     </message>
+    <message>
+        <source>Labels in their own colours, what is kept in orange, and the crop box in dashed white.</source>
+        <translation>Labels in ihren eigenen Farben, was behalten wird, in Orange und der Zuschnitt weiß gestrichelt.</translation>
+    </message>
 </context>
 <context>
     <name>limn::PlaneController</name>
@@ -10621,6 +10684,10 @@
     <message>
         <source>%1, %2 under the crosshair</source>
         <translation>%1, %2 unter dem Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The orange line is the edge of what is kept: the rest is hidden or faded.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Die orange Linie ist der Rand dessen, was behalten wird: Der Rest ist ausgeblendet oder blass.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -11665,6 +11732,22 @@
         <source>Bring back</source>
         <translation>Zurückholen</translation>
     </message>
+    <message>
+        <source>Your earlier work on this volume (%1) is kept.</source>
+        <translation>Ihre frühere Arbeit an diesem Volumen (%1) wird aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Your earlier work on this volume (%1) is kept, and so is your work on %2.</source>
+        <translation>Ihre frühere Arbeit an diesem Volumen (%1) wird aufbewahrt, ebenso Ihre Arbeit an %2.</translation>
+    </message>
+    <message>
+        <source>Bring back the other</source>
+        <translation>Die andere zurückholen</translation>
+    </message>
 </context>
 <context>
     <name>limn::SettingsDialog</name>
@@ -11675,6 +11758,13 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ShadingSection</name>
+    <message>
+        <source>The left side alone uses this, and keeps its look: swap the sides to edit it.</source>
+        <translation>Nur die linke Seite verwendet dies und behält ihre Darstellung: Tauschen Sie die Seiten, um sie zu bearbeiten.</translation>
     </message>
 </context>
 <context>
@@ -11999,10 +12089,6 @@
         <translation>Ansehen</translation>
     </message>
     <message>
-        <source>Drag with the left button to turn, turn the wheel to come nearer. The left side is lit the classic way, the right side enhanced; Space swaps them while held. Esc always returns to turning.</source>
-        <translation>Mit der linken Taste ziehen dreht, das Rad holt näher heran. Links ist klassisch beleuchtet, rechts verstärkt; die Leertaste tauscht beide, solange sie gedrückt ist. Esc kehrt immer zum Drehen zurück.</translation>
-    </message>
-    <message>
         <source>Shape the curve</source>
         <translation>Die Kurve formen</translation>
     </message>
@@ -12039,12 +12125,40 @@
         <translation>Die Kurve sagt, wie deckend jeder Wert ist; dahinter steht, wie oft er vorkommt. Einen Punkt ziehen, oder auf die Kurve klicken für einen neuen: Das Bild folgt. Strg+Z nimmt zurück, was am Bild geändert wurde.</translation>
     </message>
     <message>
-        <source>The camera saves the picture with everything that made it; File has figures, sessions and more. F1 opens the guide, ? lists every key, and Help has this tour again.</source>
-        <translation>Die Kamera speichert das Bild mit allem, was es ausmacht; Datei hat Abbildungen, Sitzungen und mehr. F1 öffnet den Leitfaden, ? zeigt alle Tasten, und Hilfe hat diesen Rundgang noch einmal.</translation>
-    </message>
-    <message>
         <source>&amp;Tour of the window</source>
         <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>View ▸ Side by side compares two ways of showing a volume.</source>
+        <translation>Ansicht ▸ Nebeneinander vergleicht zwei Darstellungen eines Volumens.</translation>
+    </message>
+    <message>
+        <source>The colours show where &quot;%1&quot; and &quot;%2&quot; differ.</source>
+        <translation>Die Farben zeigen, wo sich „%1“ und „%2“ unterscheiden.</translation>
+    </message>
+    <message>
+        <source>At the left you see &quot;%1&quot;, at the right &quot;%2&quot;; Space swaps them while held.</source>
+        <translation>Links sehen Sie „%1“, rechts „%2“; die Leertaste tauscht beide, solange sie gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>The camera, here behind », saves the picture with everything that made it.</source>
+        <translation>Die Kamera, hier hinter », speichert das Bild mit allem, was es ausmacht.</translation>
+    </message>
+    <message>
+        <source>The camera saves the picture with everything that made it.</source>
+        <translation>Die Kamera speichert das Bild mit allem, was es ausmacht.</translation>
+    </message>
+    <message>
+        <source>File ▸ Save picture saves the picture with everything that made it.</source>
+        <translation>Datei ▸ Bild speichern speichert das Bild mit allem, was es ausmacht.</translation>
+    </message>
+    <message>
+        <source>File has figures, sessions and more. F1 opens the guide, ? lists every key, and Help has this tour again.</source>
+        <translation>Datei hat Abbildungen, Sitzungen und mehr. F1 öffnet den Leitfaden, ? zeigt alle Tasten, und Hilfe hat diesen Rundgang noch einmal.</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to turn, turn the wheel to come nearer. %1 Esc always returns to turning.</source>
+        <translation>Mit der linken Taste ziehen dreht, das Rad holt näher heran. %1 Esc kehrt immer zum Drehen zurück.</translation>
     </message>
 </context>
 <context>
@@ -12349,6 +12463,10 @@
     <message>
         <source>Cancelled; frames that were drawn stay in their folder.</source>
         <translation>Abgebrochen; gezeichnete Einzelbilder bleiben in ihrem Ordner.</translation>
+    </message>
+    <message>
+        <source>Its frames do not say what they show: %1.</source>
+        <translation>Seine Einzelbilder sagen nicht, was sie zeigen: %1.</translation>
     </message>
 </context>
 <context>

@@ -408,7 +408,7 @@ TEST_F(PlaneViewTest, whoRestsOnTheLineAroundWhatIsKeptIsToldWhatItIs) {
   };
   const auto isToldNothing = [] { return test::waitUntil([] { return QToolTip::text().isEmpty(); }); };
   restAt(39.6);
-  EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("The edge of what is kept, an orange line")))
+  EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("The orange line is the edge of what is kept")))
       << QToolTip::text().toStdString();
   restAt(50.0);
   EXPECT_TRUE(isToldNothing()) << "within it";
