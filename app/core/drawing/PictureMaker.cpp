@@ -343,7 +343,7 @@ Engine engineFor(const Scene& scene, const EngineMemory& memory) {
   try {
     requireInMemory(*scene.volume);
     requireLightOfShaders(scene);
-    return processorIsFaster(scene, memory) ? Engine::cpu : Engine::rayCaster;
+    return hasTravellingLight(scene) || processorIsFaster(scene, memory) ? Engine::cpu : Engine::rayCaster;
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::openGl)
       throw;
@@ -365,8 +365,10 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
     return makeWithCpu(sitting, order);
   if (order.engine)
     return makeWithGl(sitting, order, {order.textureMb, true});
-  // Physical light is always drawn by the processor: where nobody chose, there is nothing to excuse.
-  if (std::ranges::any_of(scenes, isPhysical))
+  // Physical light is always drawn by the processor, and shadows are followed by it alone: where nobody
+  // chose, there is nothing to excuse.
+  if (std::ranges::any_of(scenes,
+                          [](const Scene& scene) { return isPhysical(scene) || hasTravellingLight(scene); }))
     return makeWithCpu(sitting, order);
   Message problem;
   try {

@@ -55,8 +55,8 @@ struct MakingOptions {
   bool isFilm = false; ///< of such pictures the first stands for all
 };
 
-/// Who draws a scene where nobody chose, as `makeEach` finds out: the CPU engine without OpenGL and where the
-/// voxels stay on disk, otherwise the faster one.
+/// Who draws a scene where nobody chose, as `makeEach` finds out: the CPU engine without OpenGL, where the
+/// voxels stay on disk and where light on its way is followed, otherwise the faster one.
 Engine engineFor(const Scene& scene, const EngineMemory& memory);
 
 /// Takes the picture of the scene at `index`.

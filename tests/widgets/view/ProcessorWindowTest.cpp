@@ -178,7 +178,7 @@ TEST(OnProcessor, aMeasurementOfCostsIsSaidAtOnce) {
   EXPECT_TRUE(times.isMeasuring);
   EXPECT_TRUE(test::waitUntil([&] { return !times.isMeasuring && !times.costs.empty(); }));
   host.view.measureEffects();
-  host.view.stopMeasuringEffects();
+  host.view.measureEffects(false);
   QCoreApplication::processEvents();
   EXPECT_EQ(times, EffectTimes{}) << "cancelled";
   ASSERT_TRUE(host.rest());

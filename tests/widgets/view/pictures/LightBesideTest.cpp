@@ -17,15 +17,15 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 size{60, 40};
+constexpr glm::ivec2 besideSize{60, 40};
 
-Scene plainPhantom() {
+Scene plainHead() {
   static const std::shared_ptr<const Volume> volume = phantomVolume({8.0, 0.0, 1});
   return headScene(volume, ShadingModel::classic);
 }
 
-Scene litPhantom() {
-  Scene scene = plainPhantom();
+Scene headInShadow() {
+  Scene scene = plainHead();
   scene.shading.lightDirection = glm::normalize(glm::dvec3(1, 1, -1));
   scene.shading.shadow.strength = 0.7;
   return scene;
@@ -34,7 +34,7 @@ Scene litPhantom() {
 class LightBesideOpenGl : public test::GlTest {
 protected:
   void finish(const Scene& scene) {
-    pictures().want({scene}, size);
+    pictures().want({scene}, besideSize);
     pictures().drawCoarsely(InteractionQuality::levelCount - 1, {});
     while (!pictures().refine(5.0)) {
     }
@@ -64,7 +64,7 @@ private:
 };
 
 TEST_F(LightBesideOpenGl, aFinalPictureIsReplacedByOneWhoseLightIsFollowedAndSaysHowNearThatIs) {
-  finish(litPhantom());
+  finish(headInShadow());
   EXPECT_FALSE(pictures().state().sides[0].isLightMeasured);
   comeToTheEnd();
   const PictureState state = pictures().state();
@@ -72,36 +72,37 @@ TEST_F(LightBesideOpenGl, aFinalPictureIsReplacedByOneWhoseLightIsFollowedAndSay
   EXPECT_FALSE(state.refines);
   const SidePicture& side = pictures().side(0);
   CpuRenderer processor;
-  EXPECT_EQ(*side.picture().image, processor.render(side.shownScene(), size));
+  EXPECT_EQ(*side.picture().image, processor.render(side.shownScene(), besideSize));
   EXPECT_TRUE(state.sides[0].isLightMeasured);
   ASSERT_TRUE(state.sides[0].estimate);
   Scene exact = side.shownScene();
   exact.quality.light = LightDetail::sampled;
-  const ImageError found = imageError(*side.picture().image, processor.render(exact, size));
+  const ImageError found = imageError(*side.picture().image, processor.render(exact, besideSize));
   EXPECT_GT(found.p99_9, 0.0);
   EXPECT_GE(state.sides[0].estimate->p99_9, 0.8 * found.p99_9); // of steps and light
 }
 
 TEST_F(LightBesideOpenGl, nothingIsFollowedOfPicturesWithoutItNorOfThoseThatAreNotSharpened) {
-  finish(plainPhantom());
+  finish(plainHead());
   comeToTheEnd();
   EXPECT_EQ(made, 0);
-  finish(litPhantom());
+  finish(headInShadow());
   while (pictures().workAtRest(false, 20.0) != RestTurn::nothing) {
   }
   EXPECT_EQ(made, 0);
 }
 
 TEST_F(LightBesideOpenGl, anotherPictureEndsItAndIsFollowedAnew) {
-  finish(litPhantom());
+  finish(headInShadow());
   while (made == 0)
     pictures().workAtRest(true, 20.0);
-  Scene turned = litPhantom();
+  Scene turned = headInShadow();
   turned.camera = orbited(turned.camera, 0.5, 0.0);
   finish(turned);
   EXPECT_FALSE(pictures().state().sides[0].isLightMeasured) << "what was known of the picture before";
   comeToTheEnd();
-  EXPECT_EQ(*pictures().side(0).picture().image, CpuRenderer().render(pictures().side(0).shownScene(), size));
+  EXPECT_EQ(*pictures().side(0).picture().image,
+            CpuRenderer().render(pictures().side(0).shownScene(), besideSize));
 }
 
 } // namespace
