@@ -87,7 +87,7 @@ TEST_F(TitleWindow, saysWhatASeriesIsUnlessThatNamesThePatient) {
   ASSERT_TRUE(open(pathTo("named")));
   begins("named \xB7 CT[*]");
   window->findChild<QAction*>(QStringLiteral("patientInTitle"))->trigger();
-  begins("named \xB7 CT, Quillon, thorax \xB7 ZEBEDEE^QUILLON");
+  begins("named \xB7 CT, Quillon, thorax \xB7 ZEBEDEE, QUILLON");
 }
 
 TEST_F(TitleWindow, saysWhichSeriesOfAFolderIsOpen) {

@@ -250,9 +250,10 @@ void EmptyPanel::fit() {
                                      {m_formats, wordsIn(*m_formats)},
                                      {m_recent, recent}})
     room += part->isHidden() ? 0 : pixels;
-  const int covered = std::clamp(coveredBelow(), 0, std::max(0, room));
-  room -= covered;
-  layout()->setContentsMargins(pageMargins + QMargins(0, 0, 0, covered));
+  const int margin = pageMargins.bottom(); // what covers the page has margins of its own
+  const int bottom = std::max(coveredBelow(), margin);
+  room -= bottom - margin;
+  layout()->setContentsMargins(pageMargins.left(), pageMargins.top(), pageMargins.right(), bottom);
   const auto hasRoom = [&room](int pixels) {
     const bool has = room >= pixels;
     room -= has ? pixels : 0;
