@@ -86,6 +86,8 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
 }
 
 RestTurn Pictures::followLight() {
+  if (!m_light.isPending(sides()))
+    return RestTurn::nothing;
   std::vector<std::optional<ErrorEstimate>> ofSteps;
   for (int i = 0; i < m_count; ++i)
     ofSteps.push_back(stateOf(i).estimate);
