@@ -2,6 +2,7 @@
 #include "widgets/properties/LabelSection.h"
 
 #include "scene/LabelLooks.h"
+#include "scene/regions/BodyAndLabels.h"
 #include "scene/regions/LabelColor.h"
 #include "scene/volume/Phantom.h"
 #include "widgets/FindWidget.h"
@@ -66,6 +67,38 @@ protected:
       return nullptr;
     QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, *place);
     return section.findChild<ColorPicker*>();
+  }
+  // What the key for menus opens at a row.
+  QMenu* menuOf(const QModelIndex& row) {
+    table().setFocus();
+    table().setCurrentIndex(row);
+    QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
+    QCoreApplication::sendEvent(&table(), &key);
+    return section.findChild<QMenu*>(QStringLiteral("labelMenu"));
+  }
+  static QAction& entry(const QMenu& menu, const char* text) {
+    for (QAction* one : menu.actions())
+      if (one->text() == QString::fromUtf8(text))
+        return *one;
+    throw std::runtime_error("no such entry");
+  }
+  // Chooses an entry of it, and whether it could be chosen.
+  bool choose(const QModelIndex& row, const char* text) {
+    QMenu* menu = menuOf(row);
+    const bool isOffered = menu && entry(*menu, text).isEnabled();
+    if (isOffered)
+      entry(*menu, text).trigger();
+    delete menu;
+    return isOffered;
+  }
+  // Every label of `scene.keep` has a voxel from then on.
+  void giveVoxels() {
+    const std::vector<Label> labels = scene.keep.labels->labels();
+    std::vector<std::uint8_t> places(labels.size());
+    std::iota(places.begin(), places.end(), std::uint8_t{0});
+    scene.keep.labels = std::make_shared<const LabelMap>(glm::ivec3(static_cast<int>(labels.size()), 1, 1),
+                                                         std::move(places), labels);
+    section.setScene(scene);
   }
   QPushButton& button(const QString& text) {
     for (QPushButton* one : section.findChildren<QPushButton*>())
@@ -263,20 +296,70 @@ TEST_F(LabelSectionTest, escTakesTheCurveBackThatAColourHasBegun) {
 }
 
 TEST_F(LabelSectionTest, aColourIsAskedForByTheMenuOfARowToo) {
-  table().setFocus();
-  table().setCurrentIndex(model().index(1, LabelTable::weightColumn));
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
-  QCoreApplication::sendEvent(&table(), &key);
-  auto* menu = section.findChild<QMenu*>(QStringLiteral("labelMenu"));
+  QMenu* menu = menuOf(model().index(1, LabelTable::weightColumn));
   ASSERT_NE(menu, nullptr);
-  ASSERT_EQ(menu->actions().size(), 1);
-  EXPECT_EQ(menu->actions().front()->text(), QStringLiteral("Colour…"));
-  menu->actions().front()->trigger();
+  entry(*menu, "Colour…").trigger();
   menu->close();
   auto* picker = section.findChild<ColorPicker*>();
   ASSERT_NE(picker, nullptr);
   QTest::mouseClick(picker, Qt::LeftButton, {}, {1, 1});
   EXPECT_EQ(texts, std::vector<QString>{QStringLiteral("colour of Liver")});
+}
+
+TEST_F(LabelSectionTest, theMenuOfARowShowsItsLabelAloneInOneStep) {
+  giveVoxels();
+  scene.keep.weights = {1.0, 0.0, 0.5};
+  section.setScene(scene);
+  EXPECT_EQ(menuOf(model().index(1, 0))->accessibleName(), QStringLiteral("Liver"));
+  delete section.findChild<QMenu*>(QStringLiteral("labelMenu"));
+  ASSERT_TRUE(choose(model().index(1, 0), "Show only this"));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{0, 1, 0}));
+  EXPECT_EQ(texts, std::vector<QString>{QStringLiteral("show only Liver")});
+  EXPECT_EQ(gestures.size(), 1u);
+  EXPECT_FALSE(choose(model().index(1, 0), "Show only this")) << "it is";
+  ASSERT_TRUE(choose(model().index(2, 0), "Show all"));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 1}));
+  EXPECT_EQ(texts.back(), QStringLiteral("show all labels"));
+  EXPECT_FALSE(choose(model().index(2, 0), "Show all")) << "nothing is hidden";
+  // One that is faded stays faded.
+  scene.keep.weights = {1.0, 0.4, 1.0};
+  section.setScene(scene);
+  ASSERT_TRUE(choose(model().index(1, LabelTable::curveColumn), "Show only this"));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{0, 0.4, 0}));
+}
+
+TEST_F(LabelSectionTest, aLabelWithoutAVoxelIsNotShownAlone) {
+  EXPECT_TRUE(choose(model().index(0, 0), "Show only this"));
+  EXPECT_FALSE(choose(model().index(1, 0), "Show only this")) << "the picture would be empty";
+}
+
+TEST_F(LabelSectionTest, aGroupIsShownAloneAndHasNoColour) {
+  std::vector<Label> labels{{0, "background", glm::dvec3(0.5)}, {1, "liver", glm::dvec3(1.0)}};
+  for (int n = 1; n <= 3; ++n)
+    labels.push_back({n + 1, "rib_left_" + std::to_string(n), glm::dvec3(0.9)});
+  scene.keep = labelled(labels);
+  giveVoxels();
+  const QModelIndex ribs = model().index(2, 0);
+  ASSERT_TRUE(choose(ribs, "Show only this"));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{0, 0, 1, 1, 1}));
+  EXPECT_EQ(texts.back(), QStringLiteral("show only rib"));
+  const QMenu* menu = menuOf(ribs);
+  ASSERT_NE(menu, nullptr);
+  EXPECT_THROW(entry(*menu, "Colour…"), std::runtime_error);
+  delete menu;
+  ASSERT_TRUE(choose(model().index(1, 0, ribs), "Show only this"));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{0, 0, 0, 1, 0}));
+}
+
+// What lies beside the body is in none of the rows, and "only" hides it all the same.
+TEST_F(LabelSectionTest, theTableBesideTheBodyIsHiddenWithTheOthers) {
+  std::vector<Label> labels = scene.keep.labels->labels();
+  labels.push_back({tableLabelValue, "Table and holder", glm::dvec3(0.5)});
+  scene.keep = labelled(labels);
+  giveVoxels();
+  ASSERT_EQ(model().rowCount(), 3);
+  ASSERT_TRUE(choose(model().index(1, 0), "Show only this"));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{0, 1, 0, 0}));
 }
 
 TEST_F(LabelSectionTest, itSaysOnceThatASegmentationIsOpened) {

@@ -117,6 +117,17 @@ bool LabelTree::hasGroups() const {
   return std::ranges::any_of(m_groups, [](const LabelGroup& group) { return !group.name.isEmpty(); });
 }
 
+std::vector<int> LabelTree::labelsOf(const QModelIndex& index) const {
+  if (isGroup(index))
+    return m_groups[static_cast<std::size_t>(index.row())].labels;
+  return index.isValid() ? std::vector{mapToSource(index).row()} : std::vector<int>();
+}
+
+QString LabelTree::nameOf(const QModelIndex& index) const {
+  return isGroup(index) ? m_groups[static_cast<std::size_t>(index.row())].name
+                        : index.siblingAtColumn(0).data().toString();
+}
+
 // Rows inside a group carry its number, counted from 1.
 QModelIndex LabelTree::index(int row, int column, const QModelIndex& parent) const {
   if (row < 0 || row >= rowCount(parent) || column < 0 || column >= columnCount(parent))

@@ -42,6 +42,10 @@ public:
   bool isGroup(const QModelIndex& index) const;
   bool hasGroups() const;
 
+  /// The rows of the table that a row of this model stands for, one or a group's, and what they are called.
+  std::vector<int> labelsOf(const QModelIndex& index) const;
+  QString nameOf(const QModelIndex& index) const;
+
   QModelIndex mapToSource(const QModelIndex& index) const override;
   QModelIndex mapFromSource(const QModelIndex& index) const override;
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;

@@ -175,11 +175,7 @@ LabelSection::LabelSection(QWidget* parent)
   m_table->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(m_table, &QWidget::customContextMenuRequested, this, &LabelSection::openMenu);
   connect(m_open, &QAbstractButton::clicked, this, &LabelSection::openRequested);
-  connect(m_showAll, &QAbstractButton::clicked, this, [this] {
-    Region all = m_labels->region();
-    std::fill_n(all.weights.begin(), listedLabels(all), 1.0);
-    emit keepEdited(all, {nextGestureId(), tr("show all labels")});
-  });
+  connect(m_showAll, &QAbstractButton::clicked, m_labels, &LabelTable::showAll);
   setScene({});
 }
 
@@ -202,8 +198,7 @@ void LabelSection::setScene(const Scene& scene) {
   fitTable();
   m_open->setEnabled(scene.volume != nullptr);
   m_showAll->setVisible(rows > 0);
-  m_showAll->setEnabled(rows > 0 &&
-                        ownWeights(scene.keep) != std::vector<double>(listedLabels(scene.keep), 1.0));
+  m_showAll->setEnabled(rows > 0 && !m_labels->areAllShown());
   setSummary(summaryOf(scene.keep));
   if (isOther)
     emit opened();
@@ -233,18 +228,36 @@ void LabelSection::pickColor(const QModelIndex& row, const QRect& square) {
           });
 }
 
-// A right click has made its row the current one; the key for menus has no place of its own.
+// A right click has made its row the current one; the key for menus has no place of its own. A group has no
+// colour of its own.
 void LabelSection::openMenu() {
   const QModelIndex row = m_table->currentIndex().siblingAtColumn(LabelTable::nameColumn);
-  if (!labelAt(row))
+  const QModelIndex inTree = m_found->mapToSource(row);
+  const std::vector<int> labels = m_tree->labelsOf(inTree);
+  if (labels.empty())
     return;
+  const QString name = m_tree->nameOf(inTree);
   auto* menu = new QMenu(m_table);
   menu->setObjectName(QStringLiteral("labelMenu"));
+  menu->setAccessibleName(name);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(tr("Colour…"), this, [this, row = QPersistentModelIndex(row)] {
-    if (row.isValid())
-      pickColor(row, m_table->visualRect(row));
-  });
+  // The labels may have become others while the menu was open.
+  const auto ifThere = [row = QPersistentModelIndex(row)](const auto& act) {
+    return [row, act] {
+      if (row.isValid())
+        act(QModelIndex(row));
+    };
+  };
+  menu->addAction(tr("Show only this"), this,
+                  ifThere([this, labels, name](const QModelIndex&) { m_labels->showOnly(labels, name); }))
+      ->setEnabled(m_labels->canShowOnly(labels));
+  menu->addAction(m_showAll->text(), m_labels, &LabelTable::showAll)->setEnabled(!m_labels->areAllShown());
+  if (labelAt(row)) {
+    menu->addSeparator();
+    menu->addAction(tr("Colour…"), this, ifThere([this](const QModelIndex& label) {
+                      pickColor(label, m_table->visualRect(label));
+                    }));
+  }
   menu->popup(m_table->viewport()->mapToGlobal(m_table->visualRect(row).bottomLeft()));
 }
 

@@ -94,6 +94,39 @@ void LabelTable::showRows(const std::vector<int>& rows, bool isShown, const QStr
     emit regionEdited(edited, {nextGestureId(), (isShown ? tr("show %1") : tr("hide %1")).arg(name)});
 }
 
+// The table that lies beside the body is another label, and goes, too.
+Region LabelTable::withOnly(const std::vector<int>& rows) const {
+  Region edited = m_region;
+  std::fill_n(edited.weights.begin(), ownLabels(edited), 0.0);
+  for (const int row : rows) {
+    const double before = m_region.weights[static_cast<std::size_t>(row)];
+    edited.weights[static_cast<std::size_t>(row)] = before > 0.0 ? before : 1.0;
+  }
+  return edited;
+}
+
+void LabelTable::showOnly(const std::vector<int>& rows, const QString& name) {
+  if (const Region edited = withOnly(rows); edited != m_region)
+    emit regionEdited(edited, {nextGestureId(), tr("show only %1").arg(name)});
+}
+
+bool LabelTable::canShowOnly(const std::vector<int>& rows) const {
+  return std::ranges::any_of(rows, [this](int row) { return hasVoxels(static_cast<std::size_t>(row)); }) &&
+         withOnly(rows) != m_region;
+}
+
+void LabelTable::showAll() {
+  Region edited = m_region;
+  std::fill_n(edited.weights.begin(), rowCount({}), 1.0);
+  if (edited != m_region)
+    emit regionEdited(edited, {nextGestureId(), tr("show all labels")});
+}
+
+bool LabelTable::areAllShown() const {
+  return std::all_of(m_region.weights.begin(), m_region.weights.begin() + rowCount({}),
+                     [](double weight) { return weight == 1.0; });
+}
+
 void LabelTable::setFigures(const std::vector<LabelFigures>& figures,
                             const std::shared_ptr<const Volume>& volume) {
   m_figures = figures;

@@ -54,6 +54,16 @@ public:
   /// Asks for labels, rows of the table, to be shown or hidden; `name` is what undo calls them.
   void showRows(const std::vector<int>& rows, bool isShown, const QString& name);
 
+  /// Asks for these labels alone, which undo calls `name`: every other one is hidden, and of these those that
+  /// were hidden are shown wholly; one that is faded stays so.
+  void showOnly(const std::vector<int>& rows, const QString& name);
+  /// Whether that would change something and leave something to be seen.
+  bool canShowOnly(const std::vector<int>& rows) const;
+
+  /// Asks for every label to be shown wholly, where one is not.
+  void showAll();
+  bool areAllShown() const;
+
 signals:
   void regionEdited(const limn::Region& region, const limn::Gesture& gesture);
   /// The label at this place was given a curve of its own.
@@ -63,6 +73,7 @@ signals:
 private:
   bool setCurve(std::size_t place, bool isOwn);
   bool hasVoxels(std::size_t place) const;
+  Region withOnly(const std::vector<int>& rows) const;
   QVariant nameData(std::size_t place, int role) const;
   QVariant weightData(std::size_t place, int role) const;
   QVariant curveData(std::size_t place, int role) const;

@@ -197,6 +197,26 @@ TEST_F(LabelPickWindow, aRightClickInThePictureTakesTheLabelThatIsSeenThereInHan
   EXPECT_EQ(curveShown().points.back().color, glm::dvec3(1.0, 0.0, 0.0));
 }
 
+TEST_F(LabelPickWindow, aRightClickInTheListShowsOneLabelAloneAndUndoBringsTheOthersBack) {
+  openMasks();
+  ASSERT_TRUE(rest());
+  const std::vector<double> before = scene().keep.weights;
+  const auto rightClickRow = [this](int row) {
+    const QRect cell = table().visualRect(table().model()->index(row, 0));
+    rightClick(table().viewport()->mapTo(window.get(), cell.center()));
+    return menu("labelMenu");
+  };
+  ASSERT_NE(rightClickRow(1), nullptr);
+  EXPECT_EQ(table().currentIndex().row(), 1);
+  ASSERT_EQ(menu("labelMenu")->actions().front()->text(), QStringLiteral("Show only this"));
+  menu("labelMenu")->actions().front()->trigger();
+  close("labelMenu");
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{0, 1, 0}));
+  EXPECT_EQ(undo().undoText(), QStringLiteral("show only kidney"));
+  undo().undo();
+  EXPECT_EQ(scene().keep.weights, before);
+}
+
 TEST_F(LabelPickWindow, withoutASegmentationTheEntrySaysWhatToOpen) {
   ASSERT_TRUE(rest());
   rightClick(view().mapTo(window.get(), view().logicalRect(0).center().toPoint()));
