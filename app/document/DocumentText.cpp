@@ -113,11 +113,12 @@ QString volumeText(const Volume& volume) {
 }
 
 QStringList remarksOn(const Volume& volume, const std::vector<Message>& notes) {
+  // Voxels that are not those of the scanner come first: only the first of all is seen unasked.
+  std::vector<Message> said = volume.info().warnings;
+  said.insert(said.begin() + (volume.info().slants ? 1 : 0), notes.begin(), notes.end());
   QStringList remarks;
-  for (const Message& note : notes)
-    remarks << translated(note);
-  for (const Message& warning : volume.info().warnings)
-    remarks << translated(warning);
+  for (const Message& remark : said)
+    remarks << translated(remark);
   if (const std::size_t invalid = volume.invalidVoxels(); invalid > 0)
     remarks << (invalid == 1 ? QObject::tr("%L1 voxel holds no data and is shown as the smallest value.")
                              : QObject::tr("%L1 voxels hold no data and are shown as the smallest value."))

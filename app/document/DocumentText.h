@@ -29,7 +29,7 @@ QString suggestedName(const OpenDocument& document);
 /// Size and range: "512×512×120 · 0.5×0.5×1 mm · -1024 to 3071 HU".
 QString volumeText(const Volume& volume);
 
-/// What was noteworthy in reading a volume, a sentence each.
+/// What was noteworthy in reading a volume, a sentence each: first that its slices slanted, where they did.
 QStringList remarksOn(const Volume& volume, const std::vector<Message>& notes);
 
 } // namespace limn

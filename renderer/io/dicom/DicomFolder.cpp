@@ -271,6 +271,7 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
   info.hints = first.hints;
   info.orientationKnown = geometry.orientationKnown;
   info.spacingKnown = geometry.spacingKnown;
+  info.slants = geometry.slants;
   for (const Message& warning : warnings)
     info.warnings.push_back(plainMessage(warning));
   info.patient = first.patient;

@@ -174,6 +174,7 @@ struct VolumeInfo {
       orientationByHand; ///< the axes' letters that a person gave (Orientation.h), empty: the file told
   std::optional<Grid> gridOfFile; ///< where a person gave them: what the file alone says
   bool spacingKnown = true;
+  bool slants = false; ///< as its slices were taken, which were resampled: the first of `warnings` says so
   std::vector<Message> warnings; ///< one sentence each, without patient data
   PatientLabel patient;
 };

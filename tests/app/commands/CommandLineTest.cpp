@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/ImageFile.h"
+#include "io/dicom/SyntheticSeries.h"
 #include "support/EffectNames.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
@@ -131,6 +132,18 @@ TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
             alone["picture"]);
   ASSERT_EQ(run(render + "--model compare --step 1 -o " + picture).status, 0);
   EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["models"].size(), 2u);
+}
+
+TEST_F(CommandLine, infoSaysThatTheSlicesOfATiltedGantryWereResampled) {
+  std::filesystem::create_directory(file("tilted"));
+  for (int number = 1; number <= 3; ++number)
+    test::slantingSlice(number).write(file("tilted") / std::to_string(number));
+  const Outcome told = run("info " + file("tilted").string());
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.out.find("warning     The slices slant by 20.6°, as of a tilted gantry, and were resampled "
+                          "upright.\n"),
+            std::string::npos)
+      << told.out;
 }
 
 // So that the window opens as many of them.

@@ -194,6 +194,19 @@ TEST(DocumentText, tellsOfOneVoxelWithoutDataAsOfOne) {
             QStringLiteral("2 voxels hold no data and are shown as the smallest value."));
 }
 
+// Only the first of several is seen before somebody asks for details.
+TEST(DocumentText, tellsFirstOfSlicesThatSlanted) {
+  const auto remarks = [](bool slants) {
+    VolumeInfo info;
+    info.warnings = {Message::tr("They slanted."), Message::tr("Corners are empty.")};
+    info.slants = slants;
+    const Volume volume(Grid{{3, 1, 1}}, std::vector<float>{1.0f, 2.0f, 3.0f}, {}, {}, info);
+    return remarksOn(volume, {Message::tr("They lie far apart.")});
+  };
+  EXPECT_EQ(remarks(true), (QStringList{"They slanted.", "They lie far apart.", "Corners are empty."}));
+  EXPECT_EQ(remarks(false), (QStringList{"They lie far apart.", "They slanted.", "Corners are empty."}));
+}
+
 TEST_F(OpenDocumentTest, theSampleIsCalledSo) {
   document.open(loaded("/usr/share/sample.inv3"), {QStringLiteral("sample"), {}}, {});
   EXPECT_TRUE(titleOf(document, false).startsWith(QStringLiteral("Sample head[*]")));

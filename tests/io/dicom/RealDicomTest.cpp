@@ -98,7 +98,7 @@ TEST(RealDicom, theTiltedPhantomStandsUprightAndEveryVoxelStaysInItsPlace) {
   LIMN_NEEDS_SHARED("data/ct_head_phantom_tilt_dicom");
   const auto volume = read("ct_head_phantom_tilt_dicom");
   const Grid& grid = volume->grid();
-  EXPECT_TRUE(warns(*volume, "slant of 18.5°"));
+  EXPECT_TRUE(warns(*volume, "slant by 18.5°"));
   EXPECT_EQ(grid.dims.x, 512);
   EXPECT_EQ(grid.dims.z, 54);
   EXPECT_NEAR(grid.spacingMm.z, 2.371, 1e-3);

@@ -120,10 +120,7 @@ TEST(DicomSeries, aTiltedGantryIsResampledOntoAnUprightGrid) {
   // j + k - 1.
   TemporaryFolder folder;
   for (int number = 1; number <= 3; ++number)
-    slice(number, 2.0 * number)
-        .text(0x00200032, "DS",
-              "-10\\" + std::to_string(-20.0 + 0.75 * (number - 1)) + "\\" + std::to_string(2 * number))
-        .write(folder.path() / name(number));
+    slantingSlice(number).write(folder.path() / name(number));
   const auto volume = readDicom(folder.path(), {}, {});
   ASSERT_EQ(volume->grid().dims, glm::ivec3(3, 4, 3));
   EXPECT_NEAR(volume->grid().spacingMm.z, 2.0, rounding);
@@ -134,7 +131,8 @@ TEST(DicomSeries, aTiltedGantryIsResampledOntoAnUprightGrid) {
   EXPECT_EQ(volume->invalidVoxels(), 18u);
   EXPECT_EQ(volume->range(), (ValueRange{storedAt(1, 0, 0) - 1024.0, storedAt(3, 2, 1) - 1024.0}));
   // atan(0.75 / 2) = 20.6°.
-  EXPECT_TRUE(warns(*volume, "slant of 20.6°"));
+  EXPECT_TRUE(warns(*volume, "slant by 20.6°"));
+  EXPECT_TRUE(volume->info().slants);
 }
 
 TEST(DicomSeries, copiesOfAnImageAreLeftOutWithAWarning) {

@@ -52,6 +52,13 @@ inline DicomBuilder slice(int number, double z) {
   return file.pixels(pixels);
 }
 
+/// One whose first row lies a row further back than that of the slice 2 mm below, as of a tilted gantry.
+inline DicomBuilder slantingSlice(int number) {
+  return slice(number, 2.0 * number)
+      .text(0x00200032, "DS",
+            "-10\\" + std::to_string(-20.0 + 0.75 * (number - 1)) + "\\" + std::to_string(2 * number));
+}
+
 /// The reason for which a path is refused; empty where it is read.
 inline std::string dicomRefusal(const std::filesystem::path& path) {
   try {

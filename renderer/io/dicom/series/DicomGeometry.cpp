@@ -153,15 +153,17 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<Message>& warnings) 
   const double angle = glm::degrees(std::atan2(glm::length(drift), last.heightMm));
   const glm::ivec2 start(glm::floor(lowest));
   const glm::ivec2 extra(widening);
-  warnings.push_back(
-      Message::tr("The slices do not lie straight on each other (slant of %1°, as of a tilted gantry): they "
-                  "were resampled onto an upright grid, whose added corners hold no data.")
-          .arg(decimal(angle, 1)));
+  warnings.insert(warnings.begin(),
+                  Message::tr("The slices slant by %1°, as of a tilted gantry, and were resampled upright.")
+                      .arg(decimal(angle, 1)));
+  warnings.emplace_back(
+      Message::tr("The corners that the upright grid adds beside its slices hold no data."));
   grid.dims += glm::ivec3(extra, 0);
   grid.originMm += grid.direction * (grid.spacingMm * glm::dvec3(start, 0.0));
   for (DicomPlacement& placement : geometry.placements)
     placement.shift -= glm::dvec2(start);
   geometry.needsResampling = true;
+  geometry.slants = true;
 }
 
 // The distance between planes where no positions tell it.

@@ -17,7 +17,8 @@ struct DicomGeometry {
   Grid grid;
   bool orientationKnown = true;
   bool spacingKnown = true;
-  bool needsResampling = false;           ///< the slices do not lie on the grid as they are
+  bool needsResampling = false; ///< the slices do not lie on the grid as they are
+  bool slants = false;          ///< the first warning says by how much, and that resampling made it upright
   std::vector<DicomPlacement> placements; ///< one per slice; used where resampling is needed
 };
 

@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/saving/PictureDialog.h"
+#include "io/dicom/SyntheticSeries.h"
 #include "scene/framing/Framing.h"
 #include "support/FileBytes.h"
 #include "support/ShortVolume.h"
@@ -110,6 +111,22 @@ TEST_F(OpeningWindow, whatWasDismissedOfAVolumeIsNotSaidAgain) {
       if (button->isVisible() && button->text() == QStringLiteral("Dismiss"))
         QTest::mouseClick(button, Qt::LeftButton);
   }
+}
+
+// Its slices lie far apart, too, which is said second.
+TEST_F(OpeningWindow, aTiltedGantryIsSaidBeforeAllElseAndOnce) {
+  fs::create_directories(folder.path() / "tilted");
+  for (int number = 1; number <= 3; ++number)
+    test::slantingSlice(number).write(folder.path() / "tilted" / std::to_string(number));
+  const auto isSaid = [this] {
+    return messages().isVisible() && messages().sentence().startsWith(QStringLiteral("The slices slant by"));
+  };
+  ASSERT_TRUE(open(pathTo("tilted")));
+  ASSERT_TRUE(test::waitUntil(isSaid)) << messages().sentence().toStdString();
+  choose("Dismiss");
+  ASSERT_TRUE(open(pathTo("tilted")));
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(isSaid());
 }
 
 TEST_F(OpeningWindow, thePictureOfOnePatientOpensOnAnotherWhoLiesElsewhere) {
