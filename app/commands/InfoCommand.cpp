@@ -2,6 +2,7 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/Arguments.h"
+#include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "app/core/sources/BuiltInPresets.h"
 #include "app/document/Settings.h"
@@ -49,11 +50,11 @@ std::string rescaleText(const Rescale& rescale) {
 }
 
 // As its list calls it.
-std::string curveName(const SceneDocument& document) {
+std::string curveName(const Scene& scene, bool isTold) {
   for (const Preset& preset : builtInPresets())
-    if (preset.transferFunction == document.scene.transferFunction)
+    if (preset.transferFunction == scene.transferFunction)
       return "preset \"" + preset.name + "\"";
-  return document.hasTransferFunction ? "of its own" : "left to the program";
+  return isTold ? "of its own" : "left to the program";
 }
 
 // "from anterior and left": the directions to which the view leans by a sixteenth of a turn at least.
@@ -69,18 +70,18 @@ std::string viewName(const SceneDocument& document) {
   return name;
 }
 
+// Of each picture that it makes, from left to right.
 void addScene(CarriedFacts& facts, const SceneDocument& document) {
   const auto add = [](std::vector<std::string>& names, const std::string& name) {
     if (std::ranges::find(names, name) == names.end())
       names.push_back(name);
   };
-  const Shading& shading = document.scene.shading;
-  const std::optional<LightPreset> light = lightPresetOf(shading);
-  const bool areTwo = document.sides && pictureCount(document.sides->layout) == 2;
-  add(facts.curves, curveName(document));
-  add(facts.models, nameOf(areTwo ? document.sides->left : shading.model));
-  add(facts.models, nameOf(areTwo ? document.sides->right : shading.model));
-  add(facts.lights, light ? nameOf(*light) : "of its own");
+  for (const Scene& scene : scenesShown(document.scene, document.sides.value_or(ShownSides{}))) {
+    const std::optional<LightPreset> light = lightPresetOf(scene.shading);
+    add(facts.curves, curveName(scene, document.hasTransferFunction));
+    add(facts.models, nameOf(scene.shading.model));
+    add(facts.lights, light ? nameOf(*light) : "of its own");
+  }
   add(facts.views, viewName(document));
   add(facts.volumes, document.volume);
 }

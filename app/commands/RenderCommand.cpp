@@ -28,11 +28,6 @@ namespace {
 
 const EngineWords engines = engineWords({allEngines.begin(), allEngines.end()});
 
-Scene withModel(Scene scene, ShadingModel model) {
-  scene.shading.model = model;
-  return scene;
-}
-
 // Whether something was asked for that is of one model alone.
 bool asksForOneModel(const RenderArguments& arguments) {
   const SceneArguments& asked = arguments.scene;
@@ -41,11 +36,17 @@ bool asksForOneModel(const RenderArguments& arguments) {
          !arguments.samplesSpent.empty();
 }
 
-// How many models are drawn, and which: of a picture those that it shows, if nobody asks for others.
+// The same of two looks: one that is named takes the place of both.
+bool asksForOneLook(const RenderArguments& arguments) {
+  return asksForOneModel(arguments) || !arguments.scene.preset.empty() || !arguments.scene.light.empty();
+}
+
+// How many are drawn, and which: of a picture those that it shows, if nobody asks for others.
 ShownSides sidesOf(const RenderArguments& arguments, const LoadedScene& loaded) {
   if (arguments.scene.model == "compare")
     return {CompareLayout::sideBySide, ShadingModel::classic, ShadingModel::enhanced};
-  return asksForOneModel(arguments) ? ShownSides{} : loaded.sides.value_or(ShownSides{});
+  const ShownSides sides = loaded.sides.value_or(ShownSides{});
+  return (sides.look ? asksForOneLook(arguments) : asksForOneModel(arguments)) ? ShownSides{} : sides;
 }
 
 // A scene tells the size of one side.
@@ -71,23 +72,36 @@ void addNotes(const std::vector<Message>& more, std::vector<Message>& notes) {
 
 MadePicture pictureOf(const Scene& scene, const ShownSides& sides, const MakeAll& make) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  if (sides.layout == CompareLayout::single)
-    return make({scene}, size).front();
-  std::vector<MadePicture> pair = make({withModel(scene, sides.left), withModel(scene, sides.right)}, size);
+  std::vector<MadePicture> pair = make(scenesShown(scene, sides), size);
   MadePicture& both = pair.front();
+  if (sides.layout == CompareLayout::single)
+    return std::move(both);
   both.image =
       comparedPicture(both.image, pair.back().image, sides.layout, sides.wipe, scene.image.background);
   addNotes(pair.back().notes, both.notes);
   return std::move(both);
 }
 
-// What of a picture of two models is left out, because something was asked for that is of one.
+// What of a picture of two is left out, because something was asked for that is of one.
 std::string leftOutNote(const LoadedScene& loaded, const Scene& scene, const ShownSides& sides) {
   if (!loaded.sides || loaded.sides->layout == CompareLayout::single || sides.layout != CompareLayout::single)
     return {};
+  if (loaded.sides->look)
+    return "The picture shows two looks; one was asked for, and the right one, which options change, is "
+           "drawn.";
   return std::string("The picture shows two models, ") + nameOf(loaded.sides->left) + " and " +
          nameOf(loaded.sides->right) + "; one was asked for, and " + nameOf(scene.shading.model) +
          " is drawn.";
+}
+
+// Pictures that were saved before they told their sides hold one of two.
+std::string lostLookNote(const std::string& source, const LoadedScene& loaded) {
+  if (loaded.sides || loaded.beside || carriedBy(source).empty())
+    return {};
+  const ImageSettings& its = loaded.scene.image;
+  const bool areTwo = readImageSize(source) == glm::ivec2(2 * its.width, its.height);
+  return areTwo ? "The picture shows two side by side, of which its file holds one; that is drawn."
+                : std::string();
 }
 
 PictureFigures measured(const Scene& scene, Engine engine, int threads) {
@@ -213,6 +227,8 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     note("Shown with the preset \"" + loaded.preset + "\".");
   if (const std::string leftOut = leftOutNote(loaded, scene, sides); !leftOut.empty())
     note(leftOut);
+  if (const std::string lost = lostLookNote(arguments.scene.source.source, loaded); !lost.empty())
+    note(lost);
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
   for (const Message& remark : remarksOf(picture))

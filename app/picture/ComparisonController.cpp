@@ -379,13 +379,9 @@ void ComparisonController::showOpened(const std::optional<ShownSides>& sides) {
   if (bringsLayout && !m_beforeOpened)
     m_beforeOpened = {m_compared.wanted, m_compared.isAsked};
   if (sides && !isImage) {
-    m_compared.endLook();
-    m_compared.wanted = sides->layout;
-    if (pictureCount(sides->layout) == 2) { // a single one leaves the models of two
-      m_compared.left = sides->left;
-      m_compared.right = {.shown = sides->right};
+    m_compared.take(*sides);
+    if (pictureCount(sides->layout) == 2)
       m_context.view.setWipePosition(sides->wipe);
-    }
   } else if (isImage) {
     m_compared.wanted = CompareLayout::single;
   } else if (m_beforeOpened) {

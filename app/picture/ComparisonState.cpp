@@ -92,6 +92,21 @@ void ComparisonState::describe(SessionDocument& session) const {
   session.comparedFrom = lookFrom;
 }
 
+// The scene beside a look has the model that it had there.
+void ComparisonState::take(const ShownSides& sides) {
+  endLook();
+  wanted = sides.layout;
+  if (pictureCount(sides.layout) == 1)
+    return;
+  look = sides.look;
+  if (look && look->name == lookWithoutName)
+    look->name = ComparisonController::tr("Other look").toStdString();
+  if (!look) {
+    left = sides.left;
+    right = {.shown = sides.right};
+  }
+}
+
 ComparisonState comparisonOf(const SessionDocument& session, const Shading& shading) {
   ComparisonState state{.left = session.leftModel,
                         .right = {.shown = session.rightModel},

@@ -56,6 +56,9 @@ struct ComparisonState {
   void setRightPhysical(bool is);
 
   void describe(SessionDocument& session) const;
+
+  /// What a picture shows that was opened; a single one leaves the models of two.
+  void take(const ShownSides& sides);
 };
 
 /// What a session file tells. A look without a light has this one.

@@ -82,6 +82,23 @@ TEST(SceneFile, theSidesOfAPictureAreReadBackAndChangeNoScene) {
   }
 }
 
+// Whole, so that a scene with it is what stood there.
+TEST(SceneFile, theLookAtTheLeftOfAPictureIsReadBack) {
+  SceneDocument document = documentOf(unusualScene(), "v");
+  Scene left = unusualScene();
+  left.transferFunction = {1.0, {{-100.0, {1, 0, 0}, 0.0}, {500.0, {0, 1, 0}, 0.5}}};
+  left.shading.model = ShadingModel::enhanced;
+  left.shading.gradientSmoothing = 0.0;
+  ShownSides& sides =
+      document.sides.emplace(ShownSides{CompareLayout::sideBySide, ShadingModel::enhanced,
+                                        unusualScene().shading.model, 0.5, presetOf(left, "CT skin")});
+  sides.look->isWhole = true;
+  EXPECT_EQ(parseScene(sceneToJson(document), "t"), document);
+  EXPECT_EQ(withPreset(unusualScene(), *sides.look), left);
+  sides.layout = CompareLayout::single;
+  EXPECT_EQ(sceneToJson(document).find("CT skin"), std::string::npos) << "nothing stands beside it";
+}
+
 SceneDocument withViews(std::vector<NamedView> views) {
   SceneDocument document = documentOf(unusualScene(), "v");
   document.views = std::move(views);

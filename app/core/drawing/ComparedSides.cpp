@@ -41,7 +41,19 @@ Image differenceOf(const Image& left, const Image& right, const glm::vec3& backg
   return result;
 }
 
+Scene withModel(Scene scene, ShadingModel model) {
+  scene.shading.model = model;
+  return scene;
+}
+
 } // namespace
+
+std::vector<Scene> scenesShown(const Scene& scene, const ShownSides& sides) {
+  if (pictureCount(sides.layout) == 1)
+    return {scene};
+  return {sides.look ? withPreset(scene, *sides.look) : withModel(scene, sides.left),
+          withModel(scene, sides.right)};
+}
 
 Image comparedPicture(const Image& left, const Image& right, CompareLayout layout, double wipe,
                       const glm::dvec3& background) {

@@ -10,6 +10,7 @@
 #include "app/files/saving/ComparedPicture.h"
 #include "app/files/saving/DrawingTime.h"
 #include "app/files/saving/PictureSaving.h"
+#include "app/files/saving/SavedSides.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
@@ -52,15 +53,6 @@ glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {
   return ground == PictureOptions::Ground::white   ? glm::dvec3(1.0)
          : ground == PictureOptions::Ground::black ? glm::dvec3(0.0)
                                                    : shown;
-}
-
-// Of two looks a scene holds one.
-std::optional<ShownSides> sidesOf(const Comparison& shown) {
-  if (shown.layout == CompareLayout::single)
-    return ShownSides{};
-  if (shown.look)
-    return std::nullopt;
-  return ShownSides{shown.layout, shown.models[0], shown.models[1], shown.wipe};
 }
 
 QString suggestedSession(const OpenDocument& document) {
@@ -275,7 +267,7 @@ void SavingController::writePicture(const QString& path, const PictureOptions& o
     file.dotsPerInch = scaleOf(options, screen) * view.logicalDpiX() * view.devicePixelRatioF();
   SceneDocument document = documentOf(scene, volumeInPicture());
   document.measurements = m_context.session.measurements();
-  document.sides = sidesOf(view.order().comparison);
+  document.sides = savedSides(view.order().comparison);
   if (isOnScreen) {
     file.description = sceneToJson(document, accuracyOf(shown));
     if (m_context.notes.attempt([&] { file.write(arrangement.of(sides)); }, path))

@@ -16,12 +16,17 @@
 
 namespace limn {
 
-/// How the pictures of a scene stand in the file of a picture: one of it, or two models of it.
+/// What a look is called whose own name a picture does not tell: it is the user's, or was modified.
+inline constexpr const char* lookWithoutName = "(look)";
+
+/// How the pictures of a scene stand in the file of a picture: one of it, two models of it, or the scene at
+/// the right of another look of it.
 struct ShownSides {
   CompareLayout layout = CompareLayout::single;
   ShadingModel left = ShadingModel::classic; ///< of two
   ShadingModel right = ShadingModel::enhanced;
-  double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1
+  double wipe = 0.5;            ///< where the border lies, as a fraction of the picture's width, 0..1
+  std::optional<Preset> look{}; ///< at the left, whole, with the model `left`; absent: models are compared
   bool operator==(const ShownSides&) const = default;
 };
 
@@ -32,9 +37,9 @@ struct SceneDocument {
   KeptPart keep;                         ///< what `scene.keep` becomes once the volume is read
   std::vector<Measurement> measurements; ///< of its volume
   std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
-  std::vector<NamedView> views;    ///< cameras kept under names, beside the scene's own
-  std::optional<ShownSides> sides; ///< of a picture of one or of two models; absent: nothing is known of them
-  bool hasCamera = false;          ///< false: place the default camera once the volume is read
+  std::vector<NamedView> views;     ///< cameras kept under names, beside the scene's own
+  std::optional<ShownSides> sides;  ///< of a picture of one or two; absent: nothing is known of them
+  bool hasCamera = false;           ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
 };

@@ -318,12 +318,21 @@ PictureAccuracy readAccuracy(JsonFields fields) {
   return accuracy;
 }
 
-ShownSides readSides(JsonFields fields) {
+// A look that leaves light open has that of the scene.
+ShownSides readSides(JsonFields fields, const Shading& shading) {
   ShownSides sides;
   fields.choice("layout", sides.layout, compareLayouts);
   fields.choice("left", sides.left, shadingModels);
   fields.choice("right", sides.right, shadingModels);
   fields.number("wipe", sides.wipe, fraction);
+  if (fields.has("look")) {
+    JsonFields its = fields.object("look");
+    Preset& look = sides.look.emplace(readPreset(its));
+    look.isWhole = true;
+    if (!look.shading)
+      look.shading = shading;
+    look.shading->model = sides.left;
+  }
   fields.finish();
   return sides;
 }
@@ -394,7 +403,7 @@ SceneDocument readScene(JsonFields fields) {
   if (fields.has("accuracy"))
     readAccuracy(fields.object("accuracy"));
   if (fields.has("shown"))
-    document.sides = readSides(fields.object("shown"));
+    document.sides = readSides(fields.object("shown"), scene.shading);
   fields.finish();
   return document;
 }

@@ -122,6 +122,8 @@ Json toJson(const ShownSides& sides) {
   Json json = {{"layout", nameOf(sides.layout)}};
   if (pictureCount(sides.layout) == 2)
     json.update({{"left", nameOf(sides.left)}, {"right", nameOf(sides.right)}, {"wipe", sides.wipe}});
+  if (pictureCount(sides.layout) == 2 && sides.look)
+    json["look"] = presetJson(*sides.look);
   return json;
 }
 

@@ -188,6 +188,40 @@ TEST_F(CommandLine, aPictureOfTwoModelsIsDrawnAnewAsItWas) {
   EXPECT_EQ(nlohmann::json::parse(readImageDescription(second))["shown"], wiped["shown"]);
 }
 
+TEST_F(CommandLine, aPictureOfTwoLooksIsDrawnAnewWithBoth) {
+  const std::string one = file("one.png").string(), both = file("both.png").string();
+  const std::string again = file("again.png").string(), scene = file("both.limn.json").string();
+  const std::string draw = "render phantom:8 --size 24x20 --step 1 --model classic --preset ";
+  ASSERT_EQ(run(draw + "\"CT skin\" -o " + one).status, 0);
+  const nlohmann::json left = nlohmann::json::parse(readImageDescription(one));
+  ASSERT_EQ(run(draw + "\"CT bone\" -o " + one).status, 0);
+  nlohmann::json right = nlohmann::json::parse(readImageDescription(one));
+  right["shown"] = {{"layout", "side_by_side"}, {"left", "none"}, {"right", "classic"}};
+  right["shown"]["look"] = {{"name", "CT skin"}, {"transfer_function", left["transfer_function"]}};
+  std::ofstream(scene) << right;
+  ASSERT_EQ(run("render " + scene + " --size 48x20 -o " + both).status, 0);
+  Outcome outcome = run("render " + both + " -o " + again);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("48 x 20 pixels"), std::string::npos) << outcome.err;
+  EXPECT_EQ(test::bytesOfFile(both), test::bytesOfFile(again));
+  const std::string told = run("info " + both).out;
+  EXPECT_NE(told.find("\ncurve       preset \"CT skin\", preset \"CT bone\"\n"), std::string::npos) << told;
+  EXPECT_NE(told.find("\nmodel       none, classic\n"), std::string::npos) << told;
+
+  for (const char* ofOne : {" --preset \"CT bone\"", " --light headlight", " --model robust"}) {
+    outcome = run("render " + both + ofOne + " -o " + again);
+    EXPECT_NE(outcome.err.find("24 x 20 pixels"), std::string::npos) << ofOne << outcome.err;
+    EXPECT_NE(outcome.err.find("shows two looks; one was asked for"), std::string::npos)
+        << ofOne << outcome.err;
+  }
+  // As pictures were saved before they told their sides.
+  right.erase("shown");
+  writeBytes(again, readBytes(both), right.dump());
+  outcome = run("render " + again + " -o " + one);
+  EXPECT_NE(outcome.err.find("two side by side, of which its file holds one"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(CommandLine, theBodyAloneIsKeptWhereThatIsAskedFor) {
   // The scene in the picture tells.
   const auto kept = [&](const std::string& arguments) {

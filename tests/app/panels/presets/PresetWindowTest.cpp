@@ -249,18 +249,35 @@ TEST_F(PresetWindow, theSessionKeepsWhatIsCompared) {
   EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->isChecked());
 }
 
-TEST_F(PresetWindow, aSavedComparisonOfLooksOpensAsWhatWasEdited) {
+TEST_F(PresetWindow, aSavedComparisonOfLooksOpensWithBothAndTheRightOneIsEdited) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   click("CT bone");
   window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
   click("CT skin");
   window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
-  ASSERT_TRUE(rest());
-  const TransferFunction edited = scene().transferFunction;
-  saving().writePicture(pathTo("both.png"));
-  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  ASSERT_TRUE(open(pathTo("both.png")));
-  EXPECT_EQ(scene().transferFunction, edited);
+  for (const bool isModified : {false, true}) {
+    ASSERT_TRUE(rest());
+    const TransferFunction edited = scene().transferFunction;
+    const Scene left = view().sceneOfSide(0), right = view().sceneOfSide(1);
+    const std::string name = view().order().comparison.look->names[0];
+    saving().writePicture(pathTo("both.png"));
+    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+    ASSERT_TRUE(open(pathTo("both.png")));
+    EXPECT_EQ(scene().transferFunction, edited);
+    EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+    ASSERT_TRUE(view().order().comparison.look);
+    EXPECT_EQ(view().order().comparison.look->names[0], isModified ? "Other look" : name);
+    EXPECT_EQ(view().sceneOfSide(0).transferFunction, left.transferFunction);
+    EXPECT_EQ(view().sceneOfSide(0).shading, left.shading);
+    EXPECT_EQ(view().sceneOfSide(1).shading, right.shading);
+    // Remembered as it was changed: the name that a person may have given it stays here.
+    Scene other = scene();
+    other.transferFunction.points.back().opacity *= 0.5;
+    session().edit(other, {nextGestureId(), QStringLiteral("edit")});
+    window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+    click("CT lung");
+    window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  }
 }
 
 TEST_F(PresetWindow, whatIsOpenedAgainShowsThePresetThatItWasMadeFrom) {
