@@ -208,24 +208,22 @@ void printSystemInfo() {
               choice.reason.english().c_str());
 }
 
-void runInfo(const InfoArguments& arguments) {
-  if (arguments.system) {
-    printSystemInfo();
-    return;
+// The volume alone that a picture names, whatever becomes of its labels; nothing where it is elsewhere, which
+// a note says.
+std::optional<LoadedScene> volumeOfPicture(const SourceArguments& source, const Progress& progress) {
+  SourceOptions options = sourceOptions(source);
+  options.wantsVolumeAlone = true;
+  try {
+    return loadScene(source.source, options, progress);
+  } catch (const VolumeMissing& missing) {
+    if (!source.quiet)
+      note(missing.what());
+    return std::nullopt;
   }
-  if (arguments.source.source.empty())
-    throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
-  const std::optional<CarriedFacts> picture = carriedFacts(arguments.source.source);
-  if (picture && !arguments.json)
-    printText(*picture);
-  if (picture && arguments.source.volume.empty()) {
-    if (arguments.json)
-      std::cout << carriedJson(*picture);
-    return;
-  }
+}
+
+VolumeFacts factsOf(const LoadedScene& loaded, const Progress& progress) {
   VolumeFacts facts;
-  const Progress progress = terminalProgress(arguments.source.quiet);
-  const LoadedScene loaded = loadScene(arguments.source, progress);
   facts.volume = loaded.scene.volume;
   if (loaded.dicom)
     facts.series = loaded.dicom->summaries();
@@ -233,6 +231,28 @@ void runInfo(const InfoArguments& arguments) {
   facts.gradientMax = gradients.largest;
   facts.gradientPercentile = gradients.percentile;
   requireWhole(loaded.volumePath, *facts.volume);
+  return facts;
+}
+
+void runInfo(const InfoArguments& arguments) {
+  if (arguments.system) {
+    printSystemInfo();
+    return;
+  }
+  const SourceArguments& source = arguments.source;
+  if (source.source.empty())
+    throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
+  const std::optional<CarriedFacts> picture = carriedFacts(source.source);
+  if (picture && !arguments.json)
+    printText(*picture);
+  const Progress progress = terminalProgress(source.quiet);
+  const std::optional<LoadedScene> loaded =
+      picture && source.volume.empty() ? volumeOfPicture(source, progress) : loadScene(source, progress);
+  if (!loaded && arguments.json)
+    std::cout << carriedJson(*picture);
+  if (!loaded)
+    return;
+  const VolumeFacts facts = factsOf(*loaded, progress);
   if (arguments.json)
     std::cout << volumeJson(facts, picture);
   else
@@ -244,7 +264,7 @@ void runInfo(const InfoArguments& arguments) {
 void addInfoCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<InfoArguments>();
   CommandSyntax command = root.command(
-      "info", "what a volume is: grid, values, gradients, series, warnings; or what a picture carries");
+      "info", "what a volume is: grid, values, gradients, series, warnings; and what a picture carries");
   addSourceArguments(command, arguments->source,
                      "volume, DICOM folder, scene, picture, `sample` or `phantom:SPACING`");
   command.added("SOURCE").required(false);

@@ -117,6 +117,10 @@ TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
                       "view        from left\n"
                       "accuracy    " +
                           statement + "\nvolume      elsewhere.nii.gz\n");
+  EXPECT_NE(told.err.find("The volume elsewhere.nii.gz of this picture is not where"), std::string::npos)
+      << told.err;
+  EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1) << told.err;
+  EXPECT_EQ(run("info --quiet " + picture).err, "");
   const nlohmann::json alone = nlohmann::json::parse(run("info --json " + picture).out);
   EXPECT_EQ(alone.size(), 1u);
   EXPECT_EQ(alone["picture"]["size"], nlohmann::json::array({32, 24}));
@@ -132,6 +136,23 @@ TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
             alone["picture"]);
   ASSERT_EQ(run(render + "--model compare --step 1 -o " + picture).status, 0);
   EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["models"].size(), 2u);
+}
+
+// As if --volume said where, and without its labels, which may be elsewhere.
+TEST_F(CommandLine, infoTellsOfTheVolumeThatAPictureNamesWhereItIsFound) {
+  const std::string picture = file("a.png").string();
+  ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
+  const Outcome told = run("info " + picture);
+  ASSERT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.out, run("info --volume phantom:8 " + picture).out);
+  EXPECT_NE(told.out.find("dimensions  24 x 29 x 34 voxels"), std::string::npos) << told.out;
+  const nlohmann::json facts = nlohmann::json::parse(run("info --json " + picture).out);
+  EXPECT_EQ(facts, nlohmann::json::parse(run("info --json --volume phantom:8 " + picture).out));
+  EXPECT_GT(facts.size(), 1u);
+  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
+  scene["keep"] = {{"labels", "elsewhere.nrrd"}};
+  writeBytes(picture, readBytes(picture), scene.dump());
+  EXPECT_EQ(run("info " + picture).out, told.out);
 }
 
 TEST_F(CommandLine, infoSaysThatTheSlicesOfATiltedGantryWereResampled) {
