@@ -27,7 +27,8 @@ namespace limn {
 namespace {
 
 void connectMeasures(MeasureController& controller, MeasureSection& section) {
-  QObject::connect(&section, &MeasureSection::measurementsEdited, &controller, &MeasureController::edit);
+  QObject::connect(&section, &MeasureSection::measurementsEdited, &controller,
+                   &MeasureController::editListed);
   QObject::connect(&section, &MeasureSection::chosen, &controller, &MeasureController::goTo);
   QObject::connect(&section, &MeasureSection::toolRequested, &controller, &MeasureController::useTool);
   QObject::connect(&controller, &MeasureController::shown, &section, &MeasureSection::setMeasured);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/exports/ExportDialog.h"
 
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 
 #include <QHBoxLayout>
@@ -33,6 +34,7 @@ ExportDialog::ExportDialog(WindowContext& context, const Words& words)
 }
 
 void ExportDialog::present() {
+  m_context.planes.endLooseDrag(); // what lacks places is no measurement of what is open
   begin(!isVisible());
   show();
   raise();

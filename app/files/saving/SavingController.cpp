@@ -15,6 +15,7 @@
 #include "io/ImageFile.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 
 #include <QFileInfo>
@@ -166,6 +167,7 @@ void SavingController::saveScene() {
 }
 
 void SavingController::writeSession(const QString& path) {
+  m_context.planes.endLooseDrag(); // what lacks places is not saved
   SessionDocument session = m_session();
   const std::filesystem::path target(path.toStdString());
   session.scene.volume = volumeSeenFrom(target);
@@ -182,6 +184,7 @@ void SavingController::writeSession(const QString& path) {
 }
 
 void SavingController::writeScene(const QString& path) {
+  m_context.planes.endLooseDrag(); // what lacks places is not saved
   const std::filesystem::path target(path.toStdString());
   Scene scene = m_context.document.scene();
   nameSources(scene.keep, [&](const std::string& labels) { return labelsSeenFrom(target, labels); });
@@ -236,6 +239,7 @@ void SavingController::PictureFile::write(const Image& image) const {
 }
 
 void SavingController::writePicture(const QString& path, const PictureOptions& options) {
+  m_context.planes.endLooseDrag(); // what lacks places is not saved
   const CompareView& view = m_context.view;
   const CompareLayout layout = view.compareLayout();
   std::vector<Image> sides;
