@@ -143,9 +143,19 @@ SessionSafety::Kept SessionSafety::keptNow(bool hasLeft, bool isFirst) const {
 // The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
   tellUnfinished(); // what was opened may be newer
-  const std::optional<std::string> label = std::exchange(m_left, std::nullopt);
-  const Kept kept = keptNow(label.has_value(), std::exchange(m_saysWithFirst, false));
-  const QString left = label               ? QString::fromStdString(*label)
+  std::optional<std::string> label = std::exchange(m_left, std::nullopt);
+  Kept kept = keptNow(label.has_value(), std::exchange(m_saysWithFirst, false));
+  kept.label = std::move(label);
+  tellAgain(kept);
+}
+
+std::optional<SessionSafety::Kept> SessionSafety::told() const {
+  return m_context.kept.isWanted() ? std::optional(m_told) : std::nullopt;
+}
+
+void SessionSafety::tellAgain(const Kept& kept) {
+  m_told = kept;
+  const QString left = kept.label          ? QString::fromStdString(*kept.label)
                        : kept.left.empty() ? QString()
                                            : described(kept.left);
   const auto opening = [this](const QString& text, const std::filesystem::path& file) {
