@@ -98,11 +98,11 @@ void ExportDialog::showProgress(double fraction) {
   m_bar->show();
   if (!wasWorking) {
     m_before = focusWidget();
-    m_left.begin(m_pictures);
+    m_left.begin(m_pictures, m_telling);
   }
   setStartable(false);
   m_close->setText(tr("Cancel"));
-  say(doing(fraction) + m_left.text(fraction));
+  say(doing(fraction) + m_left.text(atOnePace(fraction)));
   if (!wasWorking)
     emit workingChanged(true);
 }
