@@ -6,6 +6,7 @@
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/panels/ViewPanels.h"
 
@@ -100,6 +101,7 @@ std::function<void()> SessionSafety::savingOfNow() {
 }
 
 std::optional<QString> SessionSafety::keepUnsaved() {
+  m_context.planes.endLooseDrag(); // what lacks places is not kept
   if (!keeps() || !m_context.document.scene().volume || !m_context.document.isEdited())
     return std::nullopt;
   if (!m_keeper)
