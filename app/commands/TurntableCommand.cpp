@@ -62,8 +62,8 @@ private:
   std::optional<std::chrono::steady_clock::time_point> m_told;
 };
 
-// What its frames do not tell whoever sees them: what is hidden, and of a video, which carries no scene, how
-// it is lit in any case. Empty where there is nothing.
+// What its frames do not tell whoever sees them: what is hidden, and of a video, which carries no scene, the
+// model in any case. Empty where there is nothing.
 std::string untold(const Scene& scene, bool isVideo) {
   Comparison shown;
   shown.scene = scene;
