@@ -27,7 +27,8 @@ namespace limn {
 namespace {
 
 void connectMeasures(MeasureController& controller, MeasureSection& section) {
-  QObject::connect(&section, &MeasureSection::measurementsEdited, &controller, &MeasureController::edit);
+  QObject::connect(&section, &MeasureSection::measurementsEdited, &controller,
+                   &MeasureController::editListed);
   QObject::connect(&section, &MeasureSection::chosen, &controller, &MeasureController::goTo);
   QObject::connect(&section, &MeasureSection::toolRequested, &controller, &MeasureController::useTool);
   QObject::connect(&controller, &MeasureController::shown, &section, &MeasureSection::setMeasured);
@@ -205,6 +206,7 @@ WindowHandover MainWindow::handOver() {
   handed.panels = m_panels.memory();
   handed.remarks = m_files.remarks().memory();
   handed.said = m_context.said();
+  handed.kept = m_files.safety().told();
   if (handed.remarks.isSaid || m_picture.regions().offers().isAsking())
     handed.said.message.reset(); // it is said anew
   handed.frame = m_frame.memory();
@@ -232,6 +234,8 @@ void MainWindow::takeOver(WindowHandover before) {
     m_files.safety().begin(std::move(before.keeper));
     m_files.safety().noteChange();
   }
+  if (before.kept)
+    m_files.safety().tellAgain(*before.kept);
   if (scene.volume)
     view().setFocus();
   m_frame.takeOver(before.frame);

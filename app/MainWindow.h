@@ -18,7 +18,8 @@ struct WindowHandover {
   PictureArea::Memory picture;
   Panels::Memory panels;
   RemarksController::Memory remarks;
-  WindowContext::Said said; ///< but for what is said anew
+  WindowContext::Said said;                ///< but for what is said anew
+  std::optional<SessionSafety::Kept> kept; ///< that is told of
   Frame::Memory frame;
   bool keepsSessions = false;
   std::unique_ptr<SessionKeeper> keeper; ///< null: there is none

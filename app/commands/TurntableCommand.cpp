@@ -7,7 +7,9 @@
 #include "app/document/Settings.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/framing/VisibleVoxels.h"
 #include "widgets/controls/TimeLeft.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,14 +35,16 @@ const EngineWords turntableEngines = engineWords({Engine::rayCaster, Engine::cpu
 // file of what was said, in a line now and then.
 class FrameTeller {
 public:
-  FrameTeller(int frames, const Progress& terminal) : m_frames(frames), m_terminal(terminal) {
-    m_left.begin();
+  FrameTeller(int frames, bool isVideo, const Progress& terminal)
+      : m_frames(frames), m_isVideo(isVideo), m_terminal(terminal) {
+    m_left.begin(1, std::min(aHundredth, 1.0 / frames));
   }
 
   void operator()(double fraction) {
-    const int frame = std::min(m_frames, static_cast<int>(fraction * m_frames) + 1);
+    const double drawn = shareDrawn(fraction, m_isVideo);
+    const int frame = std::min(m_frames, static_cast<int>(drawn * m_frames) + 1);
     const std::string what = "Drawing frame " + std::to_string(frame) + " of " + std::to_string(m_frames) +
-                             m_left.text(fraction).toStdString();
+                             m_left.text(drawn).toStdString();
     if (m_terminal.report)
       return m_terminal.report(fraction, what);
     constexpr std::chrono::seconds pause(10);
@@ -52,10 +56,25 @@ public:
 
 private:
   int m_frames;
+  bool m_isVideo;
   const Progress& m_terminal;
   TimeLeft m_left;
   std::optional<std::chrono::steady_clock::time_point> m_told;
 };
+
+// What its frames do not tell whoever sees them: what is hidden, and of a video, which carries no scene, the
+// model in any case. Empty where there is nothing.
+std::string untold(const Scene& scene, bool isVideo) {
+  Comparison shown;
+  shown.scene = scene;
+  shown.cropHidesNothing = scene.crop != CropBox{} && cropsOnlyUnseen(scene);
+  QStringList parts{sideTitle(scene)};
+  if (const QString hidden = hiddenText(shown); !hidden.isEmpty())
+    parts << hidden;
+  else if (!isVideo)
+    return {};
+  return "The frames do not say what they show: " + parts.join(QStringLiteral(" · ")).toStdString() + ".";
+}
 
 // What would be refused after the work is refused before it.
 void requirePlace(const std::string& out, int frames) {
@@ -83,7 +102,7 @@ void runTurntable(const TurntableArguments& arguments) {
   order.engine = chosen(turntableEngines, arguments.engine, "--engine");
   order.memory = settings.engineMemory();
   order.effort.threads = arguments.threads;
-  FrameTeller teller(turntable.frames, progress);
+  FrameTeller teller(turntable.frames, isVideo(arguments.out), progress);
   if (!isQuiet)
     order.effort.report = std::ref(teller);
   const DescribeScene describe = [&](const Scene& scene) {
@@ -105,6 +124,8 @@ void runTurntable(const TurntableArguments& arguments) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   for (const Message& sentence : notes)
     note(sentence.english());
+  if (const std::string sentence = untold(turntable.scene, isVideo(arguments.out)); !sentence.empty())
+    note(sentence);
   char line[120];
   std::snprintf(line, sizeof line, ": %d frames of %d x %d pixels in %.1f s (set-up included)",
                 turntable.frames, turntable.size.x, turntable.size.y, seconds.count());

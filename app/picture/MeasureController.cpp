@@ -151,6 +151,17 @@ void MeasureController::edit(const MeasurementsEdited& edited) {
   m_context.session.setMeasurements(edited.measurements, gesture);
 }
 
+// The list ends with what waits in a slice for its next click. Where another row is edited that goes.
+void MeasureController::editListed(const MeasurementsEdited& edited) {
+  MeasurementsEdited wanted = edited;
+  const std::vector<Measurement> before = m_context.session.measurements();
+  const bool isOfLast = edited.inHand && *edited.inHand + 1 == before.size();
+  if (!isOfLast && m_context.planes.endLooseDrag() && !wanted.measurements.empty() &&
+      wanted.measurements.back() == before.back())
+    wanted.measurements.pop_back();
+  edit(wanted);
+}
+
 // What is said of those that stayed as they were is not found anew.
 void MeasureController::refresh() {
   m_measured = measuredIn(m_volume.get(), m_context.session.measurements(), m_measured);
@@ -222,9 +233,9 @@ void MeasureController::show() {
 }
 
 void MeasureController::goTo(std::size_t number) {
+  drop();
   if (number >= m_measured.size())
     return;
-  drop();
   m_inHand = number;
   PlaneContent content;
   content.volume = m_volume;
@@ -244,7 +255,7 @@ void MeasureController::remove() {
 
 bool MeasureController::drop() {
   if (!std::exchange(m_open, std::nullopt))
-    return false;
+    return m_context.planes.endLooseDrag();
   sayNext({});
   show();
   return true;
@@ -344,6 +355,7 @@ void MeasureController::pick(const Ray& ray, int side) {
 
 void MeasureController::take(const MeasureHandle& handle, std::uint64_t gesture) {
   m_led.reset();
+  m_context.planes.endLooseDrag();
   if (handle.number >= m_measured.size())
     return; // of the one that is being measured
   m_led = Led{handle, gesture, m_context.session.measurements()};

@@ -35,6 +35,8 @@ public:
 public slots:
   /// The measurements shall be these.
   void edit(const limn::MeasurementsEdited& edited);
+  /// The same where somebody edits the list of them.
+  void editListed(const limn::MeasurementsEdited& edited);
   /// Takes one in hand and leads the crosshair to it.
   void goTo(std::size_t number);
   /// The left button measures so from now on, in the picture and in slices; ellipses in these alone.

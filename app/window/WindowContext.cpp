@@ -166,13 +166,11 @@ void WindowContext::messageGoesWithLastStep() {
 }
 
 WindowContext::Said WindowContext::said() const {
-  return {messages.said(), kept.said(), m_saidOfStep, m_stepSaid, notes.failure()};
+  return {messages.said(), m_saidOfStep, m_stepSaid, notes.failure()};
 }
 
 void WindowContext::takeOver(const Said& said) {
   notes.takeOver(said.failure);
-  if (said.kept && !kept.isWanted())
-    kept.show(*said.kept);
   if (!said.message || messages.isWanted())
     return;
   messages.show(*said.message);

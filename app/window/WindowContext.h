@@ -103,10 +103,10 @@ struct WindowContext {
   /// What the bar of messages says now is about the last undo step, and goes where that is undone or gone.
   void messageGoesWithLastStep();
 
-  /// The messages that are open, for a window that takes this one's place: there they stand as they were
-  /// said, without what can be done about them.
+  /// The message that is open, for a window that takes this one's place: there it stands as it was said,
+  /// without what can be done about it.
   struct Said {
-    std::optional<MessageBar::Said> message, kept;
+    std::optional<MessageBar::Said> message;
     QString ofStep; ///< the sentence about an undo step
     std::optional<UndoStep> step;
     QString failure; ///< to save

@@ -12,7 +12,6 @@ namespace limn {
 namespace {
 
 constexpr double leastSeconds = 2.0; // that tell something, and of which something is told
-constexpr double leastFraction = 0.01;
 
 // No finer than such a time is known: of two digits the last is 0 or 5.
 double coarse(double number) {
@@ -31,13 +30,14 @@ QString aboutText(double seconds) {
   return QObject::tr("about %1 h", "a time").arg(fixedNumber(hours, hours < 10.0 ? 1 : 0));
 }
 
-std::optional<double> secondsLeft(double fraction, double seconds) {
-  if (fraction < leastFraction || seconds < leastSeconds)
+std::optional<double> secondsLeft(double fraction, double seconds, double telling) {
+  if (fraction < telling || seconds < leastSeconds)
     return std::nullopt;
   return seconds * (1.0 - fraction) / fraction;
 }
 
-void TimeLeft::begin(std::size_t pictures) {
+void TimeLeft::begin(std::size_t pictures, double telling) {
+  m_telling = telling;
   m_pictures = std::max(1.0, static_cast<double>(pictures));
   m_last.reset();
   m_clock.start();
@@ -59,7 +59,7 @@ std::optional<double> TimeLeft::left(double fraction, double seconds) {
   if (!m_last)
     m_last = {ofLast, seconds};
   const double rest = 1.0 - m_last->fraction;
-  return rest > 0.0 ? secondsLeft((ofLast - m_last->fraction) / rest, seconds - m_last->seconds)
+  return rest > 0.0 ? secondsLeft((ofLast - m_last->fraction) / rest, seconds - m_last->seconds, m_telling)
                     : std::nullopt;
 }
 

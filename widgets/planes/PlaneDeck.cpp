@@ -6,6 +6,7 @@
 #include "widgets/theme/Theme.h"
 
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -66,6 +67,7 @@ PlaneDeck::PlaneDeck(QWidget& picture, QWidget* parent)
   picture.setParent(this);
   for (const PatientPlane plane : patientPlanes) {
     auto* view = m_views[static_cast<std::size_t>(plane)] = new PlaneView(plane, this);
+    view->installEventFilter(this);
     connect(view, &PlaneView::settingsEdited, this, &PlaneDeck::settingsEdited);
     connect(view, &PlaneView::measurementsEdited, this, &PlaneDeck::measurementsEdited);
     connect(view, &PlaneView::toolRequested, this, &PlaneDeck::setTool);
@@ -129,6 +131,31 @@ bool PlaneDeck::isDrawing() const {
   return std::ranges::any_of(m_views, &PlaneView::isDrawing);
 }
 
+PlaneView* PlaneDeck::drawingView() const {
+  const auto drawing = std::ranges::find_if(m_views, &PlaneView::isDrawing);
+  return drawing == m_views.end() ? nullptr : *drawing;
+}
+
+bool PlaneDeck::endLooseDrag() {
+  return std::ranges::any_of(m_views, &PlaneView::endLooseDrag); // one is drawn at a time
+}
+
+// A measurement that waits for its next click is over once the left button has to do in another slice, and
+// the keys that take it back find it from there, too: the pointer has led the keyboard along.
+bool PlaneDeck::eventFilter(QObject* watched, QEvent* event) {
+  PlaneView* drawing = drawingView();
+  if (!drawing || drawing == watched)
+    return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseButtonPress &&
+      static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
+    drawing->endLooseDrag();
+  if (event->type() != QEvent::KeyPress)
+    return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool takesBack = key == Qt::Key_Escape || key == Qt::Key_Delete || key == Qt::Key_Backspace;
+  return (takesBack && drawing->endLooseDrag()) || QWidget::eventFilter(watched, event);
+}
+
 PlaneLayout PlaneDeck::shownLayout() const {
   return m_content.volume ? m_content.settings.layout : PlaneLayout::pictureOnly;
 }
@@ -148,6 +175,8 @@ void PlaneDeck::arrange() {
   for (std::size_t i = 0; i < m_views.size(); ++i) {
     m_views[i]->setGeometry(places[i + 1]);
     m_views[i]->setVisible(!places[i + 1].isEmpty());
+    if (m_views[i]->isHidden())
+      m_views[i]->endLooseDrag();
   }
 }
 

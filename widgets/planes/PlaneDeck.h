@@ -35,6 +35,8 @@ public:
   void setWheelIsForPiece(bool isForPiece);
   /// Whether in one of the slices something is begun, and neither finished nor given up.
   bool isDrawing() const;
+  /// Ends what waits in one of them for its next click, as PlaneView does. Whether it took anything back.
+  bool endLooseDrag();
   /// A button in the row above the slices, for something that is done elsewhere.
   void addButton(QAction& action);
 
@@ -58,8 +60,10 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  PlaneView* drawingView() const;
   PlaneLayout shownLayout() const;
   void arrange();
 

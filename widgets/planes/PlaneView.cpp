@@ -93,6 +93,9 @@ void PlaneView::setContent(const PlaneContent& content) {
   m_content = content;
   describe();
   look();
+  if (m_drag && m_drag->isLoose &&
+      !isInSlice(content, m_plane, content.measured[m_drag->handle.number].measurement))
+    endLooseDrag(); // its slice is left
 }
 
 // At something else, or from elsewhere.
@@ -248,6 +251,8 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event) {
   if (!m_drag)
     return showCursor(event->position());
   if (m_drag->kind == PlaneDrag::Kind::measure) {
+    if (m_drag->isLoose)
+      m_drag->frame = frame(); // the view may have another size by now
     emit measurementsEdited(measuredAfter(*m_drag, event->position()));
     return;
   }
@@ -289,7 +294,6 @@ bool PlaneView::releaseMeasure(const QPointF& point) {
   return !m_drag || !m_drag->isLoose;
 }
 
-// Takes back what was clicked once, but for an angle with both legs. Tells whether anything was taken back.
 bool PlaneView::endLooseDrag() {
   if (!m_drag || !m_drag->isLoose)
     return false;
@@ -302,12 +306,6 @@ bool PlaneView::endLooseDrag() {
   }
   emit measurementsEdited(measuredBefore(drag));
   return true;
-}
-
-void PlaneView::leaveEvent(QEvent* event) {
-  QWidget::leaveEvent(event);
-  if (m_drag && m_drag->handle.place < 2) // the last leg of an angle waits
-    endLooseDrag();
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {

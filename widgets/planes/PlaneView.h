@@ -19,7 +19,8 @@ namespace limn {
 /// slices, with Ctrl it zooms. Keys: arrows, Page up and down, Home (middle), + − and F (all of the slice), 0
 /// (full window) and 1 … 4 (those of tissues), C W X K D G E N and Esc (tools), Delete (the measurement in
 /// hand). An angle is drawn from one end to its corner, then follows the pointer to its other end until a
-/// click. A line to cut along is drawn as on the picture, and lasts while the slice stays where it is.
+/// click. What is begun waits while the pointer is elsewhere. A line to cut along is drawn as on the picture,
+/// and lasts while the slice stays where it is.
 class PlaneView : public QWidget {
   Q_OBJECT
 
@@ -43,6 +44,9 @@ public:
 
   /// Whether a line or a drag is begun, and neither finished nor given up.
   bool isDrawing() const { return m_line || m_drag; }
+
+  /// Takes back what was clicked once, but for an angle with both legs, which is over. Whether it took any.
+  bool endLooseDrag();
 
   /// How the slice lies in the view; there is a volume.
   PlaneFrame frame() const;
@@ -81,7 +85,6 @@ protected:
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void leaveEvent(QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
@@ -89,7 +92,6 @@ private:
   bool moveByKey(int key, int slices);
   bool chooseWindow(int number);
   void cancel();
-  bool endLooseDrag();
   bool pressCut(const QMouseEvent& event);
   void closeLine();
   void forgetLine();

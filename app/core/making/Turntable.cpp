@@ -213,6 +213,11 @@ void requireTurntablePlace(const fs::path& path, int frames) {
             .arg(frames));
 }
 
+double shareDrawn(double fraction, bool isVideo) {
+  const double ofFrames = isVideo ? fraction / shareOfFrames : fraction;
+  return std::clamp((ofFrames - shareOfCameras) / (1.0 - shareOfCameras), 0.0, 1.0);
+}
+
 std::vector<Message> writeTurntable(const fs::path& path, const Turntable& turntable,
                                     const MakingOptions& order, const DescribeScene& describe,
                                     const MarkPicture& mark) {

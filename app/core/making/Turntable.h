@@ -77,6 +77,10 @@ std::string videoProgram();
 /// same turn. Else a folder that is there may be called as it likes. Throws Error (usage).
 void requireTurntablePlace(const std::filesystem::path& path, int frames);
 
+/// How much of its frames is drawn (0..1) once so much of the whole work is done (0..1): their cameras are
+/// found before, and a video is made of them after. They take about as long each.
+double shareDrawn(double fraction, bool isVideo);
+
 /// Draws all frames and writes them: a PNG each, frame-0001.png, into a folder, which is made where there is
 /// none, or a video, complete or untouched. Each is what `mark` makes of the picture, where there is one. Of
 /// frames that are cancelled those drawn stay. Returns one sentence each that was noteworthy. Throws Error,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/exports/ExportDialog.h"
 
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 
 #include <QHBoxLayout>
@@ -33,6 +34,7 @@ ExportDialog::ExportDialog(WindowContext& context, const Words& words)
 }
 
 void ExportDialog::present() {
+  m_context.planes.endLooseDrag(); // what lacks places is no measurement of what is open
   begin(!isVisible());
   show();
   raise();
@@ -96,11 +98,11 @@ void ExportDialog::showProgress(double fraction) {
   m_bar->show();
   if (!wasWorking) {
     m_before = focusWidget();
-    m_left.begin(m_pictures);
+    m_left.begin(m_pictures, m_telling);
   }
   setStartable(false);
   m_close->setText(tr("Cancel"));
-  say(doing(fraction) + m_left.text(fraction));
+  say(doing(fraction) + m_left.text(atOnePace(fraction)));
   if (!wasWorking)
     emit workingChanged(true);
 }

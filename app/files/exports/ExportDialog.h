@@ -74,6 +74,8 @@ protected:
 
   /// The work that begins next draws so many pictures one after another, each in a time of its own.
   void setPictures(std::size_t count) { m_pictures = count; }
+  /// So much of the work that begins next tells how long the rest takes (TimeLeft).
+  void setTelling(double share) { m_telling = share; }
 
   /// Nothing is worked at any more; `sentence` says what came of it.
   void end(const QString& sentence);
@@ -86,6 +88,8 @@ protected:
 private:
   /// What is being done at `fraction`.
   virtual QString doing(double fraction) const = 0;
+  /// How far is then what comes at one pace, by which the time left is told, 0..1.
+  virtual double atOnePace(double fraction) const { return fraction; }
   /// Before it is shown, or raised where `isNew` is false.
   virtual void begin(bool isNew) = 0;
   virtual void showScene(const Scene&) {}
@@ -99,6 +103,7 @@ private:
   QPushButton* m_close;
   TimeLeft m_left;
   std::size_t m_pictures = 1;
+  double m_telling = aHundredth;
   QPointer<QWidget> m_before; ///< what had the keyboard when work began
   std::vector<QPushButton*> m_starts;
 };

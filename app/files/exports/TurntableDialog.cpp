@@ -322,6 +322,9 @@ void TurntableDialog::save() {
   const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
   const bool isVideo = this->isVideo();
   const Turntable turntable = wanted();
+  m_framesDrawn = turntable.frames;
+  m_isVideoDrawn = isVideo;
+  setTelling(std::min(aHundredth, 1.0 / turntable.frames));
   setCancelled(isVideo ? tr("Cancelled; no video was saved.")
                        : tr("Cancelled; frames that were drawn stay in their folder."));
   exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
@@ -348,9 +351,12 @@ void TurntableDialog::save() {
 }
 
 QString TurntableDialog::doing(double fraction) const {
-  return tr("Drawing frame %1 of %2…")
-      .arg(std::min(frames(), static_cast<int>(fraction * frames()) + 1))
-      .arg(frames());
+  const auto drawn = static_cast<int>(atOnePace(fraction) * m_framesDrawn);
+  return tr("Drawing frame %1 of %2…").arg(std::min(m_framesDrawn, drawn + 1)).arg(m_framesDrawn);
+}
+
+double TurntableDialog::atOnePace(double fraction) const {
+  return shareDrawn(fraction, m_isVideoDrawn);
 }
 
 } // namespace limn

@@ -35,6 +35,7 @@ protected:
 
 private:
   QString doing(double fraction) const override;
+  double atOnePace(double fraction) const override;
   void begin(bool isNew) override;
   void showScene(const Scene&) override;
   void layOut(bool hasVideo);
@@ -74,6 +75,8 @@ private:
   QTimer m_soon;                       ///< until what was said of what is shown is found out anew
   std::optional<double> m_sizeAtFirst; ///< of what is shown; absent until it is known
   QString m_length;                    ///< what is said of it
+  int m_framesDrawn = 2;               ///< of what was begun last
+  bool m_isVideoDrawn = false;
 };
 
 } // namespace limn

@@ -16,6 +16,7 @@
 #include "io/ImageFile.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 
 #include <QFileInfo>
@@ -158,6 +159,7 @@ void SavingController::saveScene() {
 }
 
 void SavingController::writeSession(const QString& path) {
+  m_context.planes.endLooseDrag(); // what lacks places is not saved
   SessionDocument session = m_session();
   const std::filesystem::path target(path.toStdString());
   session.scene.volume = volumeSeenFrom(target);
@@ -174,6 +176,7 @@ void SavingController::writeSession(const QString& path) {
 }
 
 void SavingController::writeScene(const QString& path) {
+  m_context.planes.endLooseDrag(); // what lacks places is not saved
   const std::filesystem::path target(path.toStdString());
   Scene scene = m_context.document.scene();
   nameSources(scene.keep, [&](const std::string& labels) { return labelsSeenFrom(target, labels); });
@@ -228,6 +231,7 @@ void SavingController::PictureFile::write(const Image& image) const {
 }
 
 void SavingController::writePicture(const QString& path, const PictureOptions& options) {
+  m_context.planes.endLooseDrag(); // what lacks places is not saved
   const CompareView& view = m_context.view;
   const CompareLayout layout = view.compareLayout();
   std::vector<Image> sides;

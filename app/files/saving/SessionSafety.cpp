@@ -6,6 +6,7 @@
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/panels/ViewPanels.h"
 
@@ -100,6 +101,7 @@ std::function<void()> SessionSafety::savingOfNow() {
 }
 
 std::optional<QString> SessionSafety::keepUnsaved() {
+  m_context.planes.endLooseDrag(); // what lacks places is not kept
   if (!keeps() || !m_context.document.scene().volume || !m_context.document.isEdited())
     return std::nullopt;
   if (!m_keeper)
@@ -143,9 +145,19 @@ SessionSafety::Kept SessionSafety::keptNow(bool hasLeft, bool isFirst) const {
 // The page without a volume offers it itself.
 void SessionSafety::sayWhatIsKept() {
   tellUnfinished(); // what was opened may be newer
-  const std::optional<std::string> label = std::exchange(m_left, std::nullopt);
-  const Kept kept = keptNow(label.has_value(), std::exchange(m_saysWithFirst, false));
-  const QString left = label               ? QString::fromStdString(*label)
+  std::optional<std::string> label = std::exchange(m_left, std::nullopt);
+  Kept kept = keptNow(label.has_value(), std::exchange(m_saysWithFirst, false));
+  kept.label = std::move(label);
+  tellAgain(kept);
+}
+
+std::optional<SessionSafety::Kept> SessionSafety::told() const {
+  return m_context.kept.isWanted() ? std::optional(m_told) : std::nullopt;
+}
+
+void SessionSafety::tellAgain(const Kept& kept) {
+  m_told = kept;
+  const QString left = kept.label          ? QString::fromStdString(*kept.label)
                        : kept.left.empty() ? QString()
                                            : described(kept.left);
   const auto opening = [this](const QString& text, const std::filesystem::path& file) {

@@ -48,6 +48,17 @@ public:
   /// volume that is open now, and offers them.
   void sayWhatIsKept();
 
+  /// Kept sessions to tell of; empty: none.
+  struct Kept {
+    std::filesystem::path left;            ///< what was open before
+    std::filesystem::path ofThis;          ///< the latest of the volume that is open now
+    std::optional<std::string> label = {}; ///< of what was just left with changes
+  };
+  /// What is told and offered at present; absent: nothing, or no longer.
+  std::optional<Kept> told() const;
+  /// Tells and offers it again, in the language of now.
+  void tellAgain(const Kept& kept);
+
   /// The session that a kept file holds is open: from here on this window keeps it, and the file goes, unless
   /// it is not open as a whole: then it alone has the rest.
   void takeOver(const QString& file, bool isWhole);
@@ -68,11 +79,6 @@ private:
   void sayUnsafe(const QString& why);
   void offerAbandoned();
   void tellUnfinished();
-  /// Kept sessions to tell of; empty: none.
-  struct Kept {
-    std::filesystem::path left;   ///< what was open before
-    std::filesystem::path ofThis; ///< the latest of the volume that is open now
-  };
   /// `hasLeft`: something was just left with changes; `isFirst`: nothing was shown before.
   Kept keptNow(bool hasLeft, bool isFirst) const;
 
@@ -82,6 +88,7 @@ private:
   std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
   QString m_notKept;                       ///< why they are not, though they should be
   bool m_saysWithFirst = false;
+  Kept m_told;                       ///< last
   std::optional<std::string> m_left; ///< what was left with changes and is kept, until that is said
 };
 

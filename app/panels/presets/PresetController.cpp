@@ -231,10 +231,12 @@ std::optional<Preset> PresetController::fitted(const QString& name) const {
                                     : *found;
 }
 
+// Of built-in ones those whose numbers are Hounsfield units: the others have none of their own.
 bool PresetController::isFitted(const Preset& look) const {
   const QString name = QString::fromStdString(look.name);
-  const Preset* saved = isBuiltIn(name) ? nullptr : m_own.find(name);
-  return saved && liesElsewhere(look.transferFunction, saved->transferFunction) &&
+  const Preset* saved = find(name);
+  return saved && (!isBuiltIn(name) || isInOtherUnits(*saved)) &&
+         liesElsewhere(look.transferFunction, saved->transferFunction) &&
          look.transferFunction == fitted(name)->transferFunction;
 }
 

@@ -42,7 +42,8 @@ public:
   /// All presets as they are shown of the volume that is open, in the order of the list.
   std::vector<Preset> fittedPresets() const;
 
-  /// Whether a look is one's own preset, its curve moved onto the values of the volume that is open.
+  /// Whether a look is a preset that has numbers of its own, and its curve lies elsewhere: it was moved onto
+  /// the values of the volume that is open.
   bool isFitted(const Preset& look) const;
   /// Those of `fittedPresets` of which that holds, by name.
   std::vector<std::string> namesOfFitted() const;

@@ -76,6 +76,14 @@ TEST(Turntable, ofAFramedViewFramesAllWithOneDistance) {
   EXPECT_EQ(framesOf(turntable)[2].camera, turned(scene.camera, 0.8 * std::numbers::pi));
 }
 
+TEST(Turntable, tellsHowManyFramesAreDrawnBesideWhatElseIsWork) {
+  EXPECT_EQ(shareDrawn(0.0, false), 0.0);
+  EXPECT_EQ(shareDrawn(0.01, false), 0.0) << "cameras are looked for";
+  EXPECT_GT(shareDrawn(0.5, true), shareDrawn(0.5, false)) << "a video follows on its frames";
+  for (const bool isVideo : {false, true})
+    EXPECT_EQ(shareDrawn(1.0, isVideo), 1.0);
+}
+
 class TurntableCommand : public testing::Test {
 protected:
   Outcome run(const std::string& arguments, const std::string& before = {}) {
@@ -107,6 +115,17 @@ TEST_F(TurntableCommand, saysWhereItIsAlsoWithoutATerminal) {
   EXPECT_NE(told.err.find("limn: Drawing frame 1 of 3."), std::string::npos) << told.err;
   const Outcome quiet = run(command + file("quiet") + " --quiet");
   EXPECT_EQ(quiet.err.find("Drawing"), std::string::npos) << quiet.err;
+}
+
+TEST_F(TurntableCommand, saysOnceWhatItsFramesHide) {
+  const std::string words = "turntable phantom:8 --frames 2 --size 32x32 --engine cpu -o ";
+  const std::string sentence = "The frames do not say what they show: ";
+  EXPECT_EQ(run(words + file("all")).err.find(sentence), std::string::npos) << "they show everything";
+  const std::string told = run(words + file("body") + " --keep body --model classic").err;
+  const auto at = told.find(sentence + "Classic · Body only: table hidden.");
+  ASSERT_NE(at, std::string::npos) << told;
+  EXPECT_EQ(told.find(sentence, at + 1), std::string::npos);
+  EXPECT_EQ(run(words + file("quiet") + " --keep body --quiet").err.find(sentence), std::string::npos);
 }
 
 TEST_F(TurntableCommand, aPartOfATurnIsAFrameOfIt) {

@@ -337,6 +337,29 @@ TEST_F(ChosenLanguage, keepsWhatWasSaidAsLongAsItIsTrue) {
   EXPECT_FALSE(bar()->isWanted());
 }
 
+// With what can be done about it, in the language of now.
+TEST_F(ChosenLanguage, offersAnewWhatIsKept) {
+  const auto bar = [this] { return window().findChild<MessageBar*>(QStringLiteral("keptBar")); };
+  const auto action = [&] { return bar()->findChild<QToolButton*>(QStringLiteral("messageAction")); };
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  const TransferFunction worked = session().scene().transferFunction;
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  ASSERT_TRUE(bar()->isVisible());
+  EXPECT_EQ(action()->text(), QStringLiteral("Bring back"));
+  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
+  choose("Language", Qt::Key_Down);
+  ASSERT_TRUE(isReplaced(replaced));
+  ASSERT_TRUE(bar()->isVisible() && bar()->isNote());
+  EXPECT_TRUE(bar()->sentence().startsWith(QStringLiteral("Ihre Arbeit an ")))
+      << bar()->sentence().toStdString();
+  EXPECT_TRUE(action()->isVisible());
+  EXPECT_EQ(action()->text(), QStringLiteral("Zurückholen"));
+  QTest::mouseClick(action(), Qt::LeftButton);
+  EXPECT_TRUE(waitUntil([&] { return session().scene().transferFunction == worked; }));
+  EXPECT_FALSE(bar()->isWanted());
+}
+
 TEST_F(ChosenLanguage, comesOnceADragHasEnded) {
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   const MainWindow* english = &window();

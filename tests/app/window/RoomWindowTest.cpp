@@ -550,6 +550,19 @@ TEST_F(Looks, ofWhichACurveWasFittedSayThatInTheirNames) {
   EXPECT_EQ(names(), (QStringList{QStringLiteral("mylook, fitted"), QStringLiteral("mylook")}));
 }
 
+TEST_F(Looks, builtInOnesInHounsfieldUnitsSayWhereThoseWereNotUsed) {
+  openWithPresetOfOtherValues();
+  setLayout(CompareLayout::sideBySide);
+  presets().compare(QStringLiteral("CT skin"));
+  presets().use(QStringLiteral("CT bone"));
+  EXPECT_EQ(names(), (QStringList{QStringLiteral("CT skin, fitted"), QStringLiteral("CT bone, fitted")}));
+  ASSERT_TRUE(messages().isVisible());
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_EQ(names().value(1), QStringLiteral("CT bone")) << "its own numbers";
+  presets().use(QStringLiteral("MR head"));
+  EXPECT_EQ(names().value(1), QStringLiteral("MR head")) << "it has none of its own";
+}
+
 TEST_F(Looks, aPresetThatShowsNothingOffersToFitItAtOnce) {
   Preset far;
   far.name = "Far";

@@ -41,6 +41,13 @@ TEST(TimeLeft, ofSeveralPicturesIsKnownInTheLastByItsOwnPace) {
   EXPECT_NEAR(two.left(0.75, 40.0).value_or(0.0), 20.0, 1e-12) << "half in twice the time of a quarter";
 }
 
+TEST(TimeLeft, ofManyFramesIsKnownOnceOneIsThere) {
+  TimeLeft film;
+  film.begin(1, 1.0 / 500.0);
+  EXPECT_FALSE(film.left(0.002, 30.0)) << "the first, with what is set up for all";
+  EXPECT_NEAR(film.left(0.004, 40.0).value_or(0.0), 4980.0, 1e-6) << "498 at ten seconds each";
+}
+
 TEST(TimeLeft, isEmptyBeforeWorkBegins) {
   TimeLeft left;
   EXPECT_TRUE(left.text(0.5).isEmpty());

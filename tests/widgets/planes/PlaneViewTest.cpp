@@ -216,11 +216,13 @@ TEST_F(PlaneViewTest, oneClickAloneMeasuresNothingAndDeleteTakesTheOneInHandAway
            [&] { QTest::keyClick(&view, Qt::Key_Backspace); },
            [&] { QTest::keyClick(&view, Qt::Key_Escape); }, [&] { view.setTool(PlaneTool::distance); },
            [&] {
-             QEvent left(QEvent::Leave);
-             QApplication::sendEvent(&view, &left);
+             turnWheel(view, {150, 130}, 120);
+             turnWheel(view, {150, 130}, -120);
            }}) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 230});
-    EXPECT_EQ(host.measurements().size(), 3u) << "it is begun";
+    QEvent left(QEvent::Leave);
+    QApplication::sendEvent(&view, &left);
+    EXPECT_EQ(host.measurements().size(), 3u) << "it is begun, and waits";
     end();
     EXPECT_EQ(host.measurements(), measured) << "it leaves what is there";
   }
