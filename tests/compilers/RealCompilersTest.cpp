@@ -31,6 +31,7 @@ struct Program {
   EffectSet effects;
   Decisions decisions = {};
   bool isSlice = false;
+  bool isOfEveryChip = false; ///< every chip compiles it, not one of them
 
   ShaderSource vertex() const { return isSlice ? sliceVertexSource() : vertexSource(); }
   ShaderSource fragment() const {
@@ -70,13 +71,31 @@ Programs programsOf(const std::set<EffectSet>& sets) {
   return programs;
 }
 
+Programs ofEveryChip(Programs programs) {
+  for (Program& program : programs)
+    program.isOfEveryChip = true;
+  return programs;
+}
+
+// A program as every chip takes it: what each of them compiles is translated once.
+test::SpirvProgram translationOf(const Program& program) {
+  const ShaderSource fragment = program.fragment();
+  if (!program.isOfEveryChip)
+    return test::spirvOf(program.vertex(), fragment);
+  static std::map<std::string, test::SpirvProgram> translations;
+  const auto known = translations.find(fragment.text);
+  if (known != translations.end())
+    return known->second;
+  return translations.emplace(fragment.text, test::spirvOf(program.vertex(), fragment)).first->second;
+}
+
 // Each effect by itself, over every model and projection.
 Programs eachEffectAlone() {
   std::set<EffectSet> sets = everyBase();
   for (const EffectSet& base : everyBase())
     for (int i = 0; i < effectCount; ++i)
       sets.insert(canonical(base.with(static_cast<Effect>(i))));
-  return programsOf(sets);
+  return ofEveryChip(programsOf(sets));
 }
 
 // All effects at once that have a neutral value.
@@ -84,7 +103,7 @@ Programs allEffectsTogether() {
   std::set<EffectSet> sets;
   for (const EffectSet& base : everyBase())
     sets.insert(withAllNeutral(base));
-  return programsOf(sets);
+  return ofEveryChip(programsOf(sets));
 }
 
 // Everything else: effects in all combinations, other decisions about accuracy, slices.
@@ -200,7 +219,7 @@ protected:
 
   std::optional<test::StageFigures> fragmentOf(const Program& program) const {
     try {
-      const test::SpirvProgram spirv = test::spirvOf(program.vertex(), program.fragment());
+      const test::SpirvProgram spirv = translationOf(program);
       const test::ProgramFigures figures = m_compiler->compile(spirv.vertex, spirv.fragment);
       EXPECT_GT(figures.vertex.instructions, 0);
       EXPECT_TRUE(figures.vertex.spillsNothing());

@@ -12,10 +12,13 @@ namespace limn {
 std::vector<std::pair<std::string, std::string>> embeddedPresets();
 
 std::vector<Preset> builtInPresets() {
-  std::vector<Preset> presets;
-  for (const auto& [name, text] : embeddedPresets())
-    presets.push_back(parsePreset(text, name));
-  return presets;
+  static const std::vector<Preset> known = [] {
+    std::vector<Preset> presets;
+    for (const auto& [name, text] : embeddedPresets())
+      presets.push_back(parsePreset(text, name));
+    return presets;
+  }();
+  return known;
 }
 
 } // namespace limn

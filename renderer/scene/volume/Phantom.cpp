@@ -102,11 +102,20 @@ void addSpine(std::vector<PhantomPart>& parts) {
 constexpr glm::dvec3 fieldOfViewMm(192.0, 232.0, 272.0);
 constexpr double outside = -1000.0; // air
 
+double shortestRadiusOf(const PhantomPart& part) {
+  return std::min({part.radiiMm.x, part.radiiMm.y, part.radiiMm.z});
+}
+
+// In radii of the part, where its edge ends.
+double reachOf(const PhantomPart& part) {
+  return 1.0 + part.edgeMm / 2.0 / shortestRadiusOf(part);
+}
+
 // How much of a part is at a point, 0..1.
 double coverageOf(const PhantomPart& part, const glm::dvec3& p) {
   const glm::dvec3 q = (p - part.centreMm) / part.radiiMm;
-  const double shortest = std::min({part.radiiMm.x, part.radiiMm.y, part.radiiMm.z});
-  const double reach = 1.0 + part.edgeMm / 2.0 / shortest;
+  const double shortest = shortestRadiusOf(part);
+  const double reach = reachOf(part);
   const double squared = glm::dot(q, q);
   if (squared >= reach * reach)
     return 0.0;
@@ -119,6 +128,26 @@ double coverageOf(const PhantomPart& part, const glm::dvec3& p) {
 const std::vector<PhantomPart>& anatomy() {
   static const std::vector<PhantomPart> parts = phantomParts();
   return parts;
+}
+
+// The parts that a row along x meets, in their order: few of a hundred.
+void findPartsOfRow(double y, double z, std::vector<PhantomPart>& parts) {
+  constexpr double rounding = 1e-9; // what just fails to meet it has nothing there
+  parts.clear();
+  for (const PhantomPart& part : anatomy()) {
+    const double v = (y - part.centreMm.y) / part.radiiMm.y;
+    const double w = (z - part.centreMm.z) / part.radiiMm.z;
+    const double reach = reachOf(part);
+    if (v * v + w * w < (1.0 + rounding) * reach * reach)
+      parts.push_back(part);
+  }
+}
+
+double valueOf(const std::vector<PhantomPart>& parts, const glm::dvec3& worldMm) {
+  double value = outside;
+  for (const PhantomPart& part : parts)
+    value += coverageOf(part, worldMm) * (part.hu - value);
+  return value;
 }
 
 // A well-mixed 64-bit hash of a counter (splitmix64), so that noise needs no state between voxels.
@@ -154,8 +183,9 @@ Grid gridOf(const PhantomSpec& spec) {
   return grid;
 }
 
-std::int16_t sampleAt(const PhantomSpec& spec, const Grid& grid, int i, int j, int k) {
-  double value = phantomValue(indexToWorld(grid, {i, j, k}));
+std::int16_t sampleAt(const PhantomSpec& spec, const Grid& grid, const std::vector<PhantomPart>& parts, int i,
+                      int j, int k) {
+  double value = valueOf(parts, indexToWorld(grid, {i, j, k}));
   if (spec.noiseHu > 0.0)
     value += spec.noiseHu * gaussian(spec.seed, voxelOffset(grid.dims, i, j, k));
   return static_cast<std::int16_t>(std::clamp(std::lround(value), -1024L, 32767L));
@@ -174,10 +204,7 @@ std::vector<PhantomPart> phantomParts() {
 }
 
 double phantomValue(const glm::dvec3& worldMm) {
-  double value = outside;
-  for (const PhantomPart& part : anatomy())
-    value += coverageOf(part, worldMm) * (part.hu - value);
-  return value;
+  return valueOf(anatomy(), worldMm);
 }
 
 std::shared_ptr<const Volume> phantomVolume(const PhantomSpec& spec,
@@ -185,9 +212,13 @@ std::shared_ptr<const Volume> phantomVolume(const PhantomSpec& spec,
   const Grid grid = gridOf(spec);
   std::vector<std::int16_t> voxels(static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z);
   forEachPiece(grid.dims.z, {0, isCancelled, {}}, [&](int k) {
-    for (int j = 0; j < grid.dims.y; ++j)
+    std::vector<PhantomPart> parts;
+    for (int j = 0; j < grid.dims.y; ++j) {
+      const glm::dvec3 row = indexToWorld(grid, {0, j, k});
+      findPartsOfRow(row.y, row.z, parts);
       for (int i = 0; i < grid.dims.x; ++i)
-        voxels[voxelOffset(grid.dims, i, j, k)] = sampleAt(spec, grid, i, j, k);
+        voxels[voxelOffset(grid.dims, i, j, k)] = sampleAt(spec, grid, parts, i, j, k);
+    }
   });
   VolumeInfo info;
   info.format = "Built-in head phantom";

@@ -50,8 +50,8 @@ void PicturedWindow::SetUp() {
                          window->devicePixelRatioF()));
 }
 
-bool PicturedWindow::openVolume() {
-  return open(given("LIMN_PICTURES_VOLUME", "phantom:4")) && rest();
+bool PicturedWindow::openVolume(const char* otherwise) {
+  return open(given("LIMN_PICTURES_VOLUME", otherwise)) && rest();
 }
 
 QImage PicturedWindow::shown() {

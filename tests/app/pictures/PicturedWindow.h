@@ -16,8 +16,8 @@ class PicturedWindow : public WindowHarness {
 protected:
   void SetUp() override;
 
-  /// The volume that pictures show, drawn and complete.
-  [[nodiscard]] bool openVolume();
+  /// The volume that pictures show, drawn and complete; `otherwise` where the environment names none.
+  [[nodiscard]] bool openVolume(const char* otherwise = "phantom:8");
 
   /// What the screen shows of the window, once its pictures are complete.
   QImage shown();

@@ -78,18 +78,24 @@ class Privacy : public testing::Test {
 protected:
   fs::path root() const { return folder.path() / "written"; }
 
+  // What Mesa keeps of shaders, which takes long to compile: searched as well, and kept for the next patient.
+  static const fs::path& shaders() {
+    static const test::TemporaryFolder kept;
+    return kept.path();
+  }
+
   // Runs a program with home, temporary files, output and errors below root(); returns its exit status.
   int run(const std::string& program, const std::string& arguments) {
     for (const char* name : {"home", "config", "data", "cache", "state", "tmp", "out", "log"})
       fs::create_directories(root() / name);
     const std::string at = root().string();
     const std::string log = at + "/log/" + std::to_string(m_runs++);
-    const std::string command = "cd '" + at + "/out' && env HOME='" + at + "/home' XDG_CONFIG_HOME='" + at +
-                                "/config' XDG_DATA_HOME='" + at + "/data' XDG_CACHE_HOME='" + at +
-                                "/cache' XDG_STATE_HOME='" + at + "/state' TMPDIR='" + at + "/tmp' " +
-                                seriesVariable + "='" + series.string() + "' " + outVariable + "='" + at +
-                                "/out' '" + program + "' " + arguments + " >'" + log + ".out' 2>'" + log +
-                                ".err' </dev/null";
+    const std::string command =
+        "cd '" + at + "/out' && env HOME='" + at + "/home' XDG_CONFIG_HOME='" + at +
+        "/config' XDG_DATA_HOME='" + at + "/data' XDG_CACHE_HOME='" + at + "/cache' XDG_STATE_HOME='" + at +
+        "/state' TMPDIR='" + at + "/tmp' MESA_SHADER_CACHE_DIR='" + shaders().string() + "' " +
+        seriesVariable + "='" + series.string() + "' " + outVariable + "='" + at + "/out' '" + program +
+        "' " + arguments + " >'" + log + ".out' 2>'" + log + ".err' </dev/null";
     const int raw = std::system(command.c_str());
     return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
   }
@@ -115,7 +121,8 @@ protected:
           << output << ": " << lastWords();
     EXPECT_EQ(limn("dicom " + at + " --size 32x32 -o objects"), 0) << lastWords();
     EXPECT_EQ(limn("dicom " + at + " --size 32x32 --anonymous -o nobodys"), 0) << lastWords();
-    EXPECT_EQ(limn("render objects/look.dcm --volume " + at + " -o looked.png"), 0) << lastWords();
+    EXPECT_EQ(limn("render objects/look.dcm --volume " + at + " --size 64x48 -o looked.png"), 0)
+        << lastWords();
     EXPECT_EQ(limn("turntable " + at + " --frames 2 --size 32x32 -o turn"), 0) << lastWords();
     for (const char* output : {"s.stl", "s.ply", "s.obj"})
       EXPECT_EQ(limn("surface " + at + " --value 100 -o " + output), 0) << output << ": " << lastWords();
@@ -137,22 +144,23 @@ protected:
     return isAnonymous && mark == "1.2.826.99";
   }
 
-  // Searches every file below root() but those that `isExempt`.
+  // Searches every file below root() but those that `isExempt`, and all that is kept of shaders.
   void expectNoMarks(const std::function<bool(const fs::path&)>& isExempt) {
     std::size_t files = 0;
     std::size_t bytes = 0;
     std::size_t searched = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(root())) {
-      for (const std::string& mark : test::marksIn(entry.path().filename().string(), searched))
-        ADD_FAILURE() << mark << " in the name of " << entry.path();
-      if (!entry.is_regular_file() || isExempt(entry.path()))
-        continue;
-      ++files;
-      bytes += entry.file_size();
-      for (const std::string& mark : test::marksIn(test::bytesOfFile(entry.path()), searched))
-        if (!mayCarry(entry.path(), mark))
-          ADD_FAILURE() << mark << " in " << entry.path();
-    }
+    for (const fs::path& place : {root(), shaders()})
+      for (const auto& entry : fs::recursive_directory_iterator(place)) {
+        for (const std::string& mark : test::marksIn(entry.path().filename().string(), searched))
+          ADD_FAILURE() << mark << " in the name of " << entry.path();
+        if (!entry.is_regular_file() || isExempt(entry.path()))
+          continue;
+        ++files;
+        bytes += entry.file_size();
+        for (const std::string& mark : test::marksIn(test::bytesOfFile(entry.path()), searched))
+          if (!mayCarry(entry.path(), mark))
+            ADD_FAILURE() << mark << " in " << entry.path();
+      }
     for (const char* written :
          {"config/limn/settings.json", "data/limn/limn/presets/Marked.json", "out/session.json",
           "out/scene.json", "out/window.exr", "out/report/accuracy.html", "out/shown.png", "out/f.pdf",

@@ -43,7 +43,7 @@ TEST_F(ActionListTest, withoutAVolumeWhatNeedsOneIsDisabled) {
     EXPECT_FALSE(actions().find(name).isEnabled()) << name;
   for (const char* name : {"openFile", "findPreset", "settings"})
     EXPECT_TRUE(actions().find(name).isEnabled()) << name;
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   EXPECT_TRUE(actions().find("saveSession").isEnabled());
 }
 

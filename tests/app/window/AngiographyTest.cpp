@@ -34,7 +34,7 @@ protected:
     const Grid& vesselGrid = vessels->grid();
     const glm::dvec3 to = indexToWorld(vesselGrid, 0.5 * glm::dvec3(vesselGrid.dims - 1));
     test::writeShorts(file, grid.dims, grid.spacingMm, [&](const glm::ivec3& voxel) {
-      const double tissue = valueAt(*head, glm::dvec3(voxel));
+      const double tissue = head->value(voxel);
       const glm::dvec3 world = (indexToWorld(grid, glm::dvec3(voxel)) - from) / 0.75 + to;
       const glm::dvec3 index = worldToIndex(vesselGrid, world);
       const bool isInside = glm::all(glm::greaterThanEqual(index, glm::dvec3(0.0))) &&
@@ -54,7 +54,7 @@ protected:
       for (const int step : {-4, -2, 0, 2, 4}) {
         glm::ivec3 beside = voxel;
         beside[axis] = std::clamp(beside[axis] + step, 0, head->grid().dims[axis] - 1);
-        const double hu = valueAt(*head, glm::dvec3(beside));
+        const double hu = head->value(beside);
         if (hu < -50.0 || hu > 100.0)
           return false;
       }

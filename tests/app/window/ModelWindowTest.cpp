@@ -98,6 +98,7 @@ TEST_F(ModelWindow, physicalLightChosenForASideIsAStepThatIsTakenBack) {
 
 // The driver cannot: the processor draws, coarsely at once, then as many paths again and again.
 TEST_F(ModelWindow, physicalLightIsDrawnByTheProcessorWithMorePathsWhileNothingMoves) {
+  window->resize(1280, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   ASSERT_TRUE(rest());
   view().setRefinesAtRest(true);

@@ -42,7 +42,7 @@ class PhysicalWindow : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    window->resize(1100, 760);
+    window->resize(800, 560); // few pixels to follow paths for
     ASSERT_TRUE(open(QStringLiteral("phantom:6")));
     ASSERT_TRUE(rest());
   }
@@ -124,6 +124,7 @@ TEST_F(PhysicalWindow, undoBringsBackTheModelBeforePhysicalLightInAComparison) {
 
 // The first picture soon, no turn of the event loop held up, and another edit is answered as soon.
 TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
+  window->resize(1100, 760);
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest()); // OpenGL has given way
@@ -146,6 +147,7 @@ TEST_F(PhysicalWindow, aPictureIsThereAtOnceAndNothingWaitsForIt) {
 
 // Between two passes, of which each takes as long as all before it.
 TEST_F(PhysicalWindow, theErrorInTheStatusBarFallsWhileMorePathsAreFollowed) {
+  window->resize(1100, 760);
   view().setRefinesAtRest(true);
   setLayout(CompareLayout::single);
   choose(light(), 4);
@@ -170,7 +172,6 @@ TEST_F(PhysicalWindow, theErrorInTheStatusBarFallsWhileMorePathsAreFollowed) {
 }
 
 TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
-  window->resize(800, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());
@@ -189,7 +190,6 @@ TEST_F(PhysicalWindow, exposureIsAStepOfTheHistoryAndCostsNoPath) {
 }
 
 TEST_F(PhysicalWindow, accuracyIsMeasuredByPathsWithTheirLawAndAMap) {
-  window->resize(800, 560);
   window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
   setLayout(CompareLayout::single);
   choose(light(), 4);
@@ -220,7 +220,6 @@ TEST_F(PhysicalWindow, accuracyIsMeasuredByPathsWithTheirLawAndAMap) {
 
 // Of what is saved it is promised how far it is drawn, whatever the screen had by then.
 TEST_F(PhysicalWindow, aSavedPictureHasThePathsThatThePanelPromises) {
-  window->resize(800, 560);
   setLayout(CompareLayout::single);
   choose(light(), 4);
   Shading shading = scene().shading;
@@ -261,7 +260,6 @@ TEST_F(PhysicalWindow, aSavedPictureHasThePathsThatThePanelPromises) {
 }
 
 TEST_F(PhysicalWindow, whatSavedPicturesAloneHaveLeavesScreenAndPresetAsTheyAre) {
-  window->resize(800, 560); // fewer pixels to follow paths for
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());
@@ -277,6 +275,7 @@ TEST_F(PhysicalWindow, whatSavedPicturesAloneHaveLeavesScreenAndPresetAsTheyAre)
 }
 
 TEST_F(PhysicalWindow, theDialogSaysHowFarItIsDrawnAndLeadsToWhereThatIsSet) {
+  window->resize(1100, 760);
   setLayout(CompareLayout::single);
   choose(light(), 4);
   ASSERT_TRUE(rest());

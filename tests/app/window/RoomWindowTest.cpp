@@ -351,7 +351,7 @@ protected:
 };
 
 TEST_F(Looks, twoPresetsAreComparedFromTheirLabelsUnderTheirNames) {
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   setLayout(CompareLayout::sideBySide);
   choose(0, QStringLiteral("CT bone"));
   choose(1, QStringLiteral("CT skin"));
@@ -372,7 +372,7 @@ TEST_F(Looks, comeToASideWhoseModelStays) {
     return shown;
   };
   using Models = std::vector<ShadingModel>;
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   setLayout(CompareLayout::sideBySide);
   ASSERT_EQ(models(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   choose(0, QStringLiteral("CT bone"));
@@ -396,7 +396,7 @@ TEST_F(Looks, comeToASideWhoseModelStays) {
 
 // Before and now differ by the looks alone.
 TEST_F(Looks, thatWereRememberedAreShownByTheModelOfTheRight) {
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   setLayout(CompareLayout::sideBySide);
   named("takeSnapshot").trigger();
   dragAPoint();
@@ -406,7 +406,7 @@ TEST_F(Looks, thatWereRememberedAreShownByTheModelOfTheRight) {
 }
 
 TEST_F(Looks, whatIsRememberedIsNamedAfterItsPreset) {
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   choose(0, QStringLiteral("CT bone")); // compared at the left; the scene's own is what it opened with
   named("compareModels").trigger();
   window->findChild<PresetController*>()->use(QStringLiteral("CT bone"));
@@ -442,7 +442,7 @@ TEST_F(Looks, theHistorySaysWhatChangedAndUndoneStepsStepBack) {
 }
 
 TEST_F(Looks, thePapersNumbersAreOneClickAway) {
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   setLayout(CompareLayout::sideBySide); // enhanced is shown
   const Shading tuned = scene().shading;
   EXPECT_NE(tuned.exponentRange, Shading{}.exponentRange) << "the preset has numbers of its own";
@@ -461,7 +461,7 @@ TEST_F(Looks, thePapersNumbersAreOneClickAway) {
 }
 
 TEST_F(Looks, effectsAreSwitchedWhereTheyAreListed) {
-  ASSERT_TRUE(openAlone(QStringLiteral("sample")));
+  ASSERT_TRUE(openAlone(QStringLiteral("phantom:6")));
   window->findChild<QDockWidget*>(QStringLiteral("effectsDock"))->raise();
   ASSERT_TRUE(rest());
   const auto highlights = [this]() -> QCheckBox* {
@@ -523,7 +523,7 @@ TEST_F(Looks, anOwnPresetThatIsFittedToAnotherVolumeSaysSoAndCanBeUsedAsSaved) {
 
 // How smooth normals are is the volume's where presets ask for nothing.
 TEST_F(Looks, ofTwoPresetsTheOneThatIsEditedIsCalledModified) {
-  ASSERT_TRUE(open(QStringLiteral("sample")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   setLayout(CompareLayout::sideBySide);
   choose(0, QStringLiteral("CT bone"));
   choose(1, QStringLiteral("CT skin"));

@@ -70,6 +70,15 @@ protected:
            std::ranges::all_of(pictures, [&](const QImage& picture) { return picture.size() == size; });
   }
 
+  /// As large on paper, in a ninth of the pixels: what a test saves takes a moment.
+  void makeCoarse() {
+    auto& dots = part<QDoubleSpinBox>("figureDots");
+    dots.setFocus();
+    dots.selectAll();
+    QTest::keyClicks(&dots, QStringLiteral("100\t"));
+    ASSERT_EQ(dialog().askedFigure().settings.dotsPerInch, 100.0);
+  }
+
   QString said() const { return part<QLabel>("figureSays").text(); }
 
   /// Saves as this file and waits until that is said.
@@ -93,6 +102,7 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
   ASSERT_TRUE(ask());
   EXPECT_EQ(dialog().askedFigure().panels.size(), 2u);
   check("figureExact"); // the window's own steps
+  makeCoarse();
   EXPECT_FALSE(dialog().isExact());
   const std::vector<Scene> shown = view().scenesOfSides();
   ASSERT_TRUE(saveAs("figure.png"));
@@ -149,6 +159,7 @@ TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
   view().setTurnsAbout(nearer);
   ASSERT_TRUE(ask());
   check("figureExact");
+  makeCoarse();
   const double onScreen = mmPerPixel(scene().camera, 200.0, nearer);
   // Rounding: sums of hundreds of millimetres, in double precision.
   const auto expectItsScale = [&](const FigurePanel& panel, const char* where) {
@@ -174,6 +185,7 @@ TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
 TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {
   ASSERT_TRUE(ask());
   check("figureExact");
+  makeCoarse();
   ASSERT_TRUE(saveAs("figure.png"));
   EXPECT_TRUE(part<QPushButton>("figureSave").hasFocus());
   dialog().resize(dialog().size() + QSize(40, 30)); // the preview is drawn anew
@@ -308,6 +320,7 @@ TEST_F(FigureWindow, twoPresetsWithAModelEachAreNamedByBothAsOnScreen) {
 TEST_F(FigureWindow, pdfTiffAndExrAreWrittenByTheirEndings) {
   ASSERT_TRUE(ask());
   check("figureExact");
+  makeCoarse();
   for (const char* name : {"figure.pdf", "figure.tif", "figure.exr"}) {
     ASSERT_TRUE(saveAs(name));
     EXPECT_TRUE(fs::exists(folder.path() / name)) << said().toStdString();
@@ -357,6 +370,7 @@ TEST_F(FigureWindow, aFigureOfMoreThanTheWindowShowsIsSeenWholeByOneClick) {
   ASSERT_TRUE(rest());
   ASSERT_TRUE(ask());
   check("figureExact");
+  makeCoarse();
   auto& count = part<QComboBox>("panelCount");
   count.setFocus();
   QTest::keyClick(&count, Qt::Key_Down);
