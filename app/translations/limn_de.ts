@@ -2728,6 +2728,10 @@
         <comment>a look</comment>
         <translation>Gemerkt; Ctrl+Shift+B vergleicht mit „%1“.</translation>
     </message>
+    <message>
+        <source>Other look</source>
+        <translation>Anderer Look</translation>
+    </message>
 </context>
 <context>
     <name>limn::CropBoxController</name>
@@ -4585,10 +4589,6 @@
         <translation>Zeigt jedes Label wieder ganz.</translation>
     </message>
     <message>
-        <source>show all labels</source>
-        <translation>alle Labels zeigen</translation>
-    </message>
-    <message>
         <source>%1 shown</source>
         <translation>%1 gezeigt</translation>
     </message>
@@ -4615,6 +4615,10 @@
     <message>
         <source>Colour…</source>
         <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Nur dies zeigen</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4690,14 @@
     <message>
         <source>It has no voxels of its own, so there is nothing to show: labels read after it cover it.</source>
         <translation>Es hat keine eigenen Voxel, daher gibt es nichts zu zeigen: Labels, die nach ihm gelesen wurden, bedecken es.</translation>
+    </message>
+    <message>
+        <source>show only %1</source>
+        <translation>nur %1 zeigen</translation>
+    </message>
+    <message>
+        <source>show all labels</source>
+        <translation>alle Labels zeigen</translation>
     </message>
 </context>
 <context>
@@ -6351,10 +6363,6 @@
     <message>
         <source>The slices of the DICOM series lie beside each other rather than on each other, so they make no volume; choose another series.</source>
         <translation>Die Schichten der DICOM-Serie liegen nebeneinander statt aufeinander und ergeben kein Volumen; wählen Sie eine andere Serie.</translation>
-    </message>
-    <message>
-        <source>The slices do not lie straight on each other (slant of %1°, as of a tilted gantry): they were resampled onto an upright grid, whose added corners hold no data.</source>
-        <translation>Die Schichten liegen nicht gerade aufeinander (Neigung %1°, wie bei gekippter Gantry): Sie wurden auf ein aufrechtes Gitter umgerechnet, dessen zusätzliche Ecken keine Daten enthalten.</translation>
     </message>
     <message>
         <source>The series does not say how thick its slices are; 1 mm is assumed.</source>
@@ -9199,6 +9207,14 @@
     <message>
         <source>%1 labels have no voxels of their own, because masks read after them cover them: %2.</source>
         <translation>%1 Labels haben keine eigenen Voxel, weil danach gelesene Masken sie bedecken: %2.</translation>
+    </message>
+    <message>
+        <source>The slices slant by %1°, as of a tilted gantry, and were resampled upright.</source>
+        <translation>Die Schichten liegen um %1° schräg, wie bei gekippter Gantry, und wurden auf ein aufrechtes Gitter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The corners that the upright grid adds beside its slices hold no data.</source>
+        <translation>Die Ecken, die das aufrechte Gitter neben seinen Schichten ergänzt, enthalten keine Daten.</translation>
     </message>
 </context>
 <context>
