@@ -3,6 +3,7 @@
 
 #include "io/AtomicFile.h"
 #include "io/PdfDescription.h"
+#include "io/PngWriter.h"
 #include "io/openimageio/PictureLibrary.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
@@ -43,7 +44,9 @@ std::uint8_t level(double value) {
 
 void writeAtomically(const fs::path& path, const PictureToWrite& picture) {
   replaceAtomically(path, [&](const fs::path& temporary) {
-    const std::string problem = pictureLibrary().write(temporary.string(), picture);
+    const std::string file = temporary.string();
+    const std::string problem =
+        picture.format == Format::png ? writePng(file, picture) : pictureLibrary().write(file, picture);
     if (!problem.empty())
       throw Error(Error::Kind::other,
                   Message::tr("Cannot write %1: %2; choose another folder, ending or size.")

@@ -8,7 +8,9 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <random>
 #include <regex>
 
 namespace limn {
@@ -49,6 +51,34 @@ TEST(ImageFile, eightBitPicturesLieOverTheBackground) {
     const std::vector<int> expected = {255, 0, 0, 26, 179, 128, 51, 102, 255};
     for (std::size_t i = 0; i < expected.size(); ++i)
       EXPECT_EQ(std::lround(samples[i] * 255.0f), expected[i]) << name << " sample " << i;
+  }
+}
+
+// Rows that suit one filter or another: flat, ramps along either axis and both, noise.
+TEST(ImageFile, aPngIsReadBackToTheLastByteWithAlphaAndWithout) {
+  const TemporaryFolder folder;
+  std::mt19937 dice(1);
+  for (const bool hasAlpha : {false, true}) {
+    const int channels = hasAlpha ? 4 : 3;
+    BytePicture picture{{301, 50}, hasAlpha, {}, 300.0};
+    for (int y = 0; y < picture.size.y; ++y)
+      for (int x = 0; x < picture.size.x; ++x)
+        for (int c = 0; c < channels; ++c) {
+          const std::array<unsigned, 5> kinds{7u, 3u * x + c, 5u * y + 60u * c, 2u * x + 3u * y,
+                                              static_cast<unsigned>(dice() >> 8)};
+          picture.bytes.push_back(static_cast<std::uint8_t>(kinds[static_cast<std::size_t>(y / 10)]));
+        }
+    const std::filesystem::path file = folder.path() / "a.png";
+    writeBytes(file, picture, description);
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(file.string(), &wishes);
+    ASSERT_TRUE(input);
+    ASSERT_EQ(input->spec().nchannels, channels);
+    std::vector<std::uint8_t> bytes(picture.bytes.size());
+    ASSERT_TRUE(input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, bytes.data()));
+    EXPECT_EQ(bytes, picture.bytes);
+    EXPECT_EQ(input->spec().get_string_attribute("oiio:ColorSpace"), "sRGB");
   }
 }
 

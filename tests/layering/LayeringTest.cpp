@@ -89,7 +89,7 @@ std::string targetOf(const std::string& header) {
     if (header.find('/') != std::string::npos && fs::exists(root / below / header))
       return (below / header).parent_path().string();
   static const std::regex qt("^(Q[A-Z]|Qt)"), openGl("^epoxy"),
-      files("^(vtk|itk|gdcm|dcmtk|OpenImageIO|nlohmann|json|pugixml|archive|tiff|zlib|QJson|QXml|QDom)");
+      files("^(vtk|itk|gdcm|dcmtk|OpenImageIO|nlohmann|json|pugixml|archive|tiff|png|zlib|QJson|QXml|QDom)");
   return std::regex_search(header, files)    ? "files"
          : std::regex_search(header, qt)     ? "Qt"
          : std::regex_search(header, openGl) ? "OpenGL"

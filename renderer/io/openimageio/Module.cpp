@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/openimageio/PictureLibrary.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 
 namespace limn {
 namespace {
@@ -91,27 +86,12 @@ std::string reasonOf(const OIIO::ImageOutput* output) {
   return reason.empty() ? "no reason was given" : reason;
 }
 
-std::string writeFile(const std::string& path, const std::vector<unsigned char>& bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (!file)
-    return std::strerror(errno);
-  int problem = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
-  if (std::fclose(file) != 0 && problem == 0)
-    problem = errno;
-  return problem == 0 ? std::string() : std::strerror(problem);
-}
-
-// The library's PNG writer does not notice that a disk is full, so that it writes into memory.
 std::string write(const std::string& path, const PictureToWrite& picture) {
   const OIIO::ImageSpec spec = specOf(picture);
-  const bool isPng = picture.format == PictureToWrite::Format::png;
-  OIIO::Filesystem::IOVecOutput memory;
   const auto output = OIIO::ImageOutput::create(path);
-  if (output && isPng)
-    output->set_ioproxy(&memory);
   if (output && output->open(path, spec) && output->write_image(spec.format, picture.pixels) &&
       output->close())
-    return isPng ? writeFile(path, memory.buffer()) : std::string();
+    return {};
   return reasonOf(output.get());
 }
 

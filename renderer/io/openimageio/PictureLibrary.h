@@ -40,7 +40,7 @@ struct PictureToWrite {
 struct PictureLibrary {
   /// Absent where the file is no picture, or a damaged one. Alpha is not multiplied into the colours.
   std::optional<StoredPicture> (*open)(const std::string& path);
-  /// Empty where the file was written, otherwise why not.
+  /// Empty where the file was written, otherwise why not. Of PNG that is writePng's, which needs no library.
   std::string (*write)(const std::string& path, const PictureToWrite& picture);
 };
 
