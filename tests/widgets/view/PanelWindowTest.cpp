@@ -94,6 +94,29 @@ TEST(Panels, inALowViewNoButtonIsCut) {
   }
 }
 
+TEST(Panels, whatIsOfferedMovesOnlyWhereSomethingWouldLieOnIt) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  EmptyPanel& panel = host.view.emptyPanel();
+  host.view.window()->resize(820, 700);
+  ASSERT_TRUE(test::waitUntil([&] { return panel.height() == 700; }));
+  const auto* button = buttonNamed(host, "openFolder");
+  const auto place = [&] {
+    QCoreApplication::processEvents();
+    return QRect(button->mapTo(&panel, QPoint()), button->size());
+  };
+  QWidget cover(&host.view);
+  cover.setGeometry(60, 620, 700, 40);
+  panel.keepClearOf(cover);
+  const QRect before = place();
+  cover.show();
+  EXPECT_EQ(place(), before);
+  cover.move(60, before.top());
+  EXPECT_LT(place().bottom(), before.top());
+  cover.hide();
+  EXPECT_EQ(place(), before);
+}
+
 TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {
   ViewHost host;
   ASSERT_TRUE(host.show());

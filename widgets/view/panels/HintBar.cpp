@@ -67,9 +67,22 @@ void HintBar::putAway() {
 void HintBar::follow() {
   if (!m_isOut || m_isAside || m_isDrawing())
     return hide();
-  if (m_placedOver != m_coveredBelow() || m_placedBeside != m_written())
+  if ((m_placedOver != m_coveredBelow() || m_placedBeside != m_written()) && !isUnderPointer())
     place();
   setVisible(m_hasRoom);
+}
+
+// A button that goes as it is clicked leaves the click to the picture.
+bool HintBar::isUnderPointer() const {
+  const std::vector<QRect> covers = m_coveredBelow();
+  return isVisible() && underMouse() &&
+         std::ranges::none_of(covers, [this](const QRect& cover) { return cover.intersects(geometry()); });
+}
+
+void HintBar::leaveEvent(QEvent* event) {
+  PicturePanel::leaveEvent(event);
+  if (m_isOut && !m_soon.isActive())
+    m_soon.start(0);
 }
 
 void HintBar::followCover(QWidget& cover) {

@@ -58,7 +58,8 @@ public:
   /// Where else the view's lower edge is covered, in the view's pixels: it stands above what lies below it.
   /// Nowhere at first.
   void setCoveredBelow(std::function<std::vector<QRect>()> covered) { m_coveredBelow = std::move(covered); }
-  /// Follows a widget that may cover the edge: where that moves, comes or goes it looks again.
+  /// Follows a widget that may cover the edge: where that moves, comes or goes it looks again, and as long as
+  /// the pointer is on the bar it moves only from below that.
   void followCover(QWidget& cover);
   /// What covers it may be another now.
   void lookAgain() { follow(); }
@@ -75,6 +76,7 @@ protected:
   QHBoxLayout* group(std::size_t number) const { return m_groups[number]; }
 
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -84,6 +86,7 @@ private:
   void place();
   bool placeBeside();
   int coveredBelow(int left, int width) const;
+  bool isUnderPointer() const; ///< and nothing lies over it
   void follow();
 
   QBoxLayout* m_rows; ///< of the words with the first group, and of the others

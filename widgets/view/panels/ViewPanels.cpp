@@ -266,6 +266,12 @@ void EmptyPanel::fit() {
   inner.setContentsMargins(targetMargin, m_hasArrow ? arrowMargin : lowMargin, targetMargin,
                            m_hasArrow ? targetMargin : lowMargin);
   m_target->updateGeometry();
+  // What it offers stands in the middle of the page and moves up no further than it has to: a button moves
+  // only where something would lie on it, and not as that goes while the pointer is on its way.
+  const int content = height(*layout()) - pageMargins.top() - bottom;
+  const int asked = 2 * (bottom + margin) - (this->height() - pageMargins.top() - content);
+  layout()->setContentsMargins(pageMargins.left(), pageMargins.top(), pageMargins.right(),
+                               std::clamp(asked, margin, bottom));
   layout()->activate();
 }
 

@@ -2,6 +2,7 @@
 #include "widgets/view/panels/HintBar.h"
 #include "support/Waiting.h"
 
+#include <QCoreApplication>
 #include <QWidget>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,24 @@ TEST_F(HintBarOverOthers, followsWhatMovesBelowIt) {
   cover.show();
   EXPECT_TRUE(stands(128));
   cover.move(680, 380);
+  EXPECT_TRUE(stands(44));
+}
+
+TEST_F(HintBarOverOthers, staysUnderThePointerUnlessSomethingLiesOnIt) {
+  cover.move(340, 400);
+  ASSERT_TRUE(stands(108));
+  bar.setAttribute(Qt::WA_UnderMouse);
+  cover.hide();
+  for (int turn = 0; turn < 3; ++turn)
+    QCoreApplication::processEvents();
+  EXPECT_TRUE(stands(108)) << "a click on its button is one";
+  cover.setGeometry(340, 380, 220, 110);
+  cover.show();
+  EXPECT_TRUE(stands(128));
+  cover.hide();
+  bar.setAttribute(Qt::WA_UnderMouse, false);
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(&bar, &leave);
   EXPECT_TRUE(stands(44));
 }
 
