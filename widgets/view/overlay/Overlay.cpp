@@ -47,19 +47,27 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
 
 namespace {
 
-// What is seen is not what is edited; in the middle, clear of other plates and of the letters: it comes and
-// goes with the pointer, they stay.
-Note previewNoteOf(const OverlaySource& source, const Overlay& overlay, std::vector<QRectF> plates) {
+// In the middle, clear of other plates and of the letters: it comes and goes, they stay.
+Note passingNote(const QString& text, const OverlaySource& source, const Overlay& overlay,
+                 std::vector<QRectF> plates) {
   for (const LetterMarks& marks : overlay.letters)
     for (const std::optional<QRectF>& place : marks.places)
       if (place)
         plates.push_back(*place);
   const double middle = source.view().center().x();
   Note note =
-      noteAt(source.font, QObject::tr("Preview: %1").arg(QString::fromStdString(source.comparison.preview)),
-             {middle, 0.0}, Qt::AlignHCenter, source.view().width() - 2 * overlayMargin);
+      noteAt(source.font, text, {middle, 0.0}, Qt::AlignHCenter, source.view().width() - 2 * overlayMargin);
   note.plate.moveTop(clearRowBelow(overlayMargin, note.plate.size(), {middle}, plates));
   return note;
+}
+
+// Of a line that is set corner by corner: whoever looks there sees how it ends. Else that what is seen is not
+// what is edited.
+QString passingText(const OverlaySource& source) {
+  if (source.cutLine && source.cutLine->isByClicks)
+    return QObject::tr("Enter or a double click closes the line. Esc takes it back.");
+  const std::string& preview = source.comparison.preview;
+  return preview.empty() ? QString() : QObject::tr("Preview: %1").arg(QString::fromStdString(preview));
 }
 
 // What the pictures are, at the upper edge; tells the plates.
@@ -306,8 +314,8 @@ Overlay overlayOf(const OverlaySource& source) {
   const std::vector<QRectF> notes = addNotes(overlay, source);
   plates.insert(plates.end(), notes.begin(), notes.end());
   addOrientation(overlay, source, plates);
-  if (!source.comparison.preview.empty())
-    overlay.notes.push_back(previewNoteOf(source, overlay, plates));
+  if (const QString text = passingText(source); !text.isEmpty())
+    overlay.notes.push_back(passingNote(text, source, overlay, plates));
   addMarks(overlay, source);
   overlay.halves = marksOf(source, source.comparison.halfMm);
   if (source.isTurning)

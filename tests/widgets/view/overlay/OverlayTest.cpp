@@ -190,6 +190,17 @@ TEST_F(OverlayAbove, noCaptionMovesALetter) {
     }
 }
 
+TEST_F(OverlayAbove, cornersOfALineSayInThePictureHowItIsClosed) {
+  OverlaySource drawn = source();
+  const std::size_t others = overlayOf(drawn).notes.size();
+  drawn.cutLine = lineFrom({100, 100}, pictureRect(drawn.geometry, 0));
+  EXPECT_EQ(overlayOf(drawn).notes.size(), others) << "one that is drawn at once";
+  drawn.cutLine->isByClicks = true;
+  const std::vector<Note> notes = overlayOf(drawn).notes;
+  ASSERT_EQ(notes.size(), others + 1);
+  EXPECT_TRUE(notes.back().text.contains(QStringLiteral("closes the line")));
+}
+
 // Four views share a window of 1366 × 768, and two pictures one of them.
 TEST_F(OverlayAbove, everyLetterHasAPlaceInSmallPictures) {
   comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), 0.5, 0.4);
