@@ -246,7 +246,9 @@ void RegionController::cut(const Region& region, const std::vector<Cut>& cuts, c
 
 void RegionController::showEverything() {
   cancel();
-  setKeep(shownWholly(m_context.session.scene().keep), {nextGestureId(), tr("show everything")});
+  const Region shown = shownWholly(m_context.session.scene().keep);
+  setKeep(shown,
+          {nextGestureId(), isRestricting(shown) ? tr("show what was cut away") : tr("show everything")});
 }
 
 void RegionController::showScene(const Scene& scene) {

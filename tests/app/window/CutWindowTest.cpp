@@ -576,9 +576,11 @@ TEST_F(CutWindow, cutsHoldWhenOtherThingsAreKeptAndComeBackWithTheSession) {
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);
   EXPECT_FALSE(cuts().front().isOn);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("show what was cut away"));
   emit view().findChild<ViewInput*>()->everythingRequested();
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.kind, Region::Kind::all);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("show everything"));
   undo().undo();
   undo().undo();
   EXPECT_EQ(scene().keep.weights, both.weights);

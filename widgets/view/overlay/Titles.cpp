@@ -116,6 +116,11 @@ QString cutText(const Region& region) {
   return parts.join(QStringLiteral(", "));
 }
 
+// Whether a click brings back only what was cut away: who wants that keeps hidden what else is.
+bool bringsCutsBack(const Region& region) {
+  return isCutAway(region) && isRestricting(withoutCuts(region));
+}
+
 // What it tells, and what a click on it does.
 struct HiddenWords {
   HiddenBy by;
@@ -127,7 +132,9 @@ std::vector<HiddenWords> hiddenWords(const Comparison& comparison) {
   const Scene& scene = comparison.scene;
   std::vector<HiddenWords> words;
   if (const QString region = regionText(scene.keep); !region.isEmpty())
-    words.push_back({HiddenBy::region, region, QObject::tr("Show everything")});
+    words.push_back({HiddenBy::region, region,
+                     bringsCutsBack(scene.keep) ? QObject::tr("Show what was cut away")
+                                                : QObject::tr("Show everything")});
   if (scene.crop != CropBox{} && !comparison.cropHidesNothing)
     words.push_back({HiddenBy::crop, QObject::tr("Cropped"), QObject::tr("Reset crop")});
   return words;
@@ -218,6 +225,9 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
 
 // Only over titles, notes, scale and cube: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
+  if (source.hovered.hidden && source.hovered.hidden->by == HiddenBy::region &&
+      bringsCutsBack(source.comparison.scene.keep))
+    return QObject::tr("A click shows what was cut away again; a second one shows everything.");
   if (source.hovered.hidden)
     return source.hovered.hidden->by == HiddenBy::crop
                ? QObject::tr(

@@ -109,6 +109,25 @@ TEST_F(HiddenNotes, tellHiddenPiecesBesideWhatWasCut) {
   EXPECT_EQ(textOf({Cut{Scissors{}}, hidden}), QStringLiteral("Cut by hand, 1 piece hidden"));
 }
 
+TEST_F(HiddenNotes, sayUnderThePointerWhatTheirClickShows) {
+  keepBody();
+  Region& kept = comparison.scene.keep;
+  const auto words = [this] {
+    OverlaySource pointedAt = source();
+    pointedAt.hovered.hidden = HiddenPlace{0, HiddenBy::region};
+    return hiddenNotesOf(pointedAt).front().note.text;
+  };
+  EXPECT_EQ(words(), QStringLiteral("Show everything"));
+  kept.isCut = true;
+  kept.uncut = kept.labels;
+  kept.weights.push_back(0.0);
+  kept.cuts = {Cut{Scissors{}}};
+  EXPECT_EQ(words(), QStringLiteral("Show what was cut away")) << "the body stays alone";
+  kept.kind = Region::Kind::all;
+  kept.uncut.reset();
+  EXPECT_EQ(words(), QStringLiteral("Show everything"));
+}
+
 // Whoever sees the file alone would take for the patient what is left of them.
 TEST_F(HiddenNotes, goWithTheNamesIntoAFile) {
   keepBody();
