@@ -330,9 +330,26 @@ ColorButton::ColorButton(const QString& undoText, QWidget* parent)
   connect(this, &QAbstractButton::clicked, this, &ColorButton::openPicker);
 }
 
-void ColorButton::setColor(const glm::dvec3& color) {
-  m_color = color;
+void ColorButton::setColors(const std::vector<glm::dvec3>& colors) {
+  m_colors.clear();
+  for (const glm::dvec3& color : colors)
+    if (std::ranges::find(m_colors, color) == m_colors.end())
+      m_colors.push_back(color);
   update();
+}
+
+// Beside each other, without a seam that none of the points has.
+static QBrush stripesOf(const std::vector<glm::dvec3>& colors, int width) {
+  if (colors.size() == 1)
+    return toQColor(colors.front());
+  QLinearGradient stripes(0.0, 0.0, width, 0.0);
+  const auto count = static_cast<double>(colors.size());
+  for (std::size_t n = 0; n < colors.size(); ++n) {
+    const QColor color = toQColor(colors[n]);
+    stripes.setColorAt(static_cast<double>(n) / count, color);
+    stripes.setColorAt((static_cast<double>(n) + 0.999) / count, color);
+  }
+  return stripes;
 }
 
 void ColorButton::paintEvent(QPaintEvent*) {
@@ -340,7 +357,7 @@ void ColorButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setOpacity(isEnabled() ? 1.0 : 0.35);
-  painter.setBrush(toQColor(m_color));
+  painter.setBrush(stripesOf(m_colors, width()));
   const bool lively = hasFocus() || underMouse();
   painter.setPen(QPen(lively ? colors.accent : colors.outline, 1.0));
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
@@ -354,7 +371,7 @@ void ColorButton::paintEvent(QPaintEvent*) {
 }
 
 void ColorButton::openPicker() {
-  const ColorPicker* picker = openColorPicker(m_color, QRect(mapToGlobal(QPoint(0, 0)), size()), this);
+  const ColorPicker* picker = openColorPicker(color(), QRect(mapToGlobal(QPoint(0, 0)), size()), this);
   connect(picker, &ColorPicker::colorPicked, this, [this](const glm::dvec3& color, std::uint64_t id) {
     setColor(color);
     emit colorEdited(color, {id, m_undoText});

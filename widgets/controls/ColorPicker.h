@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 class QLineEdit;
 
@@ -86,7 +87,8 @@ private:
 /// elsewhere, on Enter, and on Esc, which takes back what was picked. The pop-up goes when it is closed.
 ColorPicker* openColorPicker(const glm::dvec3& color, const QRect& anchor, QWidget* parent);
 
-/// A swatch that opens a ColorPicker below itself. Enter there keeps what was picked, Esc takes it back.
+/// A swatch that opens a ColorPicker below itself. Enter there keeps what was picked, Esc takes it back. One
+/// of several colours shows each of them.
 class ColorButton : public QAbstractButton {
   Q_OBJECT
 
@@ -94,8 +96,10 @@ public:
   /// `undoText` is what undo shows: "change colour".
   explicit ColorButton(const QString& undoText, QWidget* parent = nullptr);
 
-  void setColor(const glm::dvec3& color);
-  const glm::dvec3& color() const { return m_color; }
+  void setColor(const glm::dvec3& color) { setColors({color}); }
+  /// At least one, from left to right; the picker begins with the first.
+  void setColors(const std::vector<glm::dvec3>& colors);
+  const glm::dvec3& color() const { return m_colors.front(); }
 
   QSize sizeHint() const override { return {36, 26}; }
 
@@ -112,7 +116,7 @@ private:
   void openPicker();
 
   QString m_undoText;
-  glm::dvec3 m_color{1.0};
+  std::vector<glm::dvec3> m_colors{glm::dvec3(1.0)};
 };
 
 } // namespace limn

@@ -73,7 +73,10 @@ NumberField::NumberField(double lowest, double highest, int decimals, QWidget* p
   setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   setNumber(std::clamp(0.0, lowest, highest));
   connect(this, &QAbstractSpinBox::editingFinished, this, &NumberField::reportIfChanged);
-  connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::forgetRefusal);
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
+    m_isTyped = !text.trimmed().isEmpty();
+    forgetRefusal();
+  });
   m_refusalStands->setSingleShot(true);
   m_refusalStands->setInterval(refusalMs);
   connect(m_refusalStands, &QTimer::timeout, this, &NumberField::forgetRefusal);
@@ -88,11 +91,28 @@ void NumberField::setLimits(double lowest, double highest, int decimals) {
 }
 
 void NumberField::setNumber(double number) {
+  m_isMixed = false;
   m_number = number;
   forgetRefusal();
+  lineEdit()->setPlaceholderText({});
   setValue(number);
   if (!m_unitOfOne.isEmpty())
     showUnit();
+}
+
+void NumberField::setMixed() {
+  m_isMixed = true;
+  m_isTyped = false;
+  forgetRefusal();
+  lineEdit()->setPlaceholderText(QStringLiteral("–"));
+  setValue(value()); // has its text written anew
+}
+
+void NumberField::takeBack() {
+  if (m_isMixed)
+    setMixed();
+  else
+    setNumber(m_number);
 }
 
 void NumberField::setUnit(const QString& unit, const QString& ofOne) {
@@ -102,7 +122,7 @@ void NumberField::setUnit(const QString& unit, const QString& ofOne) {
 }
 
 void NumberField::showUnit() {
-  const bool isOne = !m_unitOfOne.isEmpty() && textFromValue(m_number) == textFromValue(1.0);
+  const bool isOne = !m_unitOfOne.isEmpty() && written(m_number) == written(1.0);
   if (const QString shown = withUnit({}, isOne ? m_unitOfOne : m_unit); shown != suffix())
     setSuffix(shown);
 }
@@ -121,12 +141,19 @@ void NumberField::setShownAs(QString (*write)(double)) {
   setNumber(m_number);
 }
 
+// From a number that is not seen no step leads anywhere.
 void NumberField::stepBy(int steps) {
+  if (m_isMixed)
+    return;
   QDoubleSpinBox::stepBy(steps);
   reportIfChanged();
 }
 
 QString NumberField::textFromValue(double value) const {
+  return m_isMixed ? QString() : written(value);
+}
+
+QString NumberField::written(double value) const {
   return m_write ? m_write(value) : plainNumber(value, decimals());
 }
 
@@ -141,7 +168,7 @@ QStringList NumberField::widestTexts() const {
   const double last = std::pow(10.0, -decimals());
   QStringList texts;
   for (const double number : {minimum(), minimum() + last, maximum() - last, maximum()})
-    texts << textFromValue(number) + usualSuffix();
+    texts << written(number) + usualSuffix();
   return texts << *m_leastText;
 }
 
@@ -229,7 +256,7 @@ void NumberField::fixup(QString& text) const {
 
 void NumberField::refuse(const QString& text) {
   const QString unit = usualSuffix();
-  const QString lowest = textFromValue(minimum()) + unit, highest = textFromValue(maximum()) + unit;
+  const QString lowest = written(minimum()) + unit, highest = written(maximum()) + unit;
   m_refusal = (m_takesPercent ? tr("%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.")
                               : tr("%1 does not fit: give a number from %2 to %3."))
                   .arg(text.trimmed(), lowest, highest);
@@ -286,11 +313,18 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
 
 void NumberField::reportIfChanged() {
   lineEdit()->setModified(false);
+  if (m_isMixed) {
+    if (!std::exchange(m_isTyped, false) || !m_refusal.isEmpty())
+      return;
+    setNumber(value());
+    emit numberEdited(m_number);
+    return;
+  }
   // The display rounds: an untouched field must not replace the exact number by its rounding.
   const double shownBefore =
       std::clamp(QString::number(m_number, 'f', decimals()).toDouble(), minimum(), maximum());
   // What was read back from the text may be rounded further.
-  const double readBefore = valueFromText(textFromValue(shownBefore));
+  const double readBefore = valueFromText(written(shownBefore));
   if (value() == shownBefore || value() == readBefore)
     return;
   m_number = value();

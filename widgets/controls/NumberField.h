@@ -29,6 +29,14 @@ public:
   void setNumber(double number);
   double number() const { return m_number; }
 
+  /// It stands for several numbers that differ: it shows none of them, and what is typed is reported whatever
+  /// it is. Until a number is set or typed.
+  void setMixed();
+  bool isMixed() const { return m_isMixed; }
+
+  /// What was set, in place of what was typed since.
+  void takeBack();
+
   /// Takes what was typed, as Enter does.
   void commit();
 
@@ -76,6 +84,7 @@ private:
   void forgetRefusal();
   void reportIfChanged();
   void showUnit();
+  QString written(double value) const;
   QString usualSuffix() const; ///< that behind most numbers
   QStringList widestTexts() const;
   /// The suffix, where a text ends with it.
@@ -84,6 +93,8 @@ private:
   double m_number = 0.0;
   QString m_unit, m_unitOfOne; ///< empty: none, or the same
   bool m_takesPercent = false;
+  bool m_isMixed = false;
+  bool m_isTyped = false; ///< something, since it is mixed
   QString m_refusal;
   QTimer* m_refusalStands;            ///< in a field that was left with what is refused
   std::optional<QString> m_leastText; ///< where it is as wide as its numbers

@@ -121,15 +121,25 @@ void PointFields::setPoints(const TransferFunction& function, const PointIndices
   m_value->setEnabled(selected.size() == 1);
   m_value->setToolTip(selected.size() > 1 ? tr("Several points are selected: move them together in the plot")
                                           : tr("Where the point stands on the axis, between its neighbours"));
-  m_value->setSuffix(unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
+  m_value->setSuffix(unit.isEmpty() || selected.size() > 1 ? QString() : QChar(0x00a0) + unit);
   if (selected.empty())
     return;
   const ValueRange reach = reachAmong(function, selected, m_subject);
   m_value->setLimits(reach.lowest, reach.highest, decimals);
-  const ControlPoint& point = function.points[selected.front()];
-  m_value->setNumber(point.value);
-  m_opacity->setNumber(point.opacity);
-  m_color->setColor(point.color);
+  showCommon(*m_value, &ControlPoint::value);
+  showCommon(*m_opacity, &ControlPoint::opacity);
+  std::vector<glm::dvec3> colors;
+  for (const std::size_t i : selected)
+    colors.push_back(function.points[i].color);
+  m_color->setColors(colors);
+}
+
+// The number of all that are selected, or none where theirs differ.
+void PointFields::showCommon(NumberField& field, double ControlPoint::*number) const {
+  const double first = m_function.points[m_selected.front()].*number;
+  const bool isMixed =
+      std::ranges::any_of(m_selected, [&](std::size_t i) { return m_function.points[i].*number != first; });
+  isMixed ? field.setMixed() : field.setNumber(first);
 }
 
 void PointFields::pickColor(const glm::dvec3& color, std::uint64_t gestureId) {
@@ -161,7 +171,7 @@ bool PointFields::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   if (key == Qt::Key_Escape)
-    field->setNumber(field->number());
+    field->takeBack();
   else if (key == Qt::Key_Return || key == Qt::Key_Enter)
     field->commit();
   else

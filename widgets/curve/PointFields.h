@@ -19,8 +19,8 @@ class ColorPicker;
 class NumberField;
 enum class CurveSubject;
 
-/// The numbers of the selected point to type: value, opacity, colour. Several points share opacity and
-/// colour; their values are moved in the plot.
+/// The numbers of the selected point to type: value, opacity, colour. Several points are given one opacity or
+/// colour together, and none is shown as theirs where they differ; their values are moved in the plot.
 class PointFields : public QWidget {
   Q_OBJECT
 
@@ -49,6 +49,7 @@ signals:
 
 private:
   void nameFields();
+  void showCommon(NumberField& field, double ControlPoint::*number) const;
   QString describedSelection() const;
 
   CurveSubject m_subject;

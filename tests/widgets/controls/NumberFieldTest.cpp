@@ -54,6 +54,30 @@ TEST(NumberField, keepsTheExactNumberWhereItShowsARoundedOne) {
   EXPECT_EQ(field.text(), QLocale().toString(0.0005));
 }
 
+TEST(NumberField, standsForSeveralNumbersUntilOneIsTyped) {
+  NumberField field(0.0, 1.0, 4);
+  std::vector<double> edits;
+  QObject::connect(&field, &NumberField::numberEdited, [&](double number) { edits.push_back(number); });
+  field.setMixed();
+  EXPECT_TRUE(field.text().isEmpty());
+  field.stepBy(1);
+  QTest::keyClick(&field, Qt::Key_Return);
+  QTest::keyClicks(&field, "7");
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_FALSE(field.refusal().isEmpty());
+  EXPECT_TRUE(edits.empty() && field.isMixed());
+  field.selectAll();
+  QTest::keyClicks(&field, "0");
+  field.takeBack();
+  EXPECT_TRUE(field.text().isEmpty());
+  QTest::keyClicks(&field, "0");
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(edits, std::vector<double>{0.0}) << "also what it held before";
+  EXPECT_EQ(field.text(), QStringLiteral("0"));
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(edits.size(), 1u);
+}
+
 // What "10" is typed over in a field of 0 to 1, and how it ends.
 struct Typed {
   double number = 0.0;

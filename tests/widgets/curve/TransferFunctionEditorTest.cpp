@@ -237,6 +237,22 @@ TEST_F(TransferFunctionEditorTest, thePopUpOfOneOfSeveralPointsIsOfAllOfThem) {
   EXPECT_EQ(m_edits.back().second.id, m_edits.front().second.id);
 }
 
+TEST_F(TransferFunctionEditorTest, ofSeveralPointsNoNumberIsShownThatIsNotThatOfAll) {
+  m_editor.activateWindow();
+  TransferFunctionCanvas& canvas = *m_editor.canvas();
+  canvas.selectPoints({1, 3});
+  ASSERT_NE(canvas.transferFunction().points[1].opacity, canvas.transferFunction().points[3].opacity);
+  EXPECT_TRUE(opacityField()->isMixed() && valueField()->isMixed());
+  EXPECT_TRUE(opacityField()->text().isEmpty() && valueField()->text().isEmpty());
+  const double first = canvas.transferFunction().points[1].opacity;
+  type(opacityField(), QLocale().toString(first, 'f', 4));
+  ASSERT_EQ(m_edits.size(), 1u) << "that of the first is for all";
+  EXPECT_NEAR(m_edits.back().first.points[3].opacity, first, 1e-4);
+  EXPECT_FALSE(opacityField()->isMixed());
+  canvas.selectPoints({3});
+  EXPECT_FALSE(valueField()->isMixed());
+}
+
 TEST_F(TransferFunctionEditorTest, escInTheColourOfSeveralPointsGivesEachItsOwnBack) {
   const std::vector<ControlPoint> before = m_editor.canvas()->transferFunction().points;
   m_editor.canvas()->selectPoints({1, 3});
