@@ -21,6 +21,7 @@
 #include <QWidget>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limn {
@@ -59,7 +60,12 @@ RemarksController::RemarksController(WindowContext& context, OpeningController& 
 
 void RemarksController::show(const LoadedScene& loaded, const Request& request) {
   m_notes = loaded.notes;
-  m_figure = loaded.hasMorePanels ? request.source : QString();
+  m_figure = loaded.morePanels.empty() ? QString() : request.source;
+  m_ofFigure = {};
+  if (!m_figure.isEmpty()) { // a button does here what the command would
+    m_ofFigure = loaded.morePanels.front();
+    std::erase(m_notes, loaded.morePanels.back());
+  }
   m_volume = m_context.session.scene().volume;
   say();
 }
@@ -79,8 +85,7 @@ void RemarksController::say() {
                                           [this] { m_context.actions.find("setOrientation").trigger(); }};
   const QString folder = folderOfSingleImage(*m_volume, m_context.document.volumePath());
   const MessageBar::Action openFolder{tr("Open its folder"), [this, folder] { m_opening.open(folder); }};
-  const MessageBar::Action showFigure{tr("Show the figure"),
-                                      [this, figure = m_figure] { emit figureAsked(figure); }};
+  const MessageBar::Action showFigure{tr("Show the figure"), [this] { showWhole(); }};
   const VolumeInfo& info = m_volume->info();
   // What is measured comes before what is shown.
   const MessageBar::Action action = !folder.isEmpty()        ? openFolder
@@ -100,6 +105,16 @@ void RemarksController::say() {
                           action.text.isEmpty() ? MessageBar::Action{{}, remember} : MessageBar::Action{});
 }
 
+// Once it is seen whole nothing is left to be said of its panels.
+void RemarksController::showWhole() {
+  std::erase(m_notes, m_ofFigure);
+  const QString figure = std::exchange(m_figure, {});
+  m_context.messages.hide();
+  if (m_volume)
+    say();
+  emit figureAsked(figure);
+}
+
 // The same voxels, placed otherwise: a person said how they lie.
 void RemarksController::followScene(const Scene& scene) {
   if (!m_volume || scene.volume == m_volume)
@@ -117,12 +132,13 @@ bool RemarksController::isSaid() const {
 }
 
 RemarksController::Memory RemarksController::memory() const {
-  return {m_notes, m_figure, isSaid()};
+  return {m_notes, m_figure, m_ofFigure, isSaid()};
 }
 
 void RemarksController::takeOver(const Memory& memory) {
   m_notes = memory.notes;
   m_figure = memory.figure;
+  m_ofFigure = memory.ofFigure;
   m_volume = m_context.session.scene().volume;
   if (memory.isSaid)
     say();

@@ -81,6 +81,7 @@ public:
   struct Memory {
     std::vector<Message> notes;
     QString figure;
+    Message ofFigure;
     bool isSaid = false; ///< still
   };
   Memory memory() const;
@@ -94,6 +95,7 @@ signals:
 private:
   bool isSaid() const;
   void say();
+  void showWhole();
   void lookForLooks(const LoadedScene& loaded, const Request& request);
   void offer(const std::shared_ptr<const Volume>& volume, const QStringList& looks);
   void followScene(const Scene& scene);
@@ -103,6 +105,7 @@ private:
   BackgroundWork m_searching;
   std::vector<Message> m_notes;
   QString m_figure;                       ///< the file of one of which the window shows a part
+  Message m_ofFigure;                     ///< which of the notes says so
   std::shared_ptr<const Volume> m_volume; ///< of which something is said
   QString m_said;                         ///< what the bar shows of it
   bool m_isWaiting = false;

@@ -199,13 +199,8 @@ Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
   if (held == all)
     return {};
   if (held == 1)
-    return Message::tr("The figure has %1 panels, of which the window shows the first; the command limn "
-                       "figure draws all of them again.")
-        .arg(all);
-  return Message::tr("The figure has %1 panels, of which the window shows %2; the command limn figure draws "
-                     "all of them again.")
-      .arg(all)
-      .arg(held);
+    return Message::tr("The figure has %1 panels, of which the window shows the first.").arg(all);
+  return Message::tr("The figure has %1 panels, of which the window shows %2.").arg(all).arg(held);
 }
 
 void keepPart(LoadedScene& loaded, const KeptPart& written, const SourceOptions& options,
@@ -371,10 +366,12 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
     LoadedScene first = loadDocument(figure->panels.front().scene, named, progress, NamedBy::picture);
     first.beside = besideFirst(*figure);
     if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty()) {
-      first.notes.insert(first.notes.begin(), remark);
-      first.hasMorePanels = std::ranges::all_of(figure->panels, [&](const FigurePanelDocument& panel) {
-        return panel.scene.volume == figure->panels.front().scene.volume;
-      });
+      const Message command = Message::tr("The command limn figure draws all of them again.");
+      first.notes.insert(first.notes.begin(), {remark, command});
+      if (std::ranges::all_of(figure->panels, [&](const FigurePanelDocument& panel) {
+            return panel.scene.volume == figure->panels.front().scene.volume;
+          }))
+        first.morePanels = {remark, command};
     }
     return first;
   }

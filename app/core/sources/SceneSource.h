@@ -77,7 +77,9 @@ struct LoadedScene {
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;
   std::optional<ShownSides> sides; ///< where it is a picture that tells them
-  bool hasMorePanels = false; ///< of its volume, which a window does not show; the first of `notes` says so
+  /// What `notes` say of its panels where a window could show more of them than it does, and then which
+  /// command does; else empty.
+  std::vector<Message> morePanels;
 };
 
 /// A figure ready to draw.
