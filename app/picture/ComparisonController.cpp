@@ -256,13 +256,12 @@ void ComparisonController::compareOwn() {
   compare(look, own.isModified ? std::optional(m_context.session.preset()) : std::nullopt);
 }
 
-// What was remembered is compared with what became of it, by the model of the right; any other look comes to
-// a side whose model stays.
-void ComparisonController::compare(const Preset& look, const std::optional<Preset>& from) {
+// What was remembered is compared with what became of it, by the model of the right.
+void ComparisonController::compare(const Preset& look, const std::optional<Preset>& from, int likeSide) {
   const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
   const bool isRemembered = isSnapshot(look);
   const ComparisonState before = m_compared;
-  const ShadingModel left = m_context.view.sceneOfSide(0).shading.model;
+  const ShadingModel model = m_context.view.sceneOfSide(isSingle ? 0 : likeSide).shading.model;
   if (!m_compared.look || isSingle)
     m_compared.ownModel = isSingle ? std::nullopt : std::optional(m_compared.right);
   m_compared.look = look;
@@ -270,7 +269,7 @@ void ComparisonController::compare(const Preset& look, const std::optional<Prese
   if (!m_compared.look->shading)
     m_compared.look->shading = m_context.session.scene().shading;
   m_compared.look->shading->model =
-      isRemembered ? m_compared.shownOwnModel().value_or(m_compared.look->shading->model) : left;
+      isRemembered ? m_compared.shownOwnModel().value_or(m_compared.look->shading->model) : model;
   if (isSingle)
     setLayout(CompareLayout::sideBySide);
   else

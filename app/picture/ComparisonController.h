@@ -50,9 +50,9 @@ public:
   void followLight(LightPreset light);
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
-  /// A look takes no model along: each side keeps its own, also where two models were compared. Only the
-  /// snapshot is shown by that of the right picture. An undo step, unless it is the snapshot.
-  void compareWith(const Preset& look) { compare(look, {}); }
+  /// A look takes no model along: it is shown by that of a side, 0 the left, which keeps its own, or 1; only
+  /// the snapshot always by that of the right. An undo step, unless it is the snapshot.
+  void compareWith(const Preset& look, int likeSide = 0) { compare(look, {}, likeSide); }
 
   /// The same with the scene's own look as it is, which stays at the left with its model while another is
   /// chosen for the right.
@@ -109,7 +109,7 @@ protected:
 
 private:
   /// `from` is the preset that the look was made from, where it was changed since.
-  void compare(const Preset& look, const std::optional<Preset>& from);
+  void compare(const Preset& look, const std::optional<Preset>& from, int likeSide = 0);
   /// What has changed since `before` is an undo step from now on.
   void note(const ComparisonState& before, const QString& text);
   /// Shows one of the two states between which a step leads; the layout where the step changed it.

@@ -113,7 +113,8 @@ void PresetController::connectBrowser() {
   OwnPresetController* own = &m_own;
   connect(browser, &PresetBrowser::presetChosen, this, &PresetController::use);
   connect(browser, &PresetBrowser::previewRequested, this, &PresetController::preview);
-  connect(browser, &PresetBrowser::compareRequested, this, &PresetController::compare);
+  // What stays beside it is the picture that is meant: by one model both differ in their looks alone.
+  connect(browser, &PresetBrowser::compareRequested, this, [this](const QString& name) { compare(name, 1); });
   connect(browser, &PresetBrowser::saveRequested, own, &OwnPresetController::askForName);
   connect(browser, &PresetBrowser::deleteRequested, own, &OwnPresetController::remove);
   connect(browser, &PresetBrowser::renameRequested, own, &OwnPresetController::rename);
@@ -283,9 +284,9 @@ void PresetController::preview(const QString& name) {
                  preset ? preset->name : std::string());
 }
 
-void PresetController::compare(const QString& name) {
+void PresetController::compare(const QString& name, int likeSide) {
   if (const std::optional<Preset> preset = fitted(name); preset && m_context.session.scene().volume)
-    emit compareRequested(*preset);
+    emit compareRequested(*preset, likeSide);
 }
 
 // Of two models both sides show the scene's own look: what stands at the other side of a preset is that.
@@ -295,7 +296,7 @@ void PresetController::useOnSide(const QString& name, int side) {
   if (isSingle || (order.comparison.look && side == 1))
     return use(name);
   if (side == 0)
-    return compare(name);
+    return compare(name, side);
   emit ownCompareRequested();
   use(name);
 }

@@ -61,7 +61,7 @@ public:
   /// Shows a preset for a while; an empty name ends that.
   void preview(const QString& name);
   /// Has a preset compared with what is shown.
-  void compare(const QString& name);
+  void compare(const QString& name, int likeSide);
   /// Fills a menu with the presets for the picture of a side, 0 left or the only one, 1 right: a chosen one
   /// is used there, or compared with the scene's own look where the other side shows that. That which the
   /// picture shows is ticked, unless it was modified.
@@ -81,7 +81,8 @@ signals:
   /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
   /// is the session's own scene again. It enters no history.
   void previewed(const limn::Scene& scene, const std::string& preset);
-  void compareRequested(const limn::Preset& look); ///< with what is shown
+  /// With what is shown, by the model of the picture at this side, 0 left or the only one, 1 right.
+  void compareRequested(const limn::Preset& look, int likeSide);
   void ownCompareRequested(); ///< what is shown, with what becomes of it; the picture at the left stays
 
 private:

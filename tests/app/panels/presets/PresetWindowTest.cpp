@@ -204,6 +204,7 @@ TEST_F(PresetWindow, aPresetIsComparedWithThePictureInEveryLayout) {
   Scene beside = scene();
   beside.shading.model = ShadingModel::enhanced;
   EXPECT_EQ(view().sceneOfSide(1), beside);
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::enhanced) << "the looks alone differ";
   const TransferFunction lung = view().sceneOfSide(0).transferFunction;
   EXPECT_NE(lung, scene().transferFunction);
   EXPECT_EQ(undo().count(), steps + 1);
