@@ -86,6 +86,28 @@ void addScene(CarriedFacts& facts, const SceneDocument& document) {
   add(facts.volumes, document.volume);
 }
 
+// Of a figure each picture's own, but for slices, under its letter where there are several.
+void addAccuracy(CarriedFacts& facts, const FigureDocument& figure) {
+  const auto isStated = [](const FigurePanelDocument& panel) { return panel.accuracy.has_value(); };
+  if (std::ranges::none_of(figure.panels, isStated))
+    return;
+  bool areKnown = true;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const FigurePanelDocument& panel = figure.panels[i];
+    if (panel.plane)
+      continue;
+    facts.statement += facts.statement.empty() ? "" : " ";
+    if (figure.panels.size() > 1)
+      facts.statement += std::string(1, static_cast<char>('a' + i)) + ": ";
+    facts.statement += panel.accuracy ? panel.accuracy->sentence : "Not stated.";
+    areKnown = areKnown && panel.accuracy && panel.accuracy->levels;
+    worst = areKnown ? std::max(worst, *panel.accuracy->levels) : worst;
+  }
+  if (areKnown)
+    facts.withinLevels = worst;
+}
+
 // What a picture says of itself, which needs no volume; nothing of any other source.
 std::optional<CarriedFacts> carriedFacts(const std::string& source) {
   const std::string text = carriedBy(source);
@@ -95,8 +117,10 @@ std::optional<CarriedFacts> carriedFacts(const std::string& source) {
   CarriedFacts facts;
   facts.size = readImageSize(source);
   if (looksLikeFigure(text)) {
-    for (const FigurePanelDocument& panel : parseFigure(text, name).panels)
+    const FigureDocument figure = parseFigure(text, name);
+    for (const FigurePanelDocument& panel : figure.panels)
       addScene(facts, panel.scene);
+    addAccuracy(facts, figure);
     return facts;
   }
   addScene(facts, parseScene(text, name));

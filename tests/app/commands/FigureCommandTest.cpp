@@ -154,6 +154,27 @@ TEST_F(FigureCommand, panelsAreThePicturesOfRenderBitForBitUnderTheirMarks) {
   }
 }
 
+// As its caption does.
+TEST_F(FigureCommand, theFileStatesTheAccuracyOfEachPanel) {
+  make("figure phantom:8 --panels enhanced,axial,none" + std::string(small) + "-o " + file("told.png"));
+  const FigureDocument figure = parseFigure(readImageDescription(file("told.png")), "told.png");
+  ASSERT_EQ(figure.panels.size(), 3u);
+  EXPECT_FALSE(figure.panels[1].accuracy) << "a slice is exact";
+  std::string statement;
+  for (const std::size_t panel : {0u, 2u}) {
+    const auto& accuracy = figure.panels[panel].accuracy;
+    ASSERT_TRUE(accuracy && accuracy->levels);
+    EXPECT_NE(accuracy->sentence.find("% of the pixels"), std::string::npos) << accuracy->sentence;
+    statement += (panel == 0 ? "a: " : " c: ") + accuracy->sentence;
+  }
+  const Outcome info = run("info --quiet " + file("told.png"));
+  EXPECT_NE(info.out.find("accuracy    " + statement + "\n"), std::string::npos) << info.out;
+  make("figure phantom:8 --panels enhanced,none --marks none" + std::string(small) + "-o " +
+       file("silent.png"));
+  EXPECT_NE(run("info --quiet " + file("silent.png")).out.find("accuracy    not stated\n"),
+            std::string::npos);
+}
+
 TEST_F(FigureCommand, withoutMarksAWholePanelIsThePictureOfRender) {
   make("figure phantom:6 --panels robust,axial --marks none" + std::string(small) + "-o " +
        file("figure.exr"));
