@@ -70,6 +70,28 @@ std::string viewName(const SceneDocument& document) {
   return name;
 }
 
+std::string counted(std::ptrdiff_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+// What of the volume a scene does not show, as far as that is told without it.
+std::vector<std::string> hiddenIn(const SceneDocument& document) {
+  const KeptPart& keep = document.keep;
+  std::vector<std::string> hidden;
+  if (keep.kind == Region::Kind::body || keep.hidesTable)
+    hidden.emplace_back("the table (body only)");
+  const auto weighed =
+      std::ranges::count_if(keep.weights, [](const auto& weight) { return weight.second != 1.0; });
+  if (weighed > 0)
+    hidden.push_back(counted(weighed, "label") + " (hidden or faded)");
+  const auto cuts = std::ranges::count_if(keep.cuts, takesAway);
+  if (cuts > 0)
+    hidden.push_back("what " + counted(cuts, "cut") + (cuts == 1 ? " takes" : " take") + " away");
+  if (document.scene.crop != CropBox())
+    hidden.emplace_back("what lies outside the crop");
+  return hidden;
+}
+
 // Of each picture that it makes, from left to right.
 void addScene(CarriedFacts& facts, const SceneDocument& document) {
   const auto add = [](std::vector<std::string>& names, const std::string& name) {
@@ -83,6 +105,8 @@ void addScene(CarriedFacts& facts, const SceneDocument& document) {
     add(facts.lights, light ? nameOf(*light) : "of its own");
   }
   add(facts.views, viewName(document));
+  for (const std::string& hidden : hiddenIn(document))
+    add(facts.hidden, hidden);
   add(facts.volumes, document.volume);
 }
 
@@ -144,6 +168,8 @@ void printText(const CarriedFacts& facts) {
   line("model", facts.models);
   line("light", facts.lights);
   line("view", facts.views);
+  if (!facts.hidden.empty())
+    line("hidden", facts.hidden);
   line("accuracy", {facts.statement.empty() ? "not stated" : facts.statement});
   line("volume", facts.volumes);
 }

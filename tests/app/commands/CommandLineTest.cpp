@@ -138,6 +138,23 @@ TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
   EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["models"].size(), 2u);
 }
 
+TEST_F(CommandLine, infoTellsWhatAPictureHides) {
+  const std::string picture = file("a.png").string();
+  ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
+  EXPECT_EQ(run("info --quiet " + picture).out.find("hidden "), std::string::npos);
+  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
+  const nlohmann::json piece = {{"seed_mm", {0.0, 0.0, 0.0}}, {"range", {0.0, 100.0}}};
+  scene["keep"] = {"body", {{"piece", piece}}};
+  scene["crop"] = {{"lower", {0.0, 0.0, 0.0}}, {"upper", {1.0, 1.0, 0.5}}};
+  writeBytes(picture, readBytes(picture), scene.dump());
+  const std::string told = run("info --quiet " + picture).out;
+  EXPECT_NE(
+      told.find("\nhidden      the table (body only), what 1 cut takes away, what lies outside the crop\n"),
+      std::string::npos)
+      << told;
+  EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["hidden"].size(), 3u);
+}
+
 // As if --volume said where, and without its labels, which may be elsewhere.
 TEST_F(CommandLine, infoTellsOfTheVolumeThatAPictureNamesWhereItIsFound) {
   const std::string picture = file("a.png").string();
