@@ -138,6 +138,15 @@ TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
   EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["models"].size(), 2u);
 }
 
+TEST_F(CommandLine, theGuideIsAskedForWordsThatAreCommandsToo) {
+  for (const char* word : {"turntable", "figure", "accuracy", "film", "turntable figure"}) {
+    const Outcome outcome = run("guide --text " + std::string(word));
+    EXPECT_EQ(outcome.status, 0) << word << ": " << outcome.err;
+    EXPECT_FALSE(outcome.out.empty()) << word;
+  }
+  EXPECT_NE(run("info phantom:8 render").err.find("render is one word too many"), std::string::npos);
+}
+
 TEST_F(CommandLine, infoTellsWhatAPictureHides) {
   const std::string picture = file("a.png").string();
   ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
