@@ -5,6 +5,7 @@
 #include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "app/core/sources/BuiltInPresets.h"
+#include "app/core/sources/NamedFiles.h"
 #include "app/document/Settings.h"
 #include "cpu/CpuRenderer.h"
 #include "gl/DriverHealth.h"
@@ -171,7 +172,11 @@ void printText(const CarriedFacts& facts) {
   if (!facts.hidden.empty())
     line("hidden", facts.hidden);
   line("accuracy", {facts.statement.empty() ? "not stated" : facts.statement});
-  line("volume", facts.volumes);
+  std::vector<std::string> volumes = facts.volumes;
+  for (std::string& volume : volumes)
+    if (const auto head = installedSampleHead(); head && head->filename() == volume)
+      volume += " (the sample head)";
+  line("volume", volumes);
 }
 
 void printText(const VolumeFacts& facts) {

@@ -138,6 +138,19 @@ TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
   EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["models"].size(), 2u);
 }
 
+TEST_F(CommandLine, aPictureOfTheSampleHeadIsToldAsOne) {
+  const std::filesystem::path head = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  if (!std::filesystem::exists(head))
+    GTEST_SKIP() << "the head of invesalius-examples is not installed";
+  const std::string picture = file("a.png").string();
+  ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
+  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
+  scene["volume"] = head.filename().string();
+  writeBytes(picture, readBytes(picture), scene.dump());
+  EXPECT_NE(run("info --quiet " + picture).out.find("volume      Cranium.inv3 (the sample head)\n"),
+            std::string::npos);
+}
+
 TEST_F(CommandLine, theGuideIsAskedForWordsThatAreCommandsToo) {
   for (const char* word : {"turntable", "figure", "accuracy", "film", "turntable figure"}) {
     const Outcome outcome = run("guide --text " + std::string(word));
@@ -463,7 +476,7 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"info phantm:8", 3, "did you mean phantom?"},
       {"help accurcy", 2, "did you mean accuracy?"},
       {"--theme dark help", 2, "Help stands in front"},
-      {"render phantom:8 -o x.png --preset bone", 2, "did you mean \"CT bone\"?"},
+      {"render phantom:8 -o x.png --preset bome", 2, "did you mean \"CT bone\"?"},
       {"render phantom:8 -o x.png --model clasic", 2, "did you mean classic?"},
       {"bench phantom:8 --engine cpuu", 2, "did you mean cpu?"},
       {"render phantom:8", 2, "--output is required (see limn render --help)"},

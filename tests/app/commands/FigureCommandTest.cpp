@@ -113,7 +113,7 @@ TEST_F(FigureCommand, panelsThatLookPastAnotherVolumeAreFittedToItAlike) {
 
 TEST_F(FigureCommand, aPanelThatIsNoneIsRefusedBeforeTheWorkWithTheNearest) {
   for (const auto& [word, meant] :
-       {std::pair("axiall", "axial"), {"bone", "CT bone"}, {"clasic", "classic"}}) {
+       {std::pair("axiall", "axial"), {"bome", "CT bone"}, {"clasic", "classic"}}) {
     const Outcome outcome = run("figure nowhere.nii --panels classic," + std::string(word) + " -o x.png");
     EXPECT_EQ(outcome.status, 2) << outcome.err;
     EXPECT_NE(outcome.err.find("did you mean \"" + std::string(meant) + "\"?"), std::string::npos)
