@@ -10,6 +10,9 @@ PictureAccuracy accuracyByChance(const ErrorByChance& error) {
 }
 
 PictureAccuracy accuracyByEstimate(double levels) {
+  constexpr double white = 255.0; // which an estimate may exceed, and no picture
+  if (!(levels <= white))
+    levels = white;
   // Rounded up, as what is promised.
   const std::string told = Message::fixed(std::ceil(100.0 * levels) / 100.0, 2).english();
   return {levels,
