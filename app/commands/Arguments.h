@@ -37,8 +37,8 @@ LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress
 /// negative.
 Progress terminalProgress(bool quiet);
 
-/// The same for work of minutes: where stderr is no terminal, such as a file of what was said, it says now and
-/// then how far it is.
+/// The same for work of minutes: where stderr is no terminal, such as a file of what was said, it says now
+/// and then how far it is.
 Progress patientProgress(bool quiet);
 
 /// "WxH" in pixels. Throws Error (usage).
