@@ -240,7 +240,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   requireReportFolder(arguments.folder);
   if (!arguments.reports.empty())
     return joinReports(arguments);
-  const Progress progress = terminalProgress(arguments.scene.source.quiet);
+  const Progress progress = patientProgress(arguments.scene.source.quiet);
   const LoadedScene loaded = loadScene(arguments.scene, progress);
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())

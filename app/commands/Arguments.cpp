@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <sstream>
 
 namespace limn {
@@ -95,6 +97,23 @@ Progress terminalProgress(bool quiet) {
     if (shown != line)
       std::fputs(line, stderr);
     shown = line;
+  };
+  return progress;
+}
+
+Progress patientProgress(bool quiet) {
+  Progress progress = terminalProgress(quiet);
+  if (quiet || progress.report)
+    return progress;
+  using Clock = std::chrono::steady_clock;
+  progress.report = [told = std::make_shared<Clock::time_point>(Clock::now())](double fraction,
+                                                                               const Message& message) {
+    constexpr std::chrono::seconds pause(10);
+    if (Clock::now() - *told < pause)
+      return;
+    *told = Clock::now();
+    const int percent = static_cast<int>(100.0 * fraction);
+    note(message.english() + (fraction < 0.0 ? "." : ": " + std::to_string(percent) + " %."));
   };
   return progress;
 }

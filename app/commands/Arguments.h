@@ -37,6 +37,10 @@ LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress
 /// negative.
 Progress terminalProgress(bool quiet);
 
+/// The same for work of minutes: where stderr is no terminal, such as a file of what was said, it says now
+/// and then how far it is.
+Progress patientProgress(bool quiet);
+
 /// "WxH" in pixels. Throws Error (usage).
 glm::ivec2 parsedSize(const std::string& text);
 

@@ -366,7 +366,7 @@ void runFigure(const FigureRequest& request) {
   const NameInFile named = [](const std::string& path, const Volume& volume) {
     return shareableName(QString::fromStdString(path), volume).toStdString();
   };
-  writeFigure(request.out, made, figureDescription(made.figure, volumes, named));
+  writeFigure(request.out, made, figureDescription(made, volumes, named));
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   if (!request.scene.source.quiet)
     tell(made, plan, request.out, ms.count(), request.scene.toleranceLevels > 0.0);

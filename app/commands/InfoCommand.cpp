@@ -5,6 +5,7 @@
 #include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "app/core/sources/BuiltInPresets.h"
+#include "app/core/sources/NamedFiles.h"
 #include "app/document/Settings.h"
 #include "cpu/CpuRenderer.h"
 #include "gl/DriverHealth.h"
@@ -70,6 +71,28 @@ std::string viewName(const SceneDocument& document) {
   return name;
 }
 
+std::string counted(std::ptrdiff_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+// What of the volume a scene does not show, as far as that is told without it.
+std::vector<std::string> hiddenIn(const SceneDocument& document) {
+  const KeptPart& keep = document.keep;
+  std::vector<std::string> hidden;
+  if (keep.kind == Region::Kind::body || keep.hidesTable)
+    hidden.emplace_back("the table (body only)");
+  const auto weighed =
+      std::ranges::count_if(keep.weights, [](const auto& weight) { return weight.second != 1.0; });
+  if (weighed > 0)
+    hidden.push_back(counted(weighed, "label") + " (hidden or faded)");
+  const auto cuts = std::ranges::count_if(keep.cuts, takesAway);
+  if (cuts > 0)
+    hidden.push_back("what " + counted(cuts, "cut") + (cuts == 1 ? " takes" : " take") + " away");
+  if (document.scene.crop != CropBox())
+    hidden.emplace_back("what lies outside the crop");
+  return hidden;
+}
+
 // Of each picture that it makes, from left to right.
 void addScene(CarriedFacts& facts, const SceneDocument& document) {
   const auto add = [](std::vector<std::string>& names, const std::string& name) {
@@ -83,7 +106,31 @@ void addScene(CarriedFacts& facts, const SceneDocument& document) {
     add(facts.lights, light ? nameOf(*light) : "of its own");
   }
   add(facts.views, viewName(document));
+  for (const std::string& hidden : hiddenIn(document))
+    add(facts.hidden, hidden);
   add(facts.volumes, document.volume);
+}
+
+// Of a figure each picture's own, but for slices, under its letter where there are several.
+void addAccuracy(CarriedFacts& facts, const FigureDocument& figure) {
+  const auto isStated = [](const FigurePanelDocument& panel) { return panel.accuracy.has_value(); };
+  if (std::ranges::none_of(figure.panels, isStated))
+    return;
+  bool areKnown = true;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const FigurePanelDocument& panel = figure.panels[i];
+    if (panel.plane)
+      continue;
+    facts.statement += facts.statement.empty() ? "" : " ";
+    if (figure.panels.size() > 1)
+      facts.statement += std::string(1, static_cast<char>('a' + i)) + ": ";
+    facts.statement += panel.accuracy ? panel.accuracy->sentence : "Not stated.";
+    areKnown = areKnown && panel.accuracy && panel.accuracy->levels;
+    worst = areKnown ? std::max(worst, *panel.accuracy->levels) : worst;
+  }
+  if (areKnown)
+    facts.withinLevels = worst;
 }
 
 // What a picture says of itself, which needs no volume; nothing of any other source.
@@ -95,8 +142,10 @@ std::optional<CarriedFacts> carriedFacts(const std::string& source) {
   CarriedFacts facts;
   facts.size = readImageSize(source);
   if (looksLikeFigure(text)) {
-    for (const FigurePanelDocument& panel : parseFigure(text, name).panels)
+    const FigureDocument figure = parseFigure(text, name);
+    for (const FigurePanelDocument& panel : figure.panels)
       addScene(facts, panel.scene);
+    addAccuracy(facts, figure);
     return facts;
   }
   addScene(facts, parseScene(text, name));
@@ -120,8 +169,14 @@ void printText(const CarriedFacts& facts) {
   line("model", facts.models);
   line("light", facts.lights);
   line("view", facts.views);
+  if (!facts.hidden.empty())
+    line("hidden", facts.hidden);
   line("accuracy", {facts.statement.empty() ? "not stated" : facts.statement});
-  line("volume", facts.volumes);
+  std::vector<std::string> volumes = facts.volumes;
+  for (std::string& volume : volumes)
+    if (const auto head = installedSampleHead(); head && head->filename() == volume)
+      volume += " (the sample head)";
+  line("volume", volumes);
 }
 
 void printText(const VolumeFacts& facts) {

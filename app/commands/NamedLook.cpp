@@ -78,7 +78,9 @@ Preset presetAskedFor(const std::string& word, const Volume& volume, bool isQuie
 }
 
 std::string calledName(const std::string& word) {
-  return namesLookFile(word) ? lookNameOf(word) : word;
+  if (namesLookFile(word))
+    return lookNameOf(word);
+  return namesPreset(word) ? presetNamed(allPresets(PresetStore::ofThisUser()), word).name : word;
 }
 
 } // namespace limn

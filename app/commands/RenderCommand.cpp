@@ -6,6 +6,7 @@
 #include "app/commands/NamedLook.h"
 #include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/PathDrawing.h"
+#include "app/core/drawing/StatedAccuracy.h"
 #include "app/document/PrivateNames.h"
 #include "app/document/Settings.h"
 #include "io/AtomicFile.h"
@@ -144,7 +145,7 @@ std::optional<PictureAccuracy> accuracyOf(const Scene& asked, MadePicture& pictu
     return std::nullopt;
   if (const Message note = noteBeyondTolerance(asked, *chance); !note.empty())
     picture.notes.push_back(note);
-  return PictureAccuracy{chance->levels, describe(*chance).english()};
+  return accuracyByChance(*chance);
 }
 
 void printJson(const MadePicture& picture, const std::string& out, double ms,

@@ -90,6 +90,11 @@ QString labelOf(const OpenDocument& document, const QString& file) {
   return name + QStringLiteral(" · ") + plainDescription(volume);
 }
 
+QString labelOfVolume(const OpenDocument& document) {
+  const QString& asked = document.request().source;
+  return labelOf(document, asked == sample ? asked : QString::fromStdString(document.volumePath()));
+}
+
 QString suggestedName(const OpenDocument& document) {
   const auto& volume = document.scene().volume;
   if (!volume || document.volumePath().empty())

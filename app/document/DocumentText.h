@@ -23,6 +23,9 @@ QString labelOf(const OpenDocument& document);
 /// The same of a file in which what is open was saved.
 QString labelOf(const OpenDocument& document, const QString& file);
 
+/// The same of its volume, whatever names that: a figure or scene that was opened is none of the work on it.
+QString labelOfVolume(const OpenDocument& document);
+
 /// What a file that is made of it may be called without naming anybody, without ending.
 QString suggestedName(const OpenDocument& document);
 

@@ -118,7 +118,7 @@ std::optional<SessionDocument> OpenDocument::unsaved(SessionDocument now) const 
   now.isUnsaved = m_session.isEdited();
   now.savedAs = m_sessionFile.toStdString();
   now.savedDigest = m_sessionDigest;
-  now.label = labelOf(*this, m_sessionFile.isEmpty() ? m_request.source : m_sessionFile).toStdString();
+  now.label = (m_sessionFile.isEmpty() ? labelOfVolume(*this) : labelOf(*this, m_sessionFile)).toStdString();
   return now;
 }
 

@@ -3,7 +3,9 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "accuracy/Tolerance.h"
+#include "app/core/drawing/PathDrawing.h"
 #include "app/core/drawing/ProcessCost.h"
+#include "app/core/drawing/StatedAccuracy.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/MemoryBudget.h"
 #include "scene/effects/EffectPlan.h"
@@ -28,20 +30,21 @@ uchar byteOfShare(float value) {
   return static_cast<uchar>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-// What chance says of a picture that was drawn, or its paths.
-void state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
+// What chance says of a picture that was drawn, or its paths; the same for the file.
+std::optional<PictureAccuracy> state(FigurePanel& panel, const MadePicture& picture, const Effort& effort) {
   panel.isAim = false;
   if (picture.paths) {
     panel.paths =
         PanelPaths{picture.paths->paths, picture.paths->rmsLevels, picture.paths->filtered.has_value()};
     panel.isStated = false;
     panel.errorLevels.reset();
-    return;
+    return accuracyOf(*picture.paths);
   }
   const std::optional<ErrorByChance> chance =
       chanceOf(picture.scene, picture.image, {effort.threads, effort.isCancelled, {}});
   panel.isStated = chance.has_value();
   panel.errorLevels = chance ? std::optional(chance->levels) : std::nullopt;
+  return chance ? std::optional(accuracyByChance(*chance)) : std::nullopt;
 }
 
 QImage withoutBackground(const Image& picture) {
@@ -140,16 +143,20 @@ FigurePanel planePanel(const Scene& scene, PatientPlane plane, const PlaneSettin
   return panel;
 }
 
-std::string figureDescription(const Figure& figure, const std::vector<std::string>& volumePaths,
+std::string figureDescription(const MadeFigure& made, const std::vector<std::string>& volumePaths,
                               const NameInFile& named) {
-  FigureDocument document{figure.settings, {}};
-  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const FigurePanel& panel = figure.panels[i];
+  FigureDocument document{made.figure.settings, {}};
+  for (std::size_t i = 0; i < made.figure.panels.size(); ++i) {
+    const FigurePanel& panel = made.figure.panels[i];
     Scene scene = panel.scene;
     nameSources(scene.keep, [&](const std::string& labels) { return named(labels, *scene.volume); });
     SceneDocument shown = documentOf(scene, named(volumePaths[i], *scene.volume));
     shown.measurements = panel.measurements;
-    document.panels.push_back({panel.name.toStdString(), panel.plane, panel.planes, std::move(shown)});
+    std::optional<PictureAccuracy> accuracy = made.stated[i];
+    if (!accuracy && !panel.plane && panel.errorLevels)
+      accuracy = accuracyByEstimate(*panel.errorLevels);
+    document.panels.push_back(
+        {panel.name.toStdString(), panel.plane, panel.planes, std::move(shown), std::move(accuracy)});
   }
   return figureToJson(document);
 }
@@ -179,6 +186,7 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                       FigurePixels pixels) {
   MadeFigure made{figure, {}, {}, {}, {}, {}};
   made.pictures.resize(figure.panels.size());
+  made.stated.resize(figure.panels.size());
   if (pixels == FigurePixels::floats)
     made.floats.resize(figure.panels.size());
   const bool isTransparent = figure.settings.page == FigureSettings::Page::transparent;
@@ -209,7 +217,9 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                                         : overBackground(picture.image, picture.scene.image.background);
              made.figure.panels[panel].scene = picture.scene;
              if (figure.panels[panel].isStated)
-               state(made.figure.panels[panel], picture, order.effort);
+               made.stated[panel] = state(made.figure.panels[panel], picture, order.effort);
+             else if (picture.paths)
+               made.stated[panel] = accuracyOf(*picture.paths);
              made.engine = picture.engine;
              for (const Message& said : picture.notes)
                if (const std::string note = translated(said).toStdString();

@@ -18,14 +18,6 @@ FigurePanel panelOf(const LoadedFigure::Panel& loaded);
 /// A slice of a scene's volume through the middle of it, or as `planes` say.
 FigurePanel planePanel(const Scene& scene, PatientPlane plane, const PlaneSettings& planes);
 
-/// How a file that may travel calls a volume or label map at a path; the volume that is shown decides what
-/// may be said.
-using NameInFile = std::function<std::string(const std::string& path, const Volume& volume)>;
-
-/// What is written into a figure's file so that it can be opened again; `volumePaths` by panel.
-std::string figureDescription(const Figure& figure, const std::vector<std::string>& volumePaths,
-                              const NameInFile& named);
-
 /// A figure whose pictures are drawn.
 struct MadeFigure {
   Figure figure; ///< its scenes as they were drawn, with the steps that keep their tolerances
@@ -34,7 +26,18 @@ struct MadeFigure {
   std::vector<Image> floats;    ///< by panel, where they were asked for: premultiplied, without background
   std::string engine;           ///< who drew, for people; empty where only slices are shown
   std::vector<std::string> notes; ///< one sentence each
+  /// By panel, as the file keeps it: what chance or paths said. What else is known of an error is the
+  /// estimate that its panel has.
+  std::vector<std::optional<PictureAccuracy>> stated{};
 };
+
+/// How a file that may travel calls a volume or label map at a path; the volume that is shown decides what
+/// may be said.
+using NameInFile = std::function<std::string(const std::string& path, const Volume& volume)>;
+
+/// What is written into a figure's file so that it can be opened again; `volumePaths` by panel.
+std::string figureDescription(const MadeFigure& made, const std::vector<std::string>& volumePaths,
+                              const NameInFile& named);
 
 /// What is made of a figure's pictures.
 enum class FigurePixels {

@@ -132,12 +132,28 @@ std::vector<Preset> allPresets(const PresetStore& store) {
   return presets;
 }
 
+// "Bone" as the window's list calls "CT bone" below "CT"; none where several are called so.
+static const Preset* underHeading(const std::vector<Preset>& presets, const QString& name) {
+  const Preset* found = nullptr;
+  for (const Preset& preset : presets) {
+    const QString whole = QString::fromStdString(preset.modality) + QLatin1Char(' ') + name;
+    if (QString::fromStdString(preset.name).compare(whole, Qt::CaseInsensitive) != 0)
+      continue;
+    if (found)
+      return nullptr;
+    found = &preset;
+  }
+  return found;
+}
+
 Preset presetNamed(const std::vector<Preset>& presets, const std::string& name) {
   const QString wanted = QString::fromStdString(name);
   for (const Qt::CaseSensitivity sensitivity : {Qt::CaseSensitive, Qt::CaseInsensitive})
     for (const Preset& preset : presets)
       if (QString::fromStdString(preset.name).compare(wanted, sensitivity) == 0)
         return preset;
+  if (const Preset* meant = underHeading(presets, wanted))
+    return *meant;
   std::vector<std::string> names;
   std::string known;
   for (const Preset& preset : presets) {

@@ -47,8 +47,8 @@ private:
 /// The built-in presets, then the user's own that could be read.
 std::vector<Preset> allPresets(const PresetStore& store);
 
-/// The preset of this name, upper and lower case alike where no name matches exactly. Throws Error (usage)
-/// that lists the names.
+/// The preset of this name, upper and lower case alike where no name matches exactly, or of this name behind
+/// its modality where one alone is called so: "bone" is "CT bone". Throws Error (usage) that lists the names.
 Preset presetNamed(const std::vector<Preset>& presets, const std::string& name);
 
 } // namespace limn

@@ -254,12 +254,22 @@ void NumberField::fixup(QString& text) const {
     const_cast<NumberField*>(this)->refuse(text); // Qt asks a constant object
 }
 
+// A number with its unit, once; what is none as it was typed, without the unit that stood behind it.
+QString NumberField::asTyped(const QString& text) const {
+  const QString typed = text.chopped(unitOf(text).size()).trimmed();
+  const bool hasUnit = (m_takesPercent && typed.endsWith(QLatin1Char('%'))) ||
+                       (!m_unit.isEmpty() && typed.endsWith(m_unit)) ||
+                       (!m_unitOfOne.isEmpty() && typed.endsWith(m_unitOfOne)) ||
+                       (!suffix().trimmed().isEmpty() && typed.endsWith(suffix().trimmed()));
+  return read(text) && !hasUnit ? typed + unitOf(text) : typed;
+}
+
 void NumberField::refuse(const QString& text) {
   const QString unit = usualSuffix();
   const QString lowest = written(minimum()) + unit, highest = written(maximum()) + unit;
   m_refusal = (m_takesPercent ? tr("%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.")
                               : tr("%1 does not fit: give a number from %2 to %3."))
-                  .arg(text.trimmed(), lowest, highest);
+                  .arg(asTyped(text), lowest, highest);
   setAccessibleDescription(m_refusal);
   sayRefusal(*this, m_refusal);
   update();

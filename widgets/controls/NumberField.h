@@ -80,6 +80,7 @@ protected:
 private:
   std::optional<double> read(const QString& text) const;
   void selectNumber();
+  QString asTyped(const QString& text) const;
   void refuse(const QString& text);
   void forgetRefusal();
   void reportIfChanged();

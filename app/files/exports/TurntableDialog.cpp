@@ -57,6 +57,11 @@ MarkPicture marksOver(OverlaySource window, const glm::ivec2& size) {
   };
 }
 
+// Whoever sees something measured in the window looks for it in the frames.
+QString unmeasuredText(const Comparison& shown) {
+  return shown.measures.empty() ? QString() : TurntableDialog::tr("What was measured is not in its frames.");
+}
+
 // What no mark in its frames tells: what is hidden, and of a video, which carries no scene, the model in any
 // case.
 QString untoldText(const Comparison& shown, const Scene& scene, bool isVideo) {
@@ -66,8 +71,8 @@ QString untoldText(const Comparison& shown, const Scene& scene, bool isVideo) {
   QStringList untold{sideTitle(scene)};
   if (!hidden.isEmpty())
     untold << hidden;
-  return QLatin1Char(' ') + TurntableDialog::tr("Its frames do not say what they show: %1.")
-                                .arg(untold.join(QStringLiteral(" · ")));
+  return TurntableDialog::tr("Its frames do not say what they show: %1.")
+      .arg(untold.join(QStringLiteral(" · ")));
 }
 
 } // namespace
@@ -111,6 +116,7 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
     if (saysLength())
       showLength();
   });
+  connect(&context.session, &Session::measurementsChanged, &m_soon, qOverload<>(&QTimer::start));
   connect(&context.session, &Session::viewsChanged, this, [this](const std::vector<NamedView>& views) {
     setStarts(views);
     m_soon.start();
@@ -215,8 +221,8 @@ void TurntableDialog::sayLength() {
   if (m_sizeAtFirst && *m_sizeAtFirst < noticed)
     parts << tr("It begins at %1 % of the size on screen, so that nothing is cut off while it turns.")
                  .arg(qRound(100.0 * *m_sizeAtFirst));
-  if (const QString drawing = drawingText(); !drawing.isEmpty())
-    parts << drawing;
+  parts << unmeasuredText(m_context.view.order().comparison) << drawingText();
+  parts.removeAll(QString());
   m_length = parts.join(QLatin1Char(' '));
   say(m_length);
 }
@@ -327,26 +333,31 @@ void TurntableDialog::save() {
   setTelling(std::min(aHundredth, 1.0 / turntable.frames));
   setCancelled(isVideo ? tr("Cancelled; no video was saved.")
                        : tr("Cancelled; frames that were drawn stay in their folder."));
+  const Comparison& shown = m_context.view.order().comparison;
+  const QStringList untold{untoldText(shown, turntable.scene, isVideo), unmeasuredText(shown)};
   exportTo({.title = isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
             .suggested = isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
             .filters = {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
             .isPicture = true},
-           [turntable, untold = untoldText(m_context.view.order().comparison, turntable.scene, isVideo),
+           [turntable, untold,
             mark = m_marks->isChecked()
                        ? marksOver({m_context.view.order(), m_context.view.pictureState()}, turntable.size)
                        : MarkPicture(),
             order = m_context.drawnLikeTheView(), volume = m_saving.volumeInPicture(),
             measurements = m_context.session.measurements()](const std::string& path, const Effort& effort) {
-             MakingOptions told = order;
-             told.effort = effort;
+             MakingOptions making = order;
+             making.effort = effort;
              const DescribeScene describe = [&](const Scene& scene) {
                SceneDocument document = documentOf(scene, volume);
                document.measurements = measurements;
                document.sides.emplace(); // one picture
                return sceneToJson(document);
              };
-             writeTurntable(path, turntable, told, describe, mark);
-             return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()) + untold};
+             writeTurntable(path, turntable, making, describe, mark);
+             QStringList told{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
+             told += untold;
+             told.removeAll(QString());
+             return Outcome{told.join(QLatin1Char(' '))};
            });
 }
 

@@ -423,7 +423,7 @@ void FigureDialog::save() {
              requireWritable(path);
              const MadeFigure made = makeFigure(figure, withEffort(order, effort), pixels);
              const std::vector<std::string> volumes(made.figure.panels.size(), volumePath);
-             writeFigure(path, made, figureDescription(made.figure, volumes, named));
+             writeFigure(path, made, figureDescription(made, volumes, named));
              return Outcome{withNotes(tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()),
                                       made.notes)};
            });

@@ -5,6 +5,7 @@
 #include "app/core/drawing/ComparedSides.h"
 #include "app/core/drawing/PathDrawing.h"
 #include "app/core/drawing/PictureMaker.h"
+#include "app/core/drawing/StatedAccuracy.h"
 #include "app/document/DocumentText.h"
 #include "app/document/PrivateNames.h"
 #include "app/files/saving/ComparedPicture.h"
@@ -25,12 +26,29 @@
 #include <QPushButton>
 #include <QStatusBar>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
 constexpr int toldForMs = 4000;
 
-// What paths or chance say of the pictures on screen, of the worse of two; absent until they do.
+// Of pictures at rest that chance does not know yet, or not for sure, what the status bar tells: of the worse
+// of two. Absent where it tells none.
+std::optional<PictureAccuracy> estimatedAccuracy(const PictureState& state) {
+  double worst = 0.0;
+  for (const SideState& side : state.sides) {
+    const bool holds = side.chance || side.measuredLevels || (side.isResolved && side.isLightMeasured);
+    const std::optional<double> levels = levelsOf(side);
+    if (!state.resting || !holds || !levels || side.paths)
+      return std::nullopt;
+    worst = std::max(worst, *levels);
+  }
+  return accuracyByEstimate(worst);
+}
+
+// What paths or chance say of the pictures on screen, of the worse of two, or else an estimate; absent until
+// they do.
 std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
   std::vector<PathFigures> paths;
   for (const SideState& side : state.sides)
@@ -41,13 +59,13 @@ std::optional<PictureAccuracy> accuracyOf(const PictureState& state) {
   std::optional<ErrorByChance> worst;
   for (const SideState& side : state.sides) {
     if (!side.chance)
-      return std::nullopt;
+      return estimatedAccuracy(state);
     if (!worst || side.chance->levels > worst->levels)
       worst = side.chance;
   }
   if (!worst)
     return std::nullopt;
-  return PictureAccuracy{worst->levels, describe(*worst).english()};
+  return accuracyByChance(*worst);
 }
 
 glm::dvec3 groundOf(PictureOptions::Ground ground, const glm::dvec3& shown) {

@@ -210,11 +210,8 @@ std::string pictureJson(const PictureReport& picture) {
 }
 
 static Json toJson(const CarriedFacts& picture) {
-  Json json = {{"curves", picture.curves},
-               {"models", picture.models},
-               {"lights", picture.lights},
-               {"views", picture.views},
-               {"volumes", picture.volumes}};
+  Json json = {{"curves", picture.curves}, {"models", picture.models}, {"lights", picture.lights},
+               {"views", picture.views},   {"hidden", picture.hidden}, {"volumes", picture.volumes}};
   if (picture.size)
     json["size"] = {picture.size->x, picture.size->y};
   if (!picture.statement.empty())

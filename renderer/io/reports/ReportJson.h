@@ -29,6 +29,7 @@ class Volume;
 struct CarriedFacts {
   std::optional<glm::ivec2> size; ///< pixels; absent of a PDF
   std::vector<std::string> curves, models, lights, views;
+  std::vector<std::string> hidden;    ///< what of the volume, in words; empty: nothing
   std::optional<double> withinLevels; ///< of the exact picture, as it was stated
   std::string statement;              ///< how many pixels, and how sure that is; empty: nothing was stated
   std::vector<std::string> volumes;   ///< that it needs, as their names are stored

@@ -39,6 +39,8 @@ FigurePanelDocument readPanel(JsonFields fields, std::vector<Measurement>& old) 
   if (!fields.has("scene"))
     fields.fail("scene", Message::tr("is missing"));
   panel.scene = readScene(fields.object("scene"));
+  if (JsonFields scene = fields.object("scene"); scene.has("accuracy"))
+    panel.accuracy = readAccuracy(scene.object("accuracy"));
   if (fields.has("slices"))
     panel.planes = readPlanes(fields.object("slices"), old);
   fields.finish();
@@ -97,6 +99,8 @@ Json panelJson(const FigurePanelDocument& panel) {
     json["slices"] = planesJson(panel.planes);
   }
   json["scene"] = sceneJson(panel.scene);
+  if (panel.accuracy)
+    json["scene"]["accuracy"] = accuracyJson(*panel.accuracy);
   return json;
 }
 

@@ -16,6 +16,7 @@ struct FigurePanelDocument {
   std::optional<PatientPlane> plane; ///< a slice of the scene's volume; absent: the picture of the scene
   PlaneSettings planes;              ///< what a slice shows
   SceneDocument scene;               ///< as read; `scene.scene.volume` is empty
+  std::optional<PictureAccuracy> accuracy{}; ///< of the picture as it was drawn, where that was stated
   bool operator==(const FigurePanelDocument&) const = default;
 };
 

@@ -63,6 +63,7 @@ struct AccuracyOfPaths {
   std::optional<double> rmsLevels;
   // What filtering the noise changed; absent where it was not.
   std::optional<double> filterRms, filterLargest;
+  bool operator==(const AccuracyOfPaths&) const = default;
 };
 
 /// How far a saved picture of a scene lies from the exact one. Says nothing of the scene: who reads it as one
@@ -71,6 +72,7 @@ struct PictureAccuracy {
   std::optional<double> levels;           ///< of 255, within which the pixels lie, where that is known
   std::string sentence;                   ///< how many of them, and how sure that is
   std::optional<AccuracyOfPaths> paths{}; ///< of a picture of physical light
+  bool operator==(const PictureAccuracy&) const = default;
 };
 
 /// What the text of a scene says of the accuracy of its picture; nothing where it says none. `name` is how

@@ -36,6 +36,12 @@ nlohmann::ordered_json viewsJson(const std::vector<NamedView>& views);
 /// Reads every field of a scene file and refuses others.
 SceneDocument readScene(JsonFields fields);
 
+/// The field `accuracy` of a scene: what a saved picture says of itself; it decides nothing.
+PictureAccuracy readAccuracy(JsonFields fields);
+
+/// The field `accuracy`, as readAccuracy reads it; what is not known is left out.
+nlohmann::ordered_json accuracyJson(const PictureAccuracy& accuracy);
+
 /// The field `keep` of a scene, which is there.
 KeptPart readKeptPart(JsonFields& scene);
 

@@ -297,27 +297,6 @@ Slab readSlab(JsonFields fields) {
   return slab;
 }
 
-// What a saved picture says of itself; it decides nothing.
-PictureAccuracy readAccuracy(JsonFields fields) {
-  PictureAccuracy accuracy;
-  AccuracyOfPaths paths;
-  const auto levels = [&](const char* key, std::optional<double>& target) {
-    if (double number = 0.0; fields.number(key, number, accuracyLimits))
-      target = number;
-  };
-  levels("within_levels", accuracy.levels);
-  levels("rms_levels", paths.rmsLevels);
-  levels("filter_rms_levels", paths.filterRms);
-  levels("filter_largest_levels", paths.filterLargest);
-  if (double count = 0.0; fields.number("paths", count, positive)) {
-    paths.count = static_cast<int>(std::min<double>(count, std::numeric_limits<int>::max()));
-    accuracy.paths = paths;
-  }
-  fields.text("statement", accuracy.sentence);
-  fields.finish();
-  return accuracy;
-}
-
 // A look that leaves light open has that of the scene.
 ShownSides readSides(JsonFields fields, const Shading& shading) {
   ShownSides sides;
@@ -364,6 +343,26 @@ TransferFunction readTransferFunction(JsonFields fields, const std::string& wher
   }
   fields.finish();
   return normalised(std::move(function));
+}
+
+PictureAccuracy readAccuracy(JsonFields fields) {
+  PictureAccuracy accuracy;
+  AccuracyOfPaths paths;
+  const auto levels = [&](const char* key, std::optional<double>& target) {
+    if (double number = 0.0; fields.number(key, number, accuracyLimits))
+      target = number;
+  };
+  levels("within_levels", accuracy.levels);
+  levels("rms_levels", paths.rmsLevels);
+  levels("filter_rms_levels", paths.filterRms);
+  levels("filter_largest_levels", paths.filterLargest);
+  if (double count = 0.0; fields.number("paths", count, positive)) {
+    paths.count = static_cast<int>(std::min<double>(count, std::numeric_limits<int>::max()));
+    accuracy.paths = paths;
+  }
+  fields.text("statement", accuracy.sentence);
+  fields.finish();
+  return accuracy;
 }
 
 SceneDocument readScene(JsonFields fields) {

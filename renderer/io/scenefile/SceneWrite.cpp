@@ -127,23 +127,6 @@ Json toJson(const ShownSides& sides) {
   return json;
 }
 
-// What is not known is left out.
-Json accuracyJson(const PictureAccuracy& accuracy) {
-  Json json = {{"statement", accuracy.sentence}};
-  const auto put = [&json](const char* key, const std::optional<double>& number) {
-    if (number)
-      json[key] = *number;
-  };
-  put("within_levels", accuracy.levels);
-  if (const std::optional<AccuracyOfPaths>& paths = accuracy.paths) {
-    json["paths"] = paths->count;
-    put("rms_levels", paths->rmsLevels);
-    put("filter_rms_levels", paths->filterRms);
-    put("filter_largest_levels", paths->filterLargest);
-  }
-  return json;
-}
-
 Json toJson(const Fog& fog) {
   return {{"mode", fogWords.of(fog.mode)},
           {"color", toJson(fog.color)},
@@ -167,6 +150,22 @@ Json toJson(const Quality& quality) {
 }
 
 } // namespace
+
+nlohmann::ordered_json accuracyJson(const PictureAccuracy& accuracy) {
+  Json json = {{"statement", accuracy.sentence}};
+  const auto put = [&json](const char* key, const std::optional<double>& number) {
+    if (number)
+      json[key] = *number;
+  };
+  put("within_levels", accuracy.levels);
+  if (const std::optional<AccuracyOfPaths>& paths = accuracy.paths) {
+    json["paths"] = paths->count;
+    put("rms_levels", paths->rmsLevels);
+    put("filter_rms_levels", paths->filterRms);
+    put("filter_largest_levels", paths->filterLargest);
+  }
+  return json;
+}
 
 nlohmann::ordered_json functionJson(const TransferFunction& function) {
   Json points = Json::array();

@@ -98,63 +98,6 @@ TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
 }
 
-// The volume may be elsewhere.
-TEST_F(CommandLine, infoTellsWhatAPictureCarriesWithoutItsVolume) {
-  const std::string picture = file("a.png").string();
-  const std::string render =
-      "render phantom:8 --size 32x24 --preset \"CT bone\" --light headlight --view left ";
-  ASSERT_EQ(run(render + "--model robust --tolerance 4 -o " + picture).status, 0);
-  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
-  const std::string statement = scene["accuracy"]["statement"].get<std::string>();
-  scene["volume"] = "elsewhere.nii.gz";
-  writeBytes(picture, readBytes(picture), scene.dump());
-  const Outcome told = run("info " + picture);
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_EQ(told.out, "picture     32 x 24 pixels\n"
-                      "curve       preset \"CT bone\"\n"
-                      "model       robust\n"
-                      "light       headlight\n"
-                      "view        from left\n"
-                      "accuracy    " +
-                          statement + "\nvolume      elsewhere.nii.gz\n");
-  EXPECT_NE(told.err.find("The volume elsewhere.nii.gz of this picture is not where"), std::string::npos)
-      << told.err;
-  EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1) << told.err;
-  EXPECT_EQ(run("info --quiet " + picture).err, "");
-  const nlohmann::json alone = nlohmann::json::parse(run("info --json " + picture).out);
-  EXPECT_EQ(alone.size(), 1u);
-  EXPECT_EQ(alone["picture"]["size"], nlohmann::json::array({32, 24}));
-  EXPECT_EQ(alone["picture"]["models"], nlohmann::json::array({"robust"}));
-  EXPECT_EQ(alone["picture"]["volumes"], nlohmann::json::array({"elsewhere.nii.gz"}));
-  EXPECT_EQ(
-      alone["picture"]["accuracy"],
-      nlohmann::json({{"statement", statement}, {"within_levels", scene["accuracy"]["within_levels"]}}));
-  const Outcome both = run("info --volume phantom:8 " + picture);
-  EXPECT_TRUE(both.out.starts_with(told.out)) << both.out << both.err;
-  EXPECT_NE(both.out.find("dimensions  24 x 29 x 34 voxels"), std::string::npos) << both.out;
-  EXPECT_EQ(nlohmann::json::parse(run("info --json --volume phantom:8 " + picture).out)["picture"],
-            alone["picture"]);
-  ASSERT_EQ(run(render + "--model compare --step 1 -o " + picture).status, 0);
-  EXPECT_EQ(nlohmann::json::parse(run("info --json " + picture).out)["picture"]["models"].size(), 2u);
-}
-
-// As if --volume said where, and without its labels, which may be elsewhere.
-TEST_F(CommandLine, infoTellsOfTheVolumeThatAPictureNamesWhereItIsFound) {
-  const std::string picture = file("a.png").string();
-  ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
-  const Outcome told = run("info " + picture);
-  ASSERT_EQ(told.status, 0) << told.err;
-  EXPECT_EQ(told.out, run("info --volume phantom:8 " + picture).out);
-  EXPECT_NE(told.out.find("dimensions  24 x 29 x 34 voxels"), std::string::npos) << told.out;
-  const nlohmann::json facts = nlohmann::json::parse(run("info --json " + picture).out);
-  EXPECT_EQ(facts, nlohmann::json::parse(run("info --json --volume phantom:8 " + picture).out));
-  EXPECT_GT(facts.size(), 1u);
-  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
-  scene["keep"] = {{"labels", "elsewhere.nrrd"}};
-  writeBytes(picture, readBytes(picture), scene.dump());
-  EXPECT_EQ(run("info " + picture).out, told.out);
-}
-
 TEST_F(CommandLine, infoSaysThatTheSlicesOfATiltedGantryWereResampled) {
   std::filesystem::create_directory(file("tilted"));
   for (int number = 1; number <= 3; ++number)
@@ -437,7 +380,7 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"info phantm:8", 3, "did you mean phantom?"},
       {"help accurcy", 2, "did you mean accuracy?"},
       {"--theme dark help", 2, "Help stands in front"},
-      {"render phantom:8 -o x.png --preset bone", 2, "did you mean \"CT bone\"?"},
+      {"render phantom:8 -o x.png --preset bome", 2, "did you mean \"CT bone\"?"},
       {"render phantom:8 -o x.png --model clasic", 2, "did you mean classic?"},
       {"bench phantom:8 --engine cpuu", 2, "did you mean cpu?"},
       {"render phantom:8", 2, "--output is required (see limn render --help)"},

@@ -113,7 +113,7 @@ TEST_F(FigureCommand, panelsThatLookPastAnotherVolumeAreFittedToItAlike) {
 
 TEST_F(FigureCommand, aPanelThatIsNoneIsRefusedBeforeTheWorkWithTheNearest) {
   for (const auto& [word, meant] :
-       {std::pair("axiall", "axial"), {"bone", "CT bone"}, {"clasic", "classic"}}) {
+       {std::pair("axiall", "axial"), {"bome", "CT bone"}, {"clasic", "classic"}}) {
     const Outcome outcome = run("figure nowhere.nii --panels classic," + std::string(word) + " -o x.png");
     EXPECT_EQ(outcome.status, 2) << outcome.err;
     EXPECT_NE(outcome.err.find("did you mean \"" + std::string(meant) + "\"?"), std::string::npos)
@@ -152,6 +152,27 @@ TEST_F(FigureCommand, panelsAreThePicturesOfRenderBitForBitUnderTheirMarks) {
       }
     EXPECT_GT(compared, 0.85 * size.width() * size.height());
   }
+}
+
+// As its caption does.
+TEST_F(FigureCommand, theFileStatesTheAccuracyOfEachPanel) {
+  make("figure phantom:8 --panels enhanced,axial,none" + std::string(small) + "-o " + file("told.png"));
+  const FigureDocument figure = parseFigure(readImageDescription(file("told.png")), "told.png");
+  ASSERT_EQ(figure.panels.size(), 3u);
+  EXPECT_FALSE(figure.panels[1].accuracy) << "a slice is exact";
+  std::string statement;
+  for (const std::size_t panel : {0u, 2u}) {
+    const auto& accuracy = figure.panels[panel].accuracy;
+    ASSERT_TRUE(accuracy && accuracy->levels);
+    EXPECT_NE(accuracy->sentence.find("% of the pixels"), std::string::npos) << accuracy->sentence;
+    statement += (panel == 0 ? "a: " : " c: ") + accuracy->sentence;
+  }
+  const Outcome info = run("info --quiet " + file("told.png"));
+  EXPECT_NE(info.out.find("accuracy    " + statement + "\n"), std::string::npos) << info.out;
+  make("figure phantom:8 --panels enhanced,none --marks none" + std::string(small) + "-o " +
+       file("silent.png"));
+  EXPECT_NE(run("info --quiet " + file("silent.png")).out.find("accuracy    not stated\n"),
+            std::string::npos);
 }
 
 TEST_F(FigureCommand, withoutMarksAWholePanelIsThePictureOfRender) {

@@ -180,6 +180,16 @@ TEST_F(OpenDocumentTest, aSessionIsCalledAfterItsOwnFileAndNotAsItsVolume) {
   EXPECT_EQ(labelOf(document, document.sessionFile()), QStringLiteral("t1.limn.json · CT 4×3×2"));
 }
 
+TEST_F(OpenDocumentTest, workOnAFigureThatWasOpenedIsCalledAfterItsVolume) {
+  document.open(loaded("/data/head.nii"), {QStringLiteral("/papers/fig1.png"), {}}, {});
+  document.settle(document.described());
+  EXPECT_EQ(labelOf(document), QStringLiteral("fig1.png · CT 4×3×2")) << "which opens it again";
+  edit(20.0);
+  const auto unsaved = document.unsaved(document.described());
+  ASSERT_TRUE(unsaved);
+  EXPECT_EQ(unsaved->label, "head.nii · CT 4×3×2");
+}
+
 TEST(DocumentText, tellsOfOneVoxelWithoutDataAsOfOne) {
   const float none = std::numeric_limits<float>::quiet_NaN();
   const auto remark = [](std::vector<float> values) {

@@ -137,6 +137,15 @@ TEST_F(GuideCommand, isTextWithoutADisplay) {
   EXPECT_NE(none.err.find("says nothing of \"unheardof\""), std::string::npos) << none.err;
 }
 
+TEST_F(GuideCommand, isAskedForWordsThatAreCommandsToo) {
+  for (const char* word : {"turntable", "figure", "accuracy", "film", "turntable figure"}) {
+    const test::Outcome outcome = run("guide --text " + std::string(word));
+    EXPECT_EQ(outcome.status, 0) << word << ": " << outcome.err;
+    EXPECT_FALSE(outcome.out.empty()) << word;
+  }
+  EXPECT_NE(run("info phantom:8 render").err.find("render is one word too many"), std::string::npos);
+}
+
 // The first block of a shell's lines in a document.
 std::string commandsOf(const std::string& document) {
   static const std::string begin = "```sh\n";

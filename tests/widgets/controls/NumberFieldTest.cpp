@@ -115,6 +115,21 @@ TEST(NumberField, refusesWhatDoesNotFitWithASentenceAndKeepsTheNumberBefore) {
   EXPECT_TRUE(field.refusal().isEmpty()) << "once something else is typed";
 }
 
+TEST(NumberField, repeatsWhatWasTypedAndNumbersWithTheirUnitOnce) {
+  NumberField field(0.0, 1.0, 4);
+  field.setUnit(QStringLiteral("HU"));
+  field.show();
+  for (const auto& [keys, told] : {std::pair("banana", QStringLiteral("banana")),
+                                   {"10%", QStringLiteral("10%")},
+                                   {"5 mm", QStringLiteral("5 mm")},
+                                   {"4 HU", QStringLiteral("4 HU")},
+                                   {"4", withUnit(QStringLiteral("4"), QStringLiteral("HU"))}}) {
+    const Typed typed = typedInto(field, QString::fromLatin1(keys));
+    EXPECT_TRUE(typed.refusal.startsWith(told + QStringLiteral(" does not fit")))
+        << typed.refusal.toStdString();
+  }
+}
+
 // The number before is back: a red edge would say that it is wrong.
 TEST(NumberField, isNotRedOnceItIsLeft) {
   QWidget window;

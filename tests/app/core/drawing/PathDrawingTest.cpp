@@ -4,6 +4,7 @@
 #include "app/core/drawing/PathDrawing.h"
 #include "app/core/drawing/PathAccuracy.h"
 #include "app/core/drawing/PictureMaker.h"
+#include "app/core/drawing/StatedAccuracy.h"
 #include "scene/basics/Error.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/LightPresets.h"
@@ -201,6 +202,15 @@ TEST(PictureProgress, eachOfTwoHasItsHalf) {
   const auto isOfTheFirst = [](double fraction) { return fraction < 0.5; };
   EXPECT_TRUE(std::ranges::is_partitioned(told, isOfTheFirst));
   EXPECT_GE(std::ranges::count_if(told, isOfTheFirst), 2) << "strips of the first";
+}
+
+// Files refuse levels that no picture is off by.
+TEST(StatedAccuracy, anEstimateSaysThatItIsOneAndStaysWithinWhite) {
+  const PictureAccuracy told = accuracyByEstimate(0.411);
+  EXPECT_EQ(told.levels, 0.411);
+  EXPECT_EQ(told.sentence,
+            "99.9 % of the pixels are estimated to lie within 0.42 of 255 levels of the exact picture.");
+  EXPECT_EQ(accuracyByEstimate(1000.0).levels, 255.0);
 }
 
 } // namespace

@@ -161,6 +161,21 @@ TEST_F(TurntableWindow, aTurnBeginsAtAViewThatWasKept) {
   EXPECT_TRUE(saved.views.empty()) << "pictures go to others: they carry no names";
 }
 
+// Which other sides would hide.
+TEST_F(TurntableWindow, saysThatWhatWasMeasuredIsNotInItsFrames) {
+  const QString sentence = QStringLiteral("What was measured is not in its frames.");
+  EXPECT_FALSE(said().contains(sentence)) << said().toStdString();
+  const glm::dvec3 middle = scene().camera.target;
+  session().setMeasurements(
+      {{Measurement::Kind::distance, std::nullopt, {middle, middle + glm::dvec3(20.0, 0.0, 0.0)}}},
+      {nextGestureId(), QStringLiteral("measured")});
+  EXPECT_TRUE(test::waitUntil([&] { return said().contains(sentence); })) << said().toStdString();
+  type("turntableFrames", QStringLiteral("2"));
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_EQ(said(), QStringLiteral("Saved turn.frames. ") + sentence);
+}
+
 // Seen from the front a head fills less of a picture's width than from its side.
 TEST_F(TurntableWindow, saysWhereItBeginsSmallerThanWhatIsShown) {
   type("turntableWidth", QStringLiteral("60")); // for a head to fill the width

@@ -39,6 +39,19 @@ TEST_F(SavedPicture, isAsLargeAsAskedFor) {
   EXPECT_FALSE(readImageDescription(folder.path() / "print.png").empty()) << "it carries its scene";
 }
 
+// Before chance has judged it the estimate, as an estimate.
+TEST_F(SavedPicture, statesTheAccuracyThatTheWindowTells) {
+  ASSERT_TRUE(test::waitUntil([this] {
+    const PictureState state = view().pictureState();
+    return state.resting && levelsOf(state.sides.front()).has_value();
+  }));
+  saved("shown.png", {.marks = noMarks});
+  const auto told = accuracyIn(readImageDescription(folder.path() / "shown.png"), "shown.png");
+  ASSERT_TRUE(told && told->levels);
+  EXPECT_GT(*told->levels, 0.0);
+  EXPECT_TRUE(told->sentence.starts_with("99.9 % of the pixels ")) << told->sentence;
+}
+
 TEST_F(SavedPicture, hasTheGroundThatIsAskedFor) {
   PictureOptions options{.marks = noMarks};
   options.ground = PictureOptions::Ground::transparent;

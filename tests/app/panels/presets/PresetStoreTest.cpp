@@ -60,6 +60,14 @@ TEST(BuiltInPresets, haveNumbersOfTheEnhancedModelOfTheirOwn) {
   }
 }
 
+// As the window's list calls them below their modality.
+TEST(BuiltInPresets, areFoundWithoutTheirModalityWhereOneAloneIsCalledSo) {
+  const std::vector<Preset> presets = builtInPresets();
+  EXPECT_EQ(presetNamed(presets, "bone").name, "CT bone");
+  EXPECT_EQ(presetNamed(presets, "Glass").name, "MR glass");
+  EXPECT_THROW(presetNamed(presets, "maximum (MIP)"), Error) << "of CT or of MR";
+}
+
 // Nothing that is opaque becomes less so between boundaries.
 TEST(BuiltInPresets, skinIsClosedInBothModels) {
   const std::vector<Preset> presets = builtInPresets();
