@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QStyleOptionComboBox>
+#include <QStyledItemDelegate>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -13,6 +14,16 @@ namespace limn {
 namespace {
 
 constexpr int shortestBox = 120; // pixels, about what tracks and fields of the rows around it need
+
+// Qt's own rows are as low as their words, whatever a style sheet says.
+class RoomyRows : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int aroundWords = 4;
+    return QStyledItemDelegate::sizeHint(option, index).grownBy({0, aroundWords, 0, aroundWords});
+  }
+};
 
 // Long words make no panel wider.
 class ElidedComboBox : public QuietComboBox {
@@ -27,6 +38,13 @@ public:
 
 QuietComboBox::QuietComboBox(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
+}
+
+// Not before: a list is made for it, which most boxes never show.
+void QuietComboBox::showPopup() {
+  if (!dynamic_cast<RoomyRows*>(itemDelegate()))
+    setItemDelegate(new RoomyRows(this));
+  QComboBox::showPopup();
 }
 
 void QuietComboBox::initStyleOption(QStyleOptionComboBox* option) const {

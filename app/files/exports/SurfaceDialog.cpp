@@ -3,10 +3,10 @@
 
 #include "app/core/drawing/ProcessCost.h"
 #include "app/document/DocumentText.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -138,7 +138,7 @@ SurfaceDialog::SurfaceDialog(WindowContext& context, std::function<CurveChoice()
       m_origin(new QLabel(this)),
       m_isClosed(new QCheckBox(tr("&Close holes where crop or volume end (printing needs it)"), this)),
       m_smallest(new NumberField(0.0, 1e9, 1, this)), m_tolerance(new NumberField(0.0, 100.0, 3, this)),
-      m_cells(new QComboBox(this)) {
+      m_cells(new QuietComboBox(this)) {
   setWindowTitle(tr("Export a surface"));
   name();
   m_isClosed->setChecked(true);
