@@ -197,14 +197,13 @@ void SurfaceDialog::layOut() {
   add(tr("&Simplify within"), m_tolerance, new QLabel(tr("mm"), this));
   form->addRow(tr("&Detail"), m_cells);
   text()->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text()->setMinimumHeight(4 * fontMetrics().lineSpacing());
-  text()->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* start = new QPushButton(tr("&Export…"), this);
   start->setObjectName(QStringLiteral("surfaceExport"));
   connect(start, &QPushButton::clicked, this, &SurfaceDialog::exportSurface);
   auto* column = new QVBoxLayout(this);
-  column->addLayout(form);
+  column->addWidget(outOfUseWhileWorking(form));
   addFoot(column, start);
+  text()->setMinimumHeight(4 * fontMetrics().lineSpacing());
   column->setStretchFactor(text(), 1);
   setMinimumWidth(480);
 }

@@ -165,8 +165,9 @@ void TurntableDialog::layOut(bool hasVideo) {
   auto* save = new QPushButton(tr("&Save…"), this);
   save->setObjectName(QStringLiteral("turntableSave"));
   auto* column = new QVBoxLayout(this);
-  column->addLayout(m_form);
+  column->addWidget(outOfUseWhileWorking(m_form));
   addFoot(column, save);
+  column->setStretchFactor(text(), 1);
   setMinimumWidth(440);
   connect(save, &QPushButton::clicked, this, &TurntableDialog::save);
 }

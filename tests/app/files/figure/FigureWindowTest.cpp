@@ -24,6 +24,7 @@
 #include <QStyleOptionComboBox>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 // Figures, put together and saved in the program's window.
@@ -495,6 +496,22 @@ TEST_F(FigureWindow, thePreviewAndTheSavingSayHowFarTheyAre) {
   ASSERT_TRUE(dialog().isWorking());
   EXPECT_TRUE(said().startsWith(QStringLiteral("Drawing the figure: 0 %"))) << said().toStdString();
   QTest::keyClick(&dialog(), Qt::Key_Escape);
+}
+
+TEST_F(FigureWindow, nothingMovesWhileItIsDrawn) {
+  ASSERT_TRUE(ask());
+  const auto places = [this] {
+    QCoreApplication::processEvents();
+    return std::array{dialog().preview().geometry(), part<QPushButton>("figureCopy").geometry(),
+                      part<QPushButton>("figureClose").geometry()};
+  };
+  const auto before = places();
+  typeName(pathTo("figure.png"));
+  click("figureSave");
+  ASSERT_TRUE(dialog().isWorking());
+  EXPECT_EQ(places(), before);
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_EQ(places(), before);
 }
 
 TEST_F(FigureWindow, cancellingLeavesNoFileAndTheDialogOpen) {
