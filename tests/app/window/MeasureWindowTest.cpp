@@ -86,7 +86,7 @@ TEST_F(MeasureWindow, aDistanceIsOneDragOnceItsToolIsChosen) {
   ASSERT_EQ(measurements().size(), 1u);
   const double mm = lengthMm(measurements().front());
   EXPECT_NEAR(mm, 100.0 * mmPerPixelOfSlice(), 1e-9);
-  EXPECT_EQ(undoText(), QStringLiteral("Distance %1 mm").arg(QString::number(mm, 'g', mm < 100.0 ? 3 : 4)));
+  EXPECT_EQ(undoText(), QStringLiteral("Distance %1 mm").arg(QString::number(mm, 'f', 1)));
   EXPECT_EQ(undo().count(), 1) << "one step, however it was dragged";
   EXPECT_TRUE(test::waitUntil([&] { return !list().visibleRegion().isEmpty(); }))
       << "the panel shows the list of what was measured";
