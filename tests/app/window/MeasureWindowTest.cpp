@@ -104,6 +104,7 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   EXPECT_FALSE(bar->isVisible()) << "above what is written it would lie on the face";
   press(axial(), Qt::Key_Escape);
   EXPECT_FALSE(bar->isVisible());
+  EXPECT_EQ(said(), QString()) << "the tool is laid aside";
   choose("picture");
   ASSERT_TRUE(rest());
   press(view(), Qt::Key_D);
