@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/ChoiceRow.h"
 
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/controls/LabelledRow.h"
 
 #include <QHBoxLayout>
@@ -58,7 +59,7 @@ void QuietComboBox::initStyleOption(QStyleOptionComboBox* option) const {
 }
 
 void QuietComboBox::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
+  if (takesWheel(*this))
     QComboBox::wheelEvent(event);
   else
     event->ignore();

@@ -15,6 +15,7 @@
 #include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -219,6 +220,26 @@ bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == widget() && event->type() == QEvent::LayoutRequest)
     updateGeometry();
   return QScrollArea::eventFilter(watched, event);
+}
+
+static constexpr int scrollingMs = 500; // from one turn of the wheel to the next
+
+bool SectionPanel::isScrolling() const {
+  return m_scrolled.isValid() && !m_scrolled.hasExpired(scrollingMs);
+}
+
+// At its end, too, where one turns on.
+void SectionPanel::wheelEvent(QWheelEvent* event) {
+  QScrollArea::wheelEvent(event);
+  if (verticalScrollBar()->maximum() > verticalScrollBar()->minimum())
+    m_scrolled.start();
+}
+
+bool takesWheel(const QWidget& control) {
+  for (const QWidget* around = control.parentWidget(); around; around = around->parentWidget())
+    if (const auto* panel = dynamic_cast<const SectionPanel*>(around); panel && panel->isScrolling())
+      return false;
+  return control.hasFocus();
 }
 
 void SectionPanel::focusInEvent(QFocusEvent* event) {

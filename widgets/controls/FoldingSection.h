@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QElapsedTimer>
 #include <QScrollArea>
 #include <QWidget>
 
@@ -87,9 +88,20 @@ public:
   /// Asked for anew whenever the panel is laid out: fonts and styles come later than panels.
   QSize minimumSizeHint() const override;
 
+  /// The wheel is scrolling it, or was until a moment ago.
+  bool isScrolling() const;
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+private:
+  QElapsedTimer m_scrolled; ///< since the wheel was turned
 };
+
+/// Whether the wheel, turned over a control, is meant for it: it has the keyboard, which the wheel gives to
+/// none, and did not come under the pointer just now as the panel around it was scrolled.
+bool takesWheel(const QWidget& control);
 
 } // namespace limn
