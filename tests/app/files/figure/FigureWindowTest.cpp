@@ -151,6 +151,9 @@ TEST_F(FigureWindow, theListOfPicturesHasRoomForTheNamesOfPresets) {
   const QString longName = QStringLiteral("Compared: CT soft tissue");
   EXPECT_GE(field.width(), list.fontMetrics().horizontalAdvance(longName));
   EXPECT_EQ(list.toolTip(), list.currentText());
+  const auto& name = part<QLineEdit>("panelName-a");
+  const QString ownName = QStringLiteral("Ivory veil · Enhanced");
+  EXPECT_GE(name.width() - 18, name.fontMetrics().horizontalAdvance(ownName)) << "with its edge and margins";
 }
 
 TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
