@@ -23,13 +23,14 @@ QString givenName(const Measured& measured) {
   return QString::fromStdString(measured.measurement.name);
 }
 
+// Digits that count are written: 60.0 beside 81.9.
 QString lengthText(double mm, const Volume& volume) {
-  return valueText(mm, volume.info().spacingKnown ? QObject::tr("mm") : QObject::tr("voxels"), 1);
+  return withUnit(fixedNumber(mm, 1), volume.info().spacingKnown ? QObject::tr("mm") : QObject::tr("voxels"));
 }
 
 QString areaText(double mm2, const Volume& volume) {
-  return valueText(mm2, volume.info().spacingKnown ? QObject::tr("mm²") : QObject::tr("voxels²"),
-                   mm2 < 100.0 ? 1 : 0);
+  return withUnit(fixedNumber(mm2, mm2 < 100.0 ? 1 : 0),
+                  volume.info().spacingKnown ? QObject::tr("mm²") : QObject::tr("voxels²"));
 }
 
 int decimalsIn(const Volume& volume) {
@@ -102,9 +103,10 @@ QString measureValueText(const Measured& measured, const Volume& volume) {
 
 QString measureNoteText(const Measured& measured, const Volume& volume) {
   const QString name = cutName(givenName(measured));
-  const bool isNoAngle =
-      measured.measurement.kind == Measurement::Kind::angle && !angleDegrees(measured.measurement);
-  const QString value = isNoAngle ? QString() : measureValueText(measured, volume);
+  const Measurement& one = measured.measurement;
+  const bool isNothingYet = (one.kind == Measurement::Kind::angle && !angleDegrees(one)) ||
+                            (one.kind == Measurement::Kind::distance && lengthMm(one) == 0.0);
+  const QString value = isNothingYet ? QString() : measureValueText(measured, volume);
   return name.isEmpty() ? value : value.isEmpty() ? name : QStringLiteral("%1 · %2").arg(value, name);
 }
 

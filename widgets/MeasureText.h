@@ -40,7 +40,7 @@ QString meanText(double mean, double deviation, std::size_t voxels, const Volume
 QString measureValueText(const Measured& measured, const Volume& volume);
 
 /// What stands beside it in pictures: what was measured, which is never cut, and its name. Of an angle
-/// without legs its name alone: it may be one that is being drawn.
+/// without legs and a distance of nothing its name alone: it may be one that is being drawn.
 QString measureNoteText(const Measured& measured, const Volume& volume);
 
 /// What undo and lists call it: "Distance 23.2 mm", "Mark 1". A long name is cut.

@@ -275,10 +275,11 @@ void Frame::addLanguages() {
 }
 
 Frame::Memory Frame::memory() const {
-  return {m_focus.isOn(), !m_context.tour.isHidden(), m_dialogs.memory()};
+  return {m_focus.isOn(), !m_context.tour.isHidden(), m_dialogs.memory(), m_context.docks.leftWidth()};
 }
 
 void Frame::takeOver(const Memory& memory) {
+  m_context.docks.setLeftWidth(memory.leftWidth);
   if (memory.isPictureOnly)
     m_focus.enter();
   if (memory.offersTour)

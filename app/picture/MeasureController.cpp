@@ -265,6 +265,9 @@ bool MeasureController::drop() {
 void MeasureController::showTool() {
   m_open.reset();
   sayNext({});
+  if (QStatusBar& bar = *m_context.window.statusBar(); !m_said.isEmpty() && bar.currentMessage() == m_said)
+    bar.clearMessage(); // of the tool before
+  m_said.clear();
   show();
   showBar();
 }
@@ -387,7 +390,8 @@ void MeasureController::sayNext(const QString& hint) {
     bar.clearMessage();
 }
 
-void MeasureController::say(const QString& sentence) const {
+void MeasureController::say(const QString& sentence) {
+  m_said = sentence;
   m_context.window.statusBar()->showMessage(sentence, measureTellsForMs);
 }
 

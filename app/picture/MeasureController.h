@@ -64,7 +64,7 @@ private:
   void take(const MeasureHandle& handle, std::uint64_t gesture);
   void lead(const Ray& ray, int side);
   std::optional<glm::dvec3> placeSeen(const Ray& ray, int side);
-  void say(const QString& sentence) const;
+  void say(const QString& sentence);
   void sayNext(const QString& hint); ///< or, empty, that nothing is being drawn any more
 
   // A handle that is being led in the picture.
@@ -83,6 +83,7 @@ private:
   std::optional<glm::dvec3> m_stretchedTo; ///< its next place, while a drag draws it
   std::optional<Led> m_led;
   QString m_next;          ///< what was said to do next of what is being drawn
+  QString m_said;          ///< of the tool in hand
   bool m_isAtRest = false; ///< the picture
   /// Which of them lay behind what was seen on each side when it came to rest, or in what was cut away; may
   /// be shorter.

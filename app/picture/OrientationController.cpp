@@ -5,9 +5,9 @@
 #include "regions/Cutting.h"
 #include "scene/view/Camera.h"
 #include "scene/volume/Orientation.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/view/CompareView.h"
 
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -92,7 +92,7 @@ OrientationDialog::OrientationDialog(const std::string& letters, QWidget* parent
   for (std::size_t axis = 0; axis < m_boxes.size(); ++axis) {
     const int row = static_cast<int>(axis);
     auto* label = new QLabel(names[axis]);
-    auto* box = m_boxes[axis] = new QComboBox;
+    auto* box = m_boxes[axis] = new QuietComboBox;
     for (const char letter : directions)
       box->addItem(directionName(letter), letter);
     box->setAccessibleName(names[axis]);

@@ -11,6 +11,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QImage>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QTest>
@@ -313,6 +314,17 @@ TEST(ColorPicker, takesNamesAndCodesAndRefusesTheRestWithASentence) {
   type("#0000ff");
   EXPECT_TRUE(picker.refusal().isEmpty());
   EXPECT_EQ(picked.back(), glm::dvec3(0.0, 0.0, 1.0));
+}
+
+TEST(ColorPicker, itsRingIsWholeInACorner) {
+  ColorPicker picker;
+  picker.setColor({1.0, 0.0, 0.0}); // upper right
+  const QImage image = picker.grab().toImage();
+  const double ratio = image.devicePixelRatio();
+  const double right = picker.width() - 24.0; // of the field of colours, pixels
+  const QColor onRing =
+      image.pixelColor(static_cast<int>(ratio * (right - 1.5)), static_cast<int>(ratio * 8.5));
+  EXPECT_GT(onRing.green(), 200) << onRing.name().toStdString();
 }
 
 TEST(ColorPicker, isWorkedByKeys) {

@@ -56,7 +56,7 @@ protected:
 TEST_F(MeasureSectionTest, aRowTellsNameAndValue) {
   ASSERT_EQ(list().topLevelItemCount(), 4);
   EXPECT_EQ(at(0, 0), QStringLiteral("Distance"));
-  EXPECT_EQ(at(0, 1), QStringLiteral("5 mm"));
+  EXPECT_EQ(at(0, 1), QStringLiteral("5.0 mm"));
   EXPECT_EQ(at(1, 0), QStringLiteral("Cobb"));
   EXPECT_EQ(at(1, 1), QStringLiteral("90.0°"));
   EXPECT_EQ(at(2, 1), QStringLiteral("38 ± 12 HU · 49.5 mm²"));
@@ -77,7 +77,7 @@ TEST_F(MeasureSectionTest, aDoubleClickRenamesAndAnEmptyNameIsTheKind) {
   QTest::keyClick(editor, Qt::Key_Return);
   QCoreApplication::processEvents(); // the list commits what was typed once the key is through
   ASSERT_EQ(measured[0].measurement.name, "Tumour");
-  EXPECT_EQ(texts.last(), QStringLiteral("rename: Distance 5 mm · Tumour"));
+  EXPECT_EQ(texts.last(), QStringLiteral("rename: Distance 5.0 mm · Tumour"));
   list().topLevelItem(0)->setText(0, QStringLiteral("  "));
   EXPECT_EQ(measured[0].measurement.name, "");
   EXPECT_EQ(at(0, 0), QStringLiteral("Distance"));
@@ -99,7 +99,7 @@ TEST_F(MeasureSectionTest, marksHideAndTheDeleteKeyDeletes) {
 
 TEST_F(MeasureSectionTest, aValueCannotBeEdited) {
   list().topLevelItem(0)->setText(1, QStringLiteral("99 mm"));
-  EXPECT_EQ(at(0, 1), QStringLiteral("5 mm"));
+  EXPECT_EQ(at(0, 1), QStringLiteral("5.0 mm"));
   EXPECT_TRUE(texts.empty());
 }
 
@@ -154,7 +154,9 @@ TEST(MeasureText, lengthsOfAnUnknownSpacingAreVoxels) {
   grid.dims = {2, 1, 1};
   const Volume volume(grid, std::vector<float>{0.0f, 10.0f}, Rescale{}, std::nullopt, info);
   EXPECT_EQ(plain(measureValueText({{Kind::distance, std::nullopt, {{0, 0, 0}, {3, 4, 0}}}, {}}, volume)),
-            QStringLiteral("5 voxels"));
+            QStringLiteral("5.0 voxels"));
+  const Measured begun{{Kind::distance, std::nullopt, {{3, 4, 0}, {3, 4, 0}}}, {}};
+  EXPECT_EQ(measureNoteText(begun, volume), QString()) << "its other end is still to come";
   EXPECT_EQ(plain(measureValueText({{Kind::ellipse, PatientPlane::axial, {{0, 0, 0}, {1, 1, 0}}}, {250.0}},
                                    volume)),
             QStringLiteral("no voxels · 250 voxels²"));

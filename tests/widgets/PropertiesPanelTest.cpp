@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/PropertiesPanel.h"
+#include "support/Waiting.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/LabelledRow.h"
@@ -100,6 +101,11 @@ TEST_F(PropertiesPanelTest, theWheelScrollsOverWhatDoesNotHaveTheKeyboardAndChan
   turned->setFocus();
   bar.setValue(0);
   const double before = turned->number();
+  ASSERT_TRUE(m_panel.isScrolling());
+  turnWheelOver(*turned);
+  EXPECT_EQ(turned->number(), before) << "it came under the pointer as the panel scrolled";
+  EXPECT_GT(bar.value(), 0);
+  ASSERT_TRUE(test::waitUntil([this] { return !m_panel.isScrolling(); }));
   turnWheelOver(*turned);
   EXPECT_LT(turned->number(), before) << "who has gone to a field may turn the wheel there";
 }

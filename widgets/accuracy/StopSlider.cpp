@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/StopSlider.h"
 
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/theme/Theme.h"
 
 #include <QEvent>
@@ -122,7 +123,7 @@ void StopSlider::mouseMoveEvent(QMouseEvent* event) {
 
 // Scrolling a panel must change nothing on the way.
 void StopSlider::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
+  if (takesWheel(*this))
     QAbstractSlider::wheelEvent(event);
   else
     event->ignore();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/ChoiceRow.h"
 
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/controls/LabelledRow.h"
 
 #include <QHBoxLayout>
 #include <QStyleOptionComboBox>
+#include <QStyledItemDelegate>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -13,6 +15,16 @@ namespace limn {
 namespace {
 
 constexpr int shortestBox = 120; // pixels, about what tracks and fields of the rows around it need
+
+// Qt's own rows are as low as their words, whatever a style sheet says.
+class RoomyRows : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int aroundWords = 4;
+    return QStyledItemDelegate::sizeHint(option, index).grownBy({0, aroundWords, 0, aroundWords});
+  }
+};
 
 // Long words make no panel wider.
 class ElidedComboBox : public QuietComboBox {
@@ -29,6 +41,13 @@ QuietComboBox::QuietComboBox(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
 }
 
+// Not before: a list is made for it, which most boxes never show.
+void QuietComboBox::showPopup() {
+  if (!dynamic_cast<RoomyRows*>(itemDelegate()))
+    setItemDelegate(new RoomyRows(this));
+  QComboBox::showPopup();
+}
+
 void QuietComboBox::initStyleOption(QStyleOptionComboBox* option) const {
   constexpr int besideIcon = 4;
   QComboBox::initStyleOption(option);
@@ -40,7 +59,7 @@ void QuietComboBox::initStyleOption(QStyleOptionComboBox* option) const {
 }
 
 void QuietComboBox::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
+  if (takesWheel(*this))
     QComboBox::wheelEvent(event);
   else
     event->ignore();

@@ -13,10 +13,12 @@ class ResetLabel;
 
 /// A drop-down list that the wheel changes only while it has the keyboard, which the wheel does not give it,
 /// so that scrolling a panel changes nothing on the way. Longer words than there is room for end in an
-/// ellipsis; the list that opens has them all.
+/// ellipsis; the list that opens has them all, in rows with room around their words.
 class QuietComboBox : public QComboBox {
 public:
   explicit QuietComboBox(QWidget* parent = nullptr);
+
+  void showPopup() override;
 
 protected:
   void initStyleOption(QStyleOptionComboBox* option) const override;

@@ -34,7 +34,9 @@ QString swatchName(int index) {
 constexpr double barWidth = 16.0;
 constexpr double gap = 8.0;
 constexpr double rowHeight = 26.0;
-constexpr double keyShare = 0.01; // of the field and the hues, at one press
+constexpr double ringRadius = 6.0;
+constexpr double markReach = ringRadius + 2.0; // of what shows the colour in the field, with half its line
+constexpr double keyShare = 0.01;              // of the field and the hues, at one press
 
 QColor swatch(int index) {
   return QColor(QLatin1String(swatches[static_cast<std::size_t>(index)]));
@@ -162,6 +164,15 @@ QRectF ColorPicker::hueRect() const {
   return {width() - barWidth, 0.0, barWidth, fieldRect().height()};
 }
 
+// At its corners, too, the ring is seen whole.
+QRectF ColorPicker::shadesRect() const {
+  return fieldRect().adjusted(markReach, markReach, -markReach, -markReach);
+}
+
+QRectF ColorPicker::huesRect() const {
+  return hueRect().adjusted(0.0, markReach, 0.0, -markReach);
+}
+
 QRectF ColorPicker::swatchRect(int index) const {
   const double pitch = (width() + 4.0) / swatches.size();
   const double left = std::round(index * pitch); // whole pixels, or frames blur
@@ -192,10 +203,10 @@ void ColorPicker::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
 
-  QLinearGradient toHue(fieldRect().topLeft(), fieldRect().topRight());
+  QLinearGradient toHue(shadesRect().topLeft(), shadesRect().topRight());
   toHue.setColorAt(0.0, Qt::white);
   toHue.setColorAt(1.0, QColor::fromHsvF(float(m_hue), 1.0f, 1.0f));
-  QLinearGradient toBlack(fieldRect().topLeft(), fieldRect().bottomLeft());
+  QLinearGradient toBlack(shadesRect().topLeft(), shadesRect().bottomLeft());
   toBlack.setColorAt(0.0, QColor(0, 0, 0, 0));
   toBlack.setColorAt(1.0, Qt::black);
   for (const QLinearGradient& gradient : {toHue, toBlack}) {
@@ -203,20 +214,20 @@ void ColorPicker::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(fieldRect(), 4.0, 4.0);
   }
 
-  QLinearGradient hues(hueRect().topLeft(), hueRect().bottomLeft());
+  QLinearGradient hues(huesRect().topLeft(), huesRect().bottomLeft());
   for (int i = 0; i <= 6; ++i)
     hues.setColorAt(i / 6.0, QColor::fromHsvF(float(i % 6) / 6.0f, 1.0f, 1.0f));
   painter.setBrush(hues);
   painter.drawRoundedRect(hueRect(), 4.0, 4.0);
   paintSwatches(painter);
 
-  const QPointF place(fieldRect().left() + m_saturation * fieldRect().width(),
-                      fieldRect().bottom() - m_brightness * fieldRect().height());
-  const double hueY = hueRect().top() + m_hue * hueRect().height();
+  const QPointF place(shadesRect().left() + m_saturation * shadesRect().width(),
+                      shadesRect().bottom() - m_brightness * shadesRect().height());
+  const double hueY = huesRect().top() + m_hue * huesRect().height();
   painter.setBrush(Qt::NoBrush);
   for (const auto& [color, thickness] : {std::pair{QColor(Qt::black), 4.0}, {QColor(Qt::white), 2.0}}) {
     painter.setPen(QPen(color, thickness));
-    painter.drawEllipse(place, 6.0, 6.0);
+    painter.drawEllipse(place, ringRadius, ringRadius);
     painter.drawRoundedRect(QRectF(hueRect().left() + 2.0, hueY - 3.0, barWidth - 4.0, 6.0), 2.0, 2.0);
   }
   if (hasFocus()) { // two rings: one of them stands out from whatever colour is there
@@ -290,14 +301,14 @@ void ColorPicker::placeHex() {
 }
 
 void ColorPicker::pickAt(const QPointF& position) {
-  const QRectF field = fieldRect();
+  const QRectF shades = shadesRect();
   if (m_part == Part::none)
     return;
   if (m_part == Part::hue) {
-    m_hue = std::clamp((position.y() - hueRect().top()) / hueRect().height(), 0.0, 0.999);
+    m_hue = std::clamp((position.y() - huesRect().top()) / huesRect().height(), 0.0, 0.999);
   } else {
-    m_saturation = std::clamp((position.x() - field.left()) / field.width(), 0.0, 1.0);
-    m_brightness = std::clamp((field.bottom() - position.y()) / field.height(), 0.0, 1.0);
+    m_saturation = std::clamp((position.x() - shades.left()) / shades.width(), 0.0, 1.0);
+    m_brightness = std::clamp((shades.bottom() - position.y()) / shades.height(), 0.0, 1.0);
   }
   pickShown();
 }

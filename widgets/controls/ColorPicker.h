@@ -60,6 +60,8 @@ private:
 
   QRectF fieldRect() const;
   QRectF hueRect() const;
+  QRectF shadesRect() const; ///< over which saturation and brightness run, and the ring is led
+  QRectF huesRect() const;   ///< over which the hues run
   QRectF swatchRect(int index) const;
   std::optional<int> swatchAt(const QPointF& position) const;
   void pickAt(const QPointF& position);

@@ -15,6 +15,7 @@
 #include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -193,6 +194,25 @@ void SectionPanel::scrollTo(const QWidget& section) {
   verticalScrollBar()->setValue(section.mapTo(widget(), QPoint()).y());
 }
 
+SectionPanel::Place SectionPanel::place() const {
+  const int scrolled = verticalScrollBar()->value();
+  const QList<FoldingSection*> sections = findChildren<FoldingSection*>();
+  Place place{0, scrolled};
+  for (qsizetype i = 0; i < sections.size(); ++i)
+    if (const int top = sections[i]->mapTo(widget(), QPoint()).y();
+        sections[i]->isVisible() && top <= scrolled)
+      place = {static_cast<std::size_t>(i), scrolled - top};
+  return place;
+}
+
+void SectionPanel::scrollTo(const Place& place) {
+  const QList<FoldingSection*> sections = findChildren<FoldingSection*>();
+  if (place.section >= static_cast<std::size_t>(sections.size()))
+    return;
+  scrollTo(*sections[static_cast<qsizetype>(place.section)]);
+  verticalScrollBar()->setValue(verticalScrollBar()->value() + place.beyond);
+}
+
 std::vector<bool> SectionPanel::folded() const {
   std::vector<bool> folded;
   for (const FoldingSection* section : findChildren<FoldingSection*>())
@@ -219,6 +239,26 @@ bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == widget() && event->type() == QEvent::LayoutRequest)
     updateGeometry();
   return QScrollArea::eventFilter(watched, event);
+}
+
+static constexpr int scrollingMs = 500; // from one turn of the wheel to the next
+
+bool SectionPanel::isScrolling() const {
+  return m_scrolled.isValid() && !m_scrolled.hasExpired(scrollingMs);
+}
+
+// At its end, too, where one turns on.
+void SectionPanel::wheelEvent(QWheelEvent* event) {
+  QScrollArea::wheelEvent(event);
+  if (verticalScrollBar()->maximum() > verticalScrollBar()->minimum())
+    m_scrolled.start();
+}
+
+bool takesWheel(const QWidget& control) {
+  for (const QWidget* around = control.parentWidget(); around; around = around->parentWidget())
+    if (const auto* panel = dynamic_cast<const SectionPanel*>(around); panel && panel->isScrolling())
+      return false;
+  return control.hasFocus();
 }
 
 void SectionPanel::focusInEvent(QFocusEvent* event) {

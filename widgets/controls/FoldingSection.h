@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QElapsedTimer>
 #include <QScrollArea>
 #include <QWidget>
 
@@ -80,6 +81,15 @@ public:
   /// unfolded or filled just now has its place first. The keyboard stays where it is.
   void scrollTo(const QWidget& section);
 
+  /// Where it is scrolled to: a section, from the first one, and how far beyond its upper edge, pixels.
+  struct Place {
+    std::size_t section = 0;
+    int beyond = 0;
+  };
+  Place place() const;
+  /// To where the same panel was scrolled elsewhere, in words of other lengths.
+  void scrollTo(const Place& place);
+
   /// Which of its sections are folded, from the first one; and folds those of the same panel elsewhere.
   std::vector<bool> folded() const;
   void setFolded(const std::vector<bool>& folded);
@@ -87,9 +97,20 @@ public:
   /// Asked for anew whenever the panel is laid out: fonts and styles come later than panels.
   QSize minimumSizeHint() const override;
 
+  /// The wheel is scrolling it, or was until a moment ago.
+  bool isScrolling() const;
+
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+private:
+  QElapsedTimer m_scrolled; ///< since the wheel was turned
 };
+
+/// Whether the wheel, turned over a control, is meant for it: it has the keyboard, which the wheel gives to
+/// none, and did not come under the pointer just now as the panel around it was scrolled.
+bool takesWheel(const QWidget& control);
 
 } // namespace limn

@@ -2,6 +2,7 @@
 #include "widgets/controls/NumberField.h"
 
 #include "widgets/ValueText.h"
+#include "widgets/controls/FoldingSection.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -305,7 +306,7 @@ bool NumberField::event(QEvent* event) {
 }
 
 void NumberField::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
+  if (takesWheel(*this))
     QDoubleSpinBox::wheelEvent(event);
   else
     event->ignore(); // so that scrolling a panel changes nothing on the way

@@ -4,6 +4,7 @@
 #include "widgets/Gesture.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/AccessiblePart.h"
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/theme/Theme.h"
 
 #include <QAccessible>
@@ -376,7 +377,7 @@ void TrackSlider::keyPressEvent(QKeyEvent* event) {
 }
 
 void TrackSlider::wheelEvent(QWheelEvent* event) {
-  if (!hasFocus() || m_dragging)
+  if (!takesWheel(*this) || m_dragging)
     return event->ignore(); // so that scrolling a panel changes nothing on the way
   const double fraction = fractionOf(m_scale, m_values[static_cast<std::size_t>(m_active)]);
   stepActive(fraction + keyStep * event->angleDelta().y() / 120.0, nextGestureId());

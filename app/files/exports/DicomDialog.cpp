@@ -82,6 +82,7 @@ void DicomDialog::layOut() {
   column->addWidget(m_losses, 1);
   addFoot(column, save);
   setMinimumWidth(520);
+  connect(this, &ExportDialog::workingChanged, m_anonymous, &QWidget::setDisabled);
   connect(save, &QPushButton::clicked, this, &DicomDialog::save);
 }
 

@@ -10,7 +10,22 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace limn {
+namespace {
+
+// As wide as the widest of its words, so that what stands beside it stays there.
+void fitToWords(QPushButton& button, const QStringList& words) {
+  int widest = 0;
+  for (const QString& each : words) {
+    button.setText(each);
+    widest = std::max(widest, button.sizeHint().width());
+  }
+  button.setMinimumWidth(widest);
+}
+
+} // namespace
 
 ExportDialog::ExportDialog(WindowContext& context, const Words& words)
     : QDialog(&context.window), m_context(context), m_cancelled(words.cancelled), m_text(new QLabel(this)),
@@ -21,7 +36,11 @@ ExportDialog::ExportDialog(WindowContext& context, const Words& words)
   m_bar->setRange(0, 1000);
   m_bar->setTextVisible(false);
   m_bar->setAccessibleName(words.work);
+  QSizePolicy policy = m_bar->sizePolicy();
+  policy.setRetainSizeWhenHidden(true); // nothing moves as work begins
+  m_bar->setSizePolicy(policy);
   m_bar->hide();
+  fitToWords(*m_close, {tr("Cancel"), tr("Close")});
   m_close->setObjectName(words.name + QStringLiteral("Close"));
   m_close->setAutoDefault(false);
   connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
@@ -87,6 +106,8 @@ void ExportDialog::addFoot(QVBoxLayout* column, QPushButton* start, QPushButton*
   buttons->addWidget(start);
   start->setDefault(true);
   m_starts.push_back(start);
+  m_text->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(m_text);
   column->addWidget(m_bar);
   column->addLayout(buttons);
@@ -118,6 +139,14 @@ void ExportDialog::end(const QString& sentence) {
   emit workingChanged(false);
   if (m_before && focusWidget() == m_close) // where the keyboard went as what had it could not be used
     m_before->setFocus(Qt::OtherFocusReason);
+}
+
+QWidget* ExportDialog::outOfUseWhileWorking(QLayout* fields) {
+  auto* place = new QWidget(this);
+  fields->setContentsMargins(0, 0, 0, 0);
+  place->setLayout(fields);
+  connect(this, &ExportDialog::workingChanged, place, &QWidget::setDisabled);
+  return place;
 }
 
 bool ExportDialog::isWorking() const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 class QLabel;
+class QLayout;
 class QProgressBar;
 class QPushButton;
 class QVBoxLayout;
@@ -64,6 +65,9 @@ protected:
 
   /// Adds what is said, the bar and the buttons: one that starts the work, one that starts `other` work.
   void addFoot(QVBoxLayout* column, QPushButton* start, QPushButton* other = nullptr);
+
+  /// A place for fields, which nobody can edit while the dialog works at what they asked for.
+  QWidget* outOfUseWhileWorking(QLayout* fields);
 
   void say(const QString& text);
   /// Whether its fields ask for something that can be made.

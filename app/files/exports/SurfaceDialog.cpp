@@ -3,10 +3,10 @@
 
 #include "app/core/drawing/ProcessCost.h"
 #include "app/document/DocumentText.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -138,7 +138,7 @@ SurfaceDialog::SurfaceDialog(WindowContext& context, std::function<CurveChoice()
       m_origin(new QLabel(this)),
       m_isClosed(new QCheckBox(tr("&Close holes where crop or volume end (printing needs it)"), this)),
       m_smallest(new NumberField(0.0, 1e9, 1, this)), m_tolerance(new NumberField(0.0, 100.0, 3, this)),
-      m_cells(new QComboBox(this)) {
+      m_cells(new QuietComboBox(this)) {
   setWindowTitle(tr("Export a surface"));
   name();
   m_isClosed->setChecked(true);
@@ -197,14 +197,13 @@ void SurfaceDialog::layOut() {
   add(tr("&Simplify within"), m_tolerance, new QLabel(tr("mm"), this));
   form->addRow(tr("&Detail"), m_cells);
   text()->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text()->setMinimumHeight(4 * fontMetrics().lineSpacing());
-  text()->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* start = new QPushButton(tr("&Export…"), this);
   start->setObjectName(QStringLiteral("surfaceExport"));
   connect(start, &QPushButton::clicked, this, &SurfaceDialog::exportSurface);
   auto* column = new QVBoxLayout(this);
-  column->addLayout(form);
+  column->addWidget(outOfUseWhileWorking(form));
   addFoot(column, start);
+  text()->setMinimumHeight(4 * fontMetrics().lineSpacing());
   column->setStretchFactor(text(), 1);
   setMinimumWidth(480);
 }

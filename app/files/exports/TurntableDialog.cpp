@@ -6,12 +6,12 @@
 #include "app/files/saving/DrawingTime.h"
 #include "app/files/saving/SavingController.h"
 #include "io/scenefile/SceneFile.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/overlay/SavedOverlay.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -82,9 +82,9 @@ TurntableDialog::TurntableDialog(WindowContext& context, const SavingController*
       m_saving(*saving), m_width(new NumberField(16.0, mostSide, 0, this)),
       m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
       m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_angle(new NumberField(1.0, 360.0, 1, this)),
-      m_turn(new QComboBox(this)),
+      m_turn(new QuietComboBox(this)),
       m_marks(new QCheckBox(tr("&Letters, scale and \"Not for diagnosis\""), this)),
-      m_kind(new QComboBox(this)), m_picture(new QComboBox(this)), m_start(new QComboBox(this)),
+      m_kind(new QuietComboBox(this)), m_picture(new QuietComboBox(this)), m_start(new QuietComboBox(this)),
       m_form(new QFormLayout) {
   setWindowTitle(tr("Save a turntable"));
   m_kind->setObjectName(QStringLiteral("turntableKind"));
@@ -171,8 +171,9 @@ void TurntableDialog::layOut(bool hasVideo) {
   auto* save = new QPushButton(tr("&Save…"), this);
   save->setObjectName(QStringLiteral("turntableSave"));
   auto* column = new QVBoxLayout(this);
-  column->addLayout(m_form);
+  column->addWidget(outOfUseWhileWorking(m_form));
   addFoot(column, save);
+  column->setStretchFactor(text(), 1);
   setMinimumWidth(440);
   connect(save, &QPushButton::clicked, this, &TurntableDialog::save);
 }

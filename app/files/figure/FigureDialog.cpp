@@ -31,7 +31,7 @@
 namespace limn {
 namespace {
 
-constexpr int sideWidth = 404;
+constexpr int sideWidth = 500; // names of looks with their models have room
 
 // The first picture of a preview has so many pixels each way as a share of the last, so that it comes at
 // once.
@@ -92,7 +92,7 @@ FigureDialog::FigureDialog(WindowContext& context, std::function<FigureLooks()> 
   m_soon.setSingleShot(true);
   m_soon.setInterval(restMs);
   connectParts();
-  resize(1100, 660);
+  resize(1196, 660);
 }
 
 ActionLook FigureDialog::look() {

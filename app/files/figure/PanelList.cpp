@@ -18,7 +18,8 @@ PanelList::PanelList(QWidget* parent) : QWidget(parent), m_count(new QuietComboB
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
-  grid->setColumnStretch(2, 1);
+  for (const int column : {1, 2})
+    grid->setColumnStretch(column, 1);
   auto* label = new QLabel(tr("&Panels"), this);
   label->setBuddy(m_count);
   m_count->setObjectName(QStringLiteral("panelCount"));

@@ -3,12 +3,12 @@
 
 #include "app/document/Settings.h"
 #include "app/files/saving/DrawingTime.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/TimeLeft.h"
 #include "widgets/theme/Icons.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QFileInfo>
@@ -109,11 +109,11 @@ QString groundRemark(const QString& path, const PictureOptions& options) {
 
 PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen, QWidget* parent,
                              PictureKind kind, const DrawingTold& told)
-    : QDialog(parent), m_screen(screen), m_told(told), m_size(new QComboBox(this)),
+    : QDialog(parent), m_screen(screen), m_told(told), m_size(new QuietComboBox(this)),
       m_cm(new NumberField(narrowestCm, widestCm, 1, this)),
       m_width(new NumberField(narrowest, longestSide, 0, this)),
       m_height(new NumberField(narrowest, longestSide, 0, this)), m_shape(new QToolButton(this)),
-      m_ground(new QComboBox(this)), m_pixels(new QLabel(this)) {
+      m_ground(new QuietComboBox(this)), m_pixels(new QLabel(this)) {
   setObjectName(QStringLiteral("pictureDialog"));
   setWindowTitle(kind == PictureKind::slice ? tr("Save the slice") : tr("Save the picture"));
   m_pixels->setObjectName(QStringLiteral("picturePixels"));

@@ -4,12 +4,12 @@
 #include "app/frame/dialogs/MouseAndKeys.h"
 #include "app/guide/GuideWindow.h"
 #include "app/window/WindowContext.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/DialogRoom.h"
 #include "widgets/theme/Icons.h"
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDialogButtonBox>
@@ -173,7 +173,7 @@ SettingsDialog::SettingsDialog(const ActionList& actions, QWidget* parent) : QDi
 }
 
 QComboBox* SettingsDialog::choiceOf(QActionGroup& group, const QString& name) {
-  auto* box = new QComboBox;
+  auto* box = new QuietComboBox;
   box->setMinimumWidth(220); // all alike
   box->setAccessibleName(name);
   box->setSizeAdjustPolicy(QComboBox::AdjustToContents);

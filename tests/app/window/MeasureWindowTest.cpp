@@ -86,7 +86,7 @@ TEST_F(MeasureWindow, aDistanceIsOneDragOnceItsToolIsChosen) {
   ASSERT_EQ(measurements().size(), 1u);
   const double mm = lengthMm(measurements().front());
   EXPECT_NEAR(mm, 100.0 * mmPerPixelOfSlice(), 1e-9);
-  EXPECT_EQ(undoText(), QStringLiteral("Distance %1 mm").arg(QString::number(mm, 'g', mm < 100.0 ? 3 : 4)));
+  EXPECT_EQ(undoText(), QStringLiteral("Distance %1 mm").arg(QString::number(mm, 'f', 1)));
   EXPECT_EQ(undo().count(), 1) << "one step, however it was dragged";
   EXPECT_TRUE(test::waitUntil([&] { return !list().visibleRegion().isEmpty(); }))
       << "the panel shows the list of what was measured";
@@ -104,6 +104,7 @@ TEST_F(MeasureWindow, aBarSaysWhatToDoAndEndsIt) {
   EXPECT_FALSE(bar->isVisible()) << "above what is written it would lie on the face";
   press(axial(), Qt::Key_Escape);
   EXPECT_FALSE(bar->isVisible());
+  EXPECT_EQ(said(), QString()) << "the tool is laid aside";
   choose("picture");
   ASSERT_TRUE(rest());
   press(view(), Qt::Key_D);

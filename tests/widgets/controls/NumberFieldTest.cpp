@@ -3,11 +3,14 @@
 
 #include "support/Waiting.h"
 #include "widgets/ValueText.h"
+#include "widgets/theme/Theme.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTest>
 #include <QTimer>
 #include <QToolTip>
@@ -294,6 +297,22 @@ TEST(NumberField, isAsWideAsItsWidestNumberWhereThatIsWanted) {
   field.setNumber(88.88);
   const auto* edit = field.findChild<QLineEdit*>();
   EXPECT_GE(edit->width(), edit->fontMetrics().horizontalAdvance(field.text())) << "nothing is cut";
+}
+
+// The sheet gives every field of text an edge and margins, and a field of numbers holds one of those.
+TEST(NumberField, showsItsWholeNumberInTheMiddle) {
+  NumberField field(1.0, 360.0, 1);
+  field.setStyleSheet(themeStyleSheet(Look::light));
+  field.setSuffix(QStringLiteral("°"));
+  field.setNumber(360.0);
+  field.show();
+  field.resize(field.sizeHint());
+  const auto* edit = field.findChild<QLineEdit*>();
+  EXPECT_EQ(edit->geometry().center().y(), field.rect().center().y());
+  QStyleOptionFrame option;
+  option.initFrom(edit);
+  const QRect words = edit->style()->subElementRect(QStyle::SE_LineEditContents, &option, edit);
+  EXPECT_GE(words.width(), edit->fontMetrics().horizontalAdvance(field.text()));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/ChoiceRow.h"
 
+#include <QAbstractItemView>
 #include <QPixmap>
 #include <QStyleOptionComboBox>
 
@@ -26,6 +27,15 @@ TEST(QuietComboBox, wordsThatFindNoRoomEndInAnEllipsis) {
   box.resize(90, 28);
   EXPECT_TRUE(box.words().endsWith(QChar(0x2026))) << box.words().toStdString();
   EXPECT_TRUE(whole.startsWith(box.words().chopped(1)));
+}
+
+TEST(QuietComboBox, theRowsOfItsListHaveRoomAroundTheirWords) {
+  QuietComboBox box;
+  box.addItems({QStringLiteral("Headlight"), QStringLiteral("Studio")});
+  box.show();
+  box.showPopup();
+  EXPECT_GE(box.view()->visualRect(box.model()->index(0, 0)).height(), box.fontMetrics().height() + 8);
+  box.hidePopup();
 }
 
 } // namespace

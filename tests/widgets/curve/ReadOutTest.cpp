@@ -34,6 +34,23 @@ TEST_F(ReadOut, namesTheTissueUnderThePointerAndOfThePointInHand) {
   EXPECT_EQ(told(), QStringLiteral("300 · opacity 0.4"));
 }
 
+TEST_F(ReadOut, namesOfTissuesLieClearOfCurveAndHistogram) {
+  CanvasPicture picture = m_canvas.picture();
+  const QRectF& plot = picture.transform.plot;
+  const double left = plot.center().x(), width = 60.0;
+  picture.function.points.clear();
+  picture.histogram.line.clear();
+  EXPECT_NEAR(tissueNamePlace(picture, left, width).top(), plot.top(), 2.0);
+  picture.function = {1.0, {{0.0, glm::dvec3(1.0), 0.98}}};
+  const QRectF lowest = tissueNamePlace(picture, left, width);
+  EXPECT_NEAR(lowest.bottom(), plot.bottom(), 2.0) << "the curve runs along the upper edge";
+  const double height = plot.height() - 6.0; // of the edge: within the lowest row
+  picture.histogram.line << QPointF(0.0, height) << QPointF(plot.width(), height);
+  const QRectF above = tissueNamePlace(picture, left, width);
+  EXPECT_LE(above.bottom(), plot.top() + height);
+  EXPECT_NEAR(above.bottom(), lowest.top(), 1e-9) << "in the row above that";
+}
+
 TEST_F(ReadOut, leavesBarCurveAndPointsInSight) {
   const PlotTransform transform = m_canvas.transform();
   const QPolygonF curve = curvePolygon(transform, m_canvas.transferFunction());

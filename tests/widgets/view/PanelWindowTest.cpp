@@ -43,6 +43,21 @@ TEST(Panels, withoutAVolumeTheViewOffersThreeWaysToOpenOne) {
   EXPECT_FALSE(panel->isVisible());
 }
 
+// What a place leaves behind as it moves is painted anew, but no more than that.
+TEST(Panels, theFrameOfThePlaceToDropSomethingLiesWithinIt) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  const QWidget& place = *buttonNamed(host, "openFolder")->parentWidget();
+  const QImage image = host.view.emptyPanel().grab().toImage();
+  const auto at = [&](int x, int y) { return image.pixelColor(QPoint(x, y) * image.devicePixelRatio()); };
+  const QRect around = place.geometry().adjusted(-1, -1, 1, 1);
+  ASSERT_TRUE(host.view.emptyPanel().rect().contains(around));
+  for (int x = around.left(); x <= around.right(); ++x)
+    ASSERT_EQ(at(x, around.top()), at(1, 1)) << x;
+  for (int y = around.top(); y <= around.bottom(); ++y)
+    ASSERT_EQ(at(around.left(), y), at(1, 1)) << y;
+}
+
 TEST(Panels, enterDoesWhatIsLikeliestWhereverThePointerIs) {
   ViewHost host;
   ASSERT_TRUE(host.show());

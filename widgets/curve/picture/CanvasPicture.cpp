@@ -116,10 +116,8 @@ void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
                    withAlpha(picture.colors.accent, 26));
 }
 
-// Along the upper edge, each over its values, or along the lower one where the curve runs; of a name with
-// several parts the first, where that has room.
+// Each over its values; of a name with several parts the first, where that has room.
 void paintTissueNames(QPainter& painter, const CanvasPicture& picture) {
-  constexpr double height = 14.0;
   constexpr double beside = 4.0;
   if (picture.unit != QLatin1String("HU") || picture.subject != CurveSubject::value)
     return;
@@ -141,11 +139,7 @@ void paintTissueNames(QPainter& painter, const CanvasPicture& picture) {
     // A narrow range may lend its neighbours' gaps, but covers no other name.
     if (width > 3.0 * (to - from) || left < free || left + width > plot.right())
       continue;
-    const QRectF above(left, plot.top() + 1.0, width + 1.0, height);
-    const bool isCrossed = !picture.function.points.empty() &&
-                           runsThrough(curvePolygon(picture.transform, picture.function), above);
-    const QRectF below = above.translated(0.0, plot.height() - height - 2.0);
-    painter.drawText(isCrossed ? below : above, Qt::AlignCenter, name);
+    painter.drawText(tissueNamePlace(picture, left, width + 1.0), Qt::AlignCenter, name);
     free = left + width + beside;
     painter.drawLine(QPointF(from, plot.top()), QPointF(from, plot.top() + 3.0));
     painter.drawLine(QPointF(to, plot.top()), QPointF(to, plot.top() + 3.0));
@@ -366,6 +360,22 @@ QString readOutText(const CanvasPicture& picture) {
   if (const std::optional<Tissue> tissue = toldTissue(picture))
     text += QStringLiteral(" · ") + tissue->name;
   return text;
+}
+
+QRectF tissueNamePlace(const CanvasPicture& picture, double left, double width) {
+  constexpr double height = 14.0;
+  const QRectF& plot = picture.transform.plot;
+  const QPolygonF curve =
+      picture.function.points.empty() ? QPolygonF() : curvePolygon(picture.transform, picture.function);
+  const QPolygonF edge = picture.histogram.line.translated(plot.topLeft());
+  const QRectF highest(left, plot.top() + 1.0, width, height);
+  const QRectF lowest = highest.translated(0.0, plot.height() - height - 2.0);
+  if (!runsThrough(curve, highest))
+    return highest;
+  for (QRectF row = lowest; row.top() > highest.top(); row.translate(0.0, -height))
+    if (!runsThrough(curve, row) && !runsThrough(edge, row))
+      return row;
+  return lowest;
 }
 
 QRectF clearPlace(const PlotTransform& transform, const TransferFunction& function, const QSizeF& size,

@@ -65,6 +65,11 @@ std::optional<Tissue> toldTissue(const CanvasPicture& picture);
 /// "310 HU · opacity 0.42 · bone, dense contrast agent"; empty where nothing is told of.
 QString readOutText(const CanvasPicture& picture);
 
+/// Where the name of a tissue lies that begins at `left`: at the upper edge of the plot or, where the curve
+/// runs there, in the lowest row through which neither that nor the histogram's edge runs; where there is
+/// none, at the lower edge. Pixels.
+QRectF tissueNamePlace(const CanvasPicture& picture, double left, double width);
+
 /// Where a box of `size` beside the value at `x` lies within the plot: at its upper or lower edge or a row
 /// between them, under `x` or beside it, the first place that covers neither the curve nor a point. Where
 /// there is none, the first that covers no point; then under `x` at the upper edge. Pixels.

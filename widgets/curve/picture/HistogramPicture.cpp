@@ -2,7 +2,6 @@
 #include "widgets/curve/picture/HistogramPicture.h"
 
 #include <QPainter>
-#include <QPolygonF>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +71,7 @@ HistogramPicture histogramPicture(const Histogram& histogram, HistogramScale sca
   QPolygonF area = edge;
   area << QPointF(size.width(), size.height()) << QPointF(0.0, size.height());
 
-  HistogramPicture picture{emptyPicture(size, devicePixelRatio), emptyPicture(size, devicePixelRatio)};
+  HistogramPicture picture{emptyPicture(size, devicePixelRatio), emptyPicture(size, devicePixelRatio), edge};
   QPainter inArea(&picture.area);
   inArea.setRenderHint(QPainter::Antialiasing);
   inArea.setPen(Qt::NoPen);

@@ -7,6 +7,7 @@
 #include "widgets/theme/Theme.h"
 
 #include <QPixmap>
+#include <QPolygonF>
 
 namespace limn {
 
@@ -21,6 +22,7 @@ std::vector<double> histogramHeights(const Histogram& histogram, const ValueRang
 struct HistogramPicture {
   QPixmap area;
   QPixmap edge;
+  QPolygonF line; ///< the edge, from the plot's upper left corner
 };
 
 /// A histogram with its picture, which is made anew only where something of it changed.

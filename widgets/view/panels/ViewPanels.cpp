@@ -304,7 +304,8 @@ void EmptyPanel::paintEvent(QPaintEvent* event) {
   PicturePanel::paintEvent(event);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF frame = QRectF(m_target->geometry()).adjusted(0.5, 0.5, -0.5, -0.5);
+  // Whole within what it surrounds: where that was before it moved, nothing else is painted anew.
+  const QRectF frame = QRectF(m_target->geometry()).adjusted(1.0, 1.0, -1.0, -1.0);
   painter.setPen(QPen(isContrast() ? panelColor("@line") : QColor(86, 95, 110), 1.5, Qt::DashLine));
   painter.drawRoundedRect(frame, 12, 12);
   if (!m_hasArrow)

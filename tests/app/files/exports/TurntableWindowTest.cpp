@@ -252,8 +252,11 @@ TEST_F(TurntableWindow, isCancelledByEsc) {
   type("turntableFrames", QStringLiteral("5000"));
   save("turn.frames");
   ASSERT_TRUE(dialog().isWorking());
+  const auto* frames = dialog().findChild<QDoubleSpinBox*>(QStringLiteral("turntableFrames"));
+  EXPECT_FALSE(frames->isEnabled()) << "they are asked for";
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   EXPECT_FALSE(dialog().isWorking());
+  EXPECT_TRUE(frames->isEnabled());
   EXPECT_TRUE(dialog().isVisible());
   EXPECT_EQ(said(), QStringLiteral("Cancelled; frames that were drawn stay in their folder."));
 }
@@ -267,8 +270,6 @@ TEST_F(TurntableWindow, ofAVideoThatIsCancelledNothingStays) {
   type("turntableFrames", QStringLiteral("5000"));
   save("turn.mp4");
   ASSERT_TRUE(dialog().isWorking());
-  kind.setFocus();
-  QTest::keyClick(&kind, Qt::Key_Up); // for the next one
   QTest::keyClick(&dialog(), Qt::Key_Escape);
   EXPECT_FALSE(dialog().isWorking());
   EXPECT_EQ(said(), QStringLiteral("Cancelled; no video was saved."));

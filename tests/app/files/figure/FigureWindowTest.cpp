@@ -24,6 +24,7 @@
 #include <QStyleOptionComboBox>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 // Figures, put together and saved in the program's window.
@@ -150,6 +151,9 @@ TEST_F(FigureWindow, theListOfPicturesHasRoomForTheNamesOfPresets) {
   const QString longName = QStringLiteral("Compared: CT soft tissue");
   EXPECT_GE(field.width(), list.fontMetrics().horizontalAdvance(longName));
   EXPECT_EQ(list.toolTip(), list.currentText());
+  const auto& name = part<QLineEdit>("panelName-a");
+  const QString ownName = QStringLiteral("Ivory veil · Enhanced");
+  EXPECT_GE(name.width() - 18, name.fontMetrics().horizontalAdvance(ownName)) << "with its edge and margins";
 }
 
 TEST_F(FigureWindow, theScaleHoldsWhereThatOfTheWindowDoes) {
@@ -494,6 +498,22 @@ TEST_F(FigureWindow, thePreviewAndTheSavingSayHowFarTheyAre) {
   ASSERT_TRUE(dialog().isWorking());
   EXPECT_TRUE(said().startsWith(QStringLiteral("Drawing the figure: 0 %"))) << said().toStdString();
   QTest::keyClick(&dialog(), Qt::Key_Escape);
+}
+
+TEST_F(FigureWindow, nothingMovesWhileItIsDrawn) {
+  ASSERT_TRUE(ask());
+  const auto places = [this] {
+    QCoreApplication::processEvents();
+    return std::array{dialog().preview().geometry(), part<QPushButton>("figureCopy").geometry(),
+                      part<QPushButton>("figureClose").geometry()};
+  };
+  const auto before = places();
+  typeName(pathTo("figure.png"));
+  click("figureSave");
+  ASSERT_TRUE(dialog().isWorking());
+  EXPECT_EQ(places(), before);
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_EQ(places(), before);
 }
 
 TEST_F(FigureWindow, cancellingLeavesNoFileAndTheDialogOpen) {
