@@ -7,6 +7,7 @@
 #include "app/window/WindowContext.h"
 #include "io/looks/dicom/DicomLook.h"
 #include "widgets/Translated.h"
+#include "widgets/ValueText.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/panels/ViewPanels.h"
@@ -42,6 +43,12 @@ QString missingVolumeText(NamedBy by, const QString& expected) {
   default:
     return OpeningController::tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
   }
+}
+
+// As a label ends that tells of its volume (plainDescription).
+QString descriptionOf(const SeriesSummary& series) {
+  const QString size = QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z);
+  return series.modality.empty() ? size : QString::fromStdString(series.modality) + QLatin1Char(' ') + size;
 }
 
 } // namespace
@@ -135,7 +142,7 @@ void OpeningController::addActions() {
 void OpeningController::connectLoader() {
   connect(&m_loader, &VolumeLoader::progressed, &m_context.view, &CompareView::setLoading);
   connect(&m_loader, &VolumeLoader::cancelled, &m_context.view, &CompareView::clearLoading);
-  connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningController::chooseSeries);
+  connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningController::findSeries);
   connect(&m_loader, &VolumeLoader::loaded, this,
           [this](const LoadedScene& scene, const Histogram& histogram) {
             m_context.view.clearLoading();
@@ -193,6 +200,7 @@ void OpeningController::restore(const QString& session) {
 void OpeningController::start(const Request& request, const QString& what) {
   m_context.messages.hide();
   m_requested = request;
+  m_again = {};
   SourceOptions known = withKnownVolumes(request.options);
   known.hidesTable = true;
   known.smoothsSlices = true;
@@ -277,17 +285,34 @@ void OpeningController::askForFolder() {
     open(path);
 }
 
-void OpeningController::chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom) {
+// Of a folder that is opened again the series that it says is opened. Numbers follow from what lies in the
+// folder: where that has changed, people choose.
+void OpeningController::findSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom) {
+  const int before = m_again.path == source ? m_again.series : 0;
+  const std::vector<SeriesSummary> all = dicom->summaries();
+  const auto same = std::ranges::find(all, before, &SeriesSummary::number);
+  if (same != all.end() && m_again.label.endsWith(descriptionOf(*same)))
+    readSeries(source, dicom, before);
+  else
+    chooseSeries(source, dicom, before);
+}
+
+void OpeningController::chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom,
+                                     int chosen) {
   m_context.view.clearLoading();
-  auto* dialog = new SeriesDialog(dicom->summaries(), &m_context.window);
+  auto* dialog = new SeriesDialog(dicom->summaries(), &m_context.window, chosen);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &SeriesDialog::seriesChosen, this, [this, source, dicom](int number) {
-    SourceOptions options = m_requested.options;
-    options.read.series = number;
-    options.dicom = dicom;
-    open(source, options);
-  });
+  connect(dialog, &SeriesDialog::seriesChosen, this,
+          [this, source, dicom](int number) { readSeries(source, dicom, number); });
   dialog->open();
+}
+
+void OpeningController::readSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom,
+                                   int number) {
+  SourceOptions options = m_requested.options;
+  options.read.series = number;
+  options.dicom = dicom;
+  open(source, options);
 }
 
 void OpeningController::askForSpacing(const Request& shown, const glm::dvec3& spacingMm) {
@@ -328,8 +353,9 @@ void OpeningController::leaveFailure() {
   m_failure.clear();
 }
 
-void OpeningController::remember(const QString& path, const QString& label, const std::string& volume) {
-  m_context.settings.addRecentSource(path, label);
+void OpeningController::remember(const QString& path, const QString& label, const std::string& volume,
+                                 int series) {
+  m_context.settings.addRecentSource(path, label, series);
   if (std::filesystem::path(volume).is_absolute())
     m_context.settings.addKnownVolume(volume);
   refreshRecent();
@@ -350,8 +376,10 @@ QStringList OpeningController::recentTexts() {
 
 void OpeningController::openRecent(int number) {
   const QList<RecentSource> recent = m_context.settings.recentSources();
-  if (number >= 0 && number < recent.size())
-    open(recent[number].path);
+  if (number < 0 || number >= recent.size())
+    return;
+  open(recent[number].path);
+  m_again = recent[number];
 }
 
 void OpeningController::clearRecent() {

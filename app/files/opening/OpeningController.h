@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/OpenDocument.h"
+#include "app/document/Settings.h"
 #include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
@@ -74,8 +75,8 @@ public:
   void askForSpacing(const Request& shown, const glm::dvec3& spacingMm);
 
   /// Adds to what was opened before; `label` names nobody. `volume` is where its voxels lie, or a built-in
-  /// name.
-  void remember(const QString& path, const QString& label, const std::string& volume);
+  /// name; `series` the number of one that was chosen, 0 where none was.
+  void remember(const QString& path, const QString& label, const std::string& volume, int series = 0);
   /// Somebody goes on with what is open: that something else could not be opened is no longer said.
   void leaveFailure();
 
@@ -98,7 +99,9 @@ private:
   void locateVolume(const QString& scene);
   void locateLabels(const QString& scene, const QString& expected);
   void openWithoutLabels(const QString& scene);
-  void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
+  void findSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
+  void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom, int chosen);
+  void readSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom, int number);
   void readWithSpacing(const Request& shown, const QString& entered);
   void refreshRecent();
   /// A dialog was answered with what is open now: the next begins there.
@@ -108,9 +111,10 @@ private:
   QMenu* m_recent; ///< of what was opened before
   std::function<std::function<void()>()> m_before;
   VolumeLoader m_loader;
-  QString m_failure;   ///< why nothing was opened; empty once that does not matter
-  Request m_requested; ///< last; it may still load, or have failed
-  QString m_asked;     ///< what a dialog answered last
+  QString m_failure;    ///< why nothing was opened; empty once that does not matter
+  Request m_requested;  ///< last; it may still load, or have failed
+  QString m_asked;      ///< what a dialog answered last
+  RecentSource m_again; ///< what was opened before and is opened again; without a path where it is not
 };
 
 } // namespace limn

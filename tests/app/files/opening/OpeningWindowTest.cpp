@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/core/sources/SceneSource.h"
+#include "app/files/opening/SeriesDialog.h"
 #include "app/files/saving/PictureDialog.h"
 #include "io/dicom/SyntheticSeries.h"
 #include "scene/framing/Framing.h"
@@ -10,6 +11,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTreeView>
+#include <QTreeWidget>
 
 // What the window remembers of what was opened, and where it looks and asks for it, in the window.
 
@@ -378,6 +380,52 @@ TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {
   ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
   ASSERT_TRUE(scene().volume);
   EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+}
+
+// A CT and an MR, which is smaller, in one folder; later perhaps another CT, the largest.
+void writeSlices(const fs::path& folder, const char* modality, const std::string& series, int count) {
+  fs::create_directories(folder);
+  for (int i = 1; i <= count; ++i)
+    test::slice(i, i)
+        .text(0x00080018, "UI", series + "." + std::to_string(i))
+        .text(0x0020000E, "UI", series)
+        .text(0x00080060, "CS", modality)
+        .write(folder / (series + "." + std::to_string(i)));
+}
+
+TEST_F(OpeningWindow, ofAFolderOfTwoTheSeriesIsOpenedAgainThatWasOpenedBefore) {
+  const fs::path both = folder.path() / "both";
+  writeSlices(both, "CT", "1.2.3.5", 4);
+  writeSlices(both, "MR", "1.2.3.6", 3);
+  const auto asked = [this]() -> SeriesDialog* {
+    auto* dialog = window->findChild<SeriesDialog*>();
+    return dialog && dialog->isVisible() ? dialog : nullptr;
+  };
+  const auto modality = [this] { return scene().volume ? scene().volume->info().modality : std::string(); };
+  const auto openAgain = [this] {
+    QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
+    ASSERT_FALSE(scene().volume);
+    auto* recent = window->findChild<QPushButton*>(QStringLiteral("recent"));
+    ASSERT_TRUE(recent && recent->isVisible());
+    EXPECT_TRUE(recent->text().contains(QStringLiteral("MR 3×2×3"))) << recent->text().toStdString();
+    QTest::mouseClick(recent, Qt::LeftButton);
+  };
+  window->openSource(pathTo("both"));
+  ASSERT_TRUE(test::waitUntil([&] { return asked(); }));
+  QTest::keyClick(asked()->findChild<QTreeWidget*>(), Qt::Key_Down);
+  for (QPushButton* button : asked()->findChildren<QPushButton*>())
+    if (button->text() == QStringLiteral("Open"))
+      QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([&] { return modality() == "MR"; }));
+  openAgain();
+  ASSERT_TRUE(test::waitUntil([&] { return scene().volume || asked(); }));
+  EXPECT_FALSE(asked());
+  EXPECT_EQ(modality(), "MR");
+  // Its number is another's now.
+  writeSlices(both, "CT", "1.2.3.7", 5);
+  openAgain();
+  ASSERT_TRUE(test::waitUntil([&] { return scene().volume || asked(); }));
+  EXPECT_TRUE(asked());
 }
 
 TEST_F(OpeningWindow, olderUnsavedWorkStandsBehindWhatWasSavedLast) {
