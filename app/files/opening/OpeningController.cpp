@@ -3,6 +3,7 @@
 
 #include "app/asking/FileDialogs.h"
 #include "app/document/DocumentText.h"
+#include "app/files/opening/RecentMenu.h"
 #include "app/files/opening/SeriesDialog.h"
 #include "app/window/WindowContext.h"
 #include "io/looks/dicom/DicomLook.h"
@@ -99,9 +100,14 @@ void VolumeLoader::cancel() {
 
 OpeningController::OpeningController(WindowContext& context, std::function<std::function<void()>()> before)
     : QObject(&context.window), m_context(context),
-      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 6})), m_before(std::move(before)) {
+      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 6})),
+      m_entries(new RecentMenu(*m_recent)), m_before(std::move(before)) {
   m_recent->setObjectName(QStringLiteral("recentSources"));
   connect(m_recent, &QMenu::aboutToShow, this, &OpeningController::refreshRecent);
+  connect(m_entries, &RecentMenu::chosen, this, &OpeningController::openRecent);
+  connect(m_entries, &RecentMenu::removed, this,
+          [this](int number) { removeRecent(m_context.settings.recentSources().value(number).path); });
+  connect(m_entries, &RecentMenu::cleared, this, &OpeningController::clearRecent);
   addActions();
   connectLoader();
   connectEmptyPanel();
@@ -149,13 +155,7 @@ void OpeningController::connectLoader() {
             rememberAsked();
             emit loaded(scene, histogram, m_requested);
           });
-  connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
-    m_context.view.clearLoading();
-    m_context.settings.removeRecentSource(source);
-    refreshRecent();
-    m_context.showError(sentence);
-    m_failure = sentence;
-  });
+  connect(&m_loader, &VolumeLoader::failed, this, &OpeningController::sayFailure);
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
           [this](const QString& source, const QString& expected, NamedBy by) {
             m_failure = missingVolumeText(by, expected);
@@ -177,6 +177,27 @@ void OpeningController::connectEmptyPanel() {
   connect(empty, &EmptyPanel::openFileRequested, this, &OpeningController::askForFile);
   connect(empty, &EmptyPanel::sampleRequested, this, &OpeningController::openSample);
   connect(empty, &EmptyPanel::recentRequested, this, &OpeningController::openRecent);
+  connect(empty, &EmptyPanel::recentRemovalRequested, m_entries, &RecentMenu::removed);
+}
+
+// What was opened before stays in the list, and nobody has typed its name: it may lie on a drive that is not
+// connected just now.
+void OpeningController::sayFailure(const QString& source, const QString& sentence) {
+  m_context.view.clearLoading();
+  const bool isGone = m_again.path == source && !QFileInfo::exists(source);
+  m_failure =
+      isGone ? tr("%1 is not where it was: it was moved or deleted, or its drive or network folder is not "
+                  "connected.")
+                   .arg(m_again.label)
+             : sentence;
+  const QList<RecentSource> recent = m_context.settings.recentSources();
+  if (std::ranges::none_of(recent, [&](const RecentSource& one) { return one.path == source; }))
+    return m_context.showError(m_failure);
+  m_context.messages.show(MessageBar::Kind::error, m_failure, {},
+                          {tr("Remove from recent files"), [this, source] {
+                             m_context.messages.hide();
+                             removeRecent(source);
+                           }});
 }
 
 void OpeningController::open(const QString& source, const SourceOptions& options) {
@@ -388,15 +409,14 @@ void OpeningController::clearRecent() {
   m_context.view.emptyPanel().setRecentSources({});
 }
 
+void OpeningController::removeRecent(const QString& path) {
+  m_context.settings.removeRecentSource(path);
+  refreshRecent();
+}
+
 void OpeningController::refreshRecent() {
-  m_recent->clear();
   const QStringList texts = recentTexts();
-  for (int number = 0; number < texts.size(); ++number)
-    m_recent->addAction(QString(texts[number]).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
-                        [this, number] { openRecent(number); });
-  m_recent->setEnabled(!m_recent->isEmpty());
-  m_recent->addSeparator();
-  m_recent->addAction(tr("&Clear this list"), this, &OpeningController::clearRecent);
+  m_entries->setTexts(texts);
   m_context.view.emptyPanel().setRecentSources(texts);
 }
 

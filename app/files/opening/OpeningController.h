@@ -15,6 +15,7 @@ class QMenu;
 
 namespace limn {
 
+class RecentMenu;
 struct WindowContext;
 
 /// Loads scenes on a worker thread, one at a time; starting another cancels the one under way. Signals come
@@ -93,9 +94,11 @@ private:
   /// What was opened before, latest first, in words that name nobody.
   QStringList recentTexts();
   void clearRecent();
+  void removeRecent(const QString& path);
   /// Opens one of these, from 0 on.
   void openRecent(int number);
   void start(const Request& request, const QString& what);
+  void sayFailure(const QString& source, const QString& sentence);
   void locateVolume(const QString& scene);
   void locateLabels(const QString& scene, const QString& expected);
   void openWithoutLabels(const QString& scene);
@@ -109,6 +112,7 @@ private:
 
   WindowContext& m_context;
   QMenu* m_recent; ///< of what was opened before
+  RecentMenu* m_entries;
   std::function<std::function<void()>()> m_before;
   VolumeLoader m_loader;
   QString m_failure;    ///< why nothing was opened; empty once that does not matter

@@ -8,6 +8,8 @@
 #include "support/FileBytes.h"
 #include "support/ShortVolume.h"
 
+#include <QDir>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTreeView>
@@ -482,6 +484,70 @@ TEST_F(OpeningWindow, whatIsNoLongerThereIsSaidThoughARestoreIsOffered) {
       << messages().sentence().toStdString();
   messages().hide();
   EXPECT_TRUE(offer.isVisible()) << "the offer stands";
+}
+
+// Its drive may only be missing just now.
+TEST_F(OpeningWindow, whatIsNoLongerThereStaysInTheListUntilItIsTakenOut) {
+  const QString file = smallVolume("a");
+  ASSERT_TRUE(open(file));
+  ASSERT_TRUE(open(smallVolume("b")));
+  const auto count = [this] {
+    return Settings(UserFolders::below(folder.path()).settings).recentSources().size();
+  };
+  std::filesystem::rename(file.toStdString(), folder.path() / "unplugged");
+  auto& menu = *window->findChild<QMenu*>(QStringLiteral("recentSources"));
+  const auto openSecond = [&] {
+    menu.popup(window->mapToGlobal(QPoint(20, 20)));
+    menu.setActiveAction(menu.actions()[1]);
+    QTest::keyClick(&menu, Qt::Key_Return);
+    ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
+  };
+  openSecond();
+  ASSERT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("is not where it was")))
+      << messages().sentence().toStdString();
+  EXPECT_EQ(count(), 2);
+  std::filesystem::rename(folder.path() / "unplugged", file.toStdString());
+  openSecond();
+  EXPECT_FALSE(messages().isVisible());
+  std::filesystem::remove(file.toStdString());
+  ASSERT_TRUE(open(file));
+  choose("Remove from recent files");
+  EXPECT_EQ(count(), 1);
+  EXPECT_FALSE(messages().isVisible());
+}
+
+TEST_F(OpeningWindow, oneOfTheRecentFilesIsTakenOutByDelOrARightClick) {
+  for (const char* place : {"a", "b", "c", "d"})
+    ASSERT_TRUE(open(smallVolume(place)));
+  const auto paths = [this] {
+    QStringList found;
+    for (const RecentSource& source : Settings(UserFolders::below(folder.path()).settings).recentSources())
+      found << QFileInfo(source.path).dir().dirName();
+    return found.join(QLatin1Char(' '));
+  };
+  ASSERT_EQ(paths(), QStringLiteral("d c b a"));
+  auto& menu = *window->findChild<QMenu*>(QStringLiteral("recentSources"));
+  menu.popup(window->mapToGlobal(QPoint(20, 20)));
+  menu.setActiveAction(menu.actions()[1]);
+  QTest::keyClick(&menu, Qt::Key_Delete);
+  EXPECT_EQ(paths(), QStringLiteral("d b a"));
+  EXPECT_TRUE(menu.isVisible());
+  EXPECT_EQ(menu.activeAction(), menu.actions()[1]) << "the next one";
+  QTest::mouseClick(&menu, Qt::RightButton, {}, menu.actionGeometry(menu.actions()[0]).center());
+  auto* offer = menu.findChild<QMenu*>(QStringLiteral("removalOffer"));
+  ASSERT_TRUE(offer && offer->isVisible());
+  QTest::mouseClick(offer, Qt::LeftButton, {}, offer->actionGeometry(offer->actions()[0]).center());
+  EXPECT_EQ(paths(), QStringLiteral("b a"));
+  menu.close();
+  EXPECT_FALSE(window->loader().isLoading()) << "a right click opens nothing";
+  // On the page without a volume.
+  QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
+  auto* recent = window->findChild<QPushButton*>(QStringLiteral("recent"));
+  ASSERT_TRUE(recent && recent->isVisible());
+  recent->setFocus();
+  QTest::keyClick(recent, Qt::Key_Delete);
+  EXPECT_TRUE(test::waitUntil([&] { return paths() == QStringLiteral("a"); })) << paths().toStdString();
 }
 
 TEST_F(OpeningWindow, aForeignFileIsRefusedAndTheSentenceGoesWithTheNextStep) {
