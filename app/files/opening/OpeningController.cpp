@@ -184,7 +184,7 @@ void OpeningController::connectEmptyPanel() {
 // connected just now.
 void OpeningController::sayFailure(const QString& source, const QString& sentence) {
   m_context.view.clearLoading();
-  const bool isGone = m_again.path == source && !QFileInfo::exists(source);
+  const bool isGone = m_again.path == source && QFileInfo(source).isAbsolute() && !QFileInfo::exists(source);
   m_failure =
       isGone ? tr("%1 is not where it was: it was moved or deleted, or its drive or network folder is not "
                   "connected.")
