@@ -41,6 +41,7 @@ const std::string saveFolderKey = "saveFolder";
 const std::string pictureFolderKey = "pictureFolder";
 const std::string lookEndingKey = "lookEnding";
 const std::string recentPrefix = "recent/";
+const std::string seriesSuffix = "/series";
 const std::string knownPrefix = "known/";
 const std::string volumePrefix = "volume/";
 const std::string dismissedPrefix = "dismissed/";
@@ -146,16 +147,21 @@ QList<RecentSource> Settings::recentSources() {
   for (const DatedEntry& entry : datedEntries(m_values, recentPrefix))
     sources << RecentSource{text(entryKey(recentPrefix, entry.name, pathSuffix)),
                             text(entryKey(recentPrefix, entry.name, labelSuffix)),
-                            QString::fromStdString(entry.opened)};
+                            QString::fromStdString(entry.opened),
+                            text(entryKey(recentPrefix, entry.name, seriesSuffix)).toInt()};
   return sources.mid(0, mostRecent);
 }
 
-void Settings::addRecentSource(const QString& source, const QString& label) {
+void Settings::addRecentSource(const QString& source, const QString& label, int series) {
   const std::string path = source.toStdString();
   const std::string fresh = newName();
   change([&](SettingsDocument& values) {
     const std::string name = putFirst(values, recentPrefix, path, fresh, mostRecent);
     values[recentPrefix + name + labelSuffix] = label.toStdString();
+    if (series > 0)
+      values[recentPrefix + name + seriesSuffix] = std::to_string(series);
+    else
+      values.erase(recentPrefix + name + seriesSuffix);
   });
 }
 

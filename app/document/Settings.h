@@ -25,6 +25,7 @@ struct RecentSource {
   QString path;
   QString label;
   QString opened; ///< when, ISO 8601 in UTC
+  int series = 0; ///< of a folder of several the number of the one that was chosen; 0: none was
   QDateTime openedAt() const { return QDateTime::fromString(opened, Qt::ISODateWithMs); }
 };
 
@@ -45,7 +46,7 @@ public:
 
   /// Most recent first, at most ten; those of other windows too.
   QList<RecentSource> recentSources();
-  void addRecentSource(const QString& path, const QString& label);
+  void addRecentSource(const QString& path, const QString& label, int series = 0);
   void removeRecentSource(const QString& path); ///< and what was dismissed of it
   /// Forgets where volumes were opened, and the folder of the dialogs, too.
   void clearRecentSources();

@@ -343,7 +343,9 @@ void Files::noteOpened(const LoadedScene& loaded, const Request& request) {
     m_context.document.settle(m_sources.session());
     m_safety.noteChange();
   }
-  m_opening.remember(document.request().source, labelOf(document), document.volumePath());
+  const SourceOptions& options = document.request().options;
+  m_opening.remember(document.request().source, labelOf(document), document.volumePath(),
+                     options.dicom ? options.read.series.value_or(0) : 0);
 }
 
 } // namespace limn

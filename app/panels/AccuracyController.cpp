@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -364,7 +365,9 @@ void AccuracyController::showOnScreen(const PictureState& state) {
 // While something is measured the pictures at rest do not refine: each would slow the other down.
 void AccuracyController::setWork(AccuracyWork work) {
   m_panel.setWork(work);
-  m_context.view.setRefinesAtRest(m_context.settings.refinesAtRest() && work == AccuracyWork::none);
+  const bool pauses = work != AccuracyWork::none;
+  if (std::exchange(m_pausesRefinement, pauses) != pauses)
+    m_context.view.pauseRefinement(pauses);
 }
 
 // The right one of two, as for the effects.

@@ -136,6 +136,7 @@ private:
   AccuracyPanel& m_panel;
   AccuracyMeasurer m_measurer;
   ErrorMapOverlay* m_map;
+  bool m_pausesRefinement = false;          ///< something is measured
   std::optional<AccuracyReport> m_measured; ///< as measured: what is saved
   QString m_warned;                         ///< that a tolerance cannot be kept
   Gesture m_toleranceGesture;               ///< for which steps are looked for

@@ -17,9 +17,11 @@
 #include "scene/basics/SystemReason.h"
 #include "scene/volume/Orientation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 namespace limn {
 namespace {
@@ -57,18 +59,28 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
   return std::nullopt;
 }
 
-[[noreturn]] void failUnknown(const fs::path& path) {
+// Whether a file starts as texts do, without control characters.
+bool isText(std::string_view start) {
+  return std::ranges::none_of(start, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && (byte < '\t' || byte > '\r')) || byte == 0x7F;
+  });
+}
+
+[[noreturn]] void failUnknown(const fs::path& path, std::string_view start) {
   const std::string ending = lowerCase(path.extension().string());
   if (const auto header = headerBeside(path))
     failReading(path, Message::tr("it holds voxels without their size"),
                 Message::tr("open %1 instead").arg(header->filename().string()));
-  if (ending == ".raw" || ending == ".zraw" || ending == ".dat" || ending == ".bin" || ending == ".txt")
+  if (ending == ".raw" || ending == ".zraw" || ending == ".dat" || ending == ".bin")
     failReading(
         path, Message::tr("it does not say the size and type of a volume in a way that Limn knows"),
         Message::tr(
             "write a small MetaImage header (.mhd) that names the raw file beside it, and open that"));
   if (ending == ".dcm" || ending == ".dicom" || ending == ".ima")
     failReading(path, Message::tr("it does not start as DICOM does: it is damaged or cut off"), copyAgain);
+  if (isText(start))
+    failReading(path, Message::tr("it is a text, not a volume"), knownFormats);
   failReading(path, Message::tr("its content is of no known kind"), knownFormats);
 }
 
@@ -104,7 +116,7 @@ VolumeParts readFile(const fs::path& path, const VoxelKeeping& keeping, const Pr
   const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
   if (lowerCase(inner.extension().string()) == ".img")
     return readNifti(path, keeping, progress);
-  failUnknown(path);
+  failUnknown(path, start);
 }
 
 VolumeParts readFolder(const fs::path& path, const VoxelKeeping& keeping, const Progress& progress) {

@@ -19,8 +19,14 @@ TEST(VolumeReader, whatIsNoVolumeIsRefusedWithASentence) {
   EXPECT_NE(refusalOf(folder.path() / "none.nii").find("no such file"), std::string::npos);
   writeBytes(folder.path() / "empty.nii", "");
   EXPECT_NE(refusalOf(folder.path() / "empty.nii").find("empty"), std::string::npos);
-  writeBytes(folder.path() / "letter.doc", "Dear colleague, here is the volume.");
+  writeBytes(folder.path() / "letter.doc", std::string("\xD0\xCF\x11\xE0", 4));
   EXPECT_NE(refusalOf(folder.path() / "letter.doc").find("no known kind"), std::string::npos);
+  for (const char* name : {"letter.txt", "letter"}) {
+    writeBytes(folder.path() / name, "Dear colleague,\r\n\there is the volume of M\xC3\xA4rz.\n");
+    const std::string refusal = refusalOf(folder.path() / name);
+    EXPECT_NE(refusal.find("it is a text, not a volume"), std::string::npos) << refusal;
+    EXPECT_EQ(refusal.find(".mhd"), std::string::npos) << refusal;
+  }
   EXPECT_NE(refusalOf(folder.path()).find("holds no DICOM"), std::string::npos);
   writeBytes(folder.path() / "a.raw", std::string(1000, '\7'));
   EXPECT_NE(refusalOf(folder.path() / "a.raw").find(".mhd"), std::string::npos);

@@ -63,12 +63,12 @@ public:
   void setSides(const SideModels& models, const std::optional<ComparedLook>& look);
   void setModels(ShadingModel left, ShadingModel right) { setSides({left, right}, std::nullopt); }
 
-  /// Whether resting pictures go on to smaller steps until they lie within half a level of the exact ones;
-  /// they do by default.
+  /// Whether pictures at rest go on until they lie within half a level of the exact ones, as at first.
   void setRefinesAtRest(bool refines) {
     m_refinesAtRest = refines;
     set(m_order.refines, m_refinesAtRest && m_pauses == 0);
   }
+  bool refinesAtRest() const { return m_refinesAtRest; } ///< though it may pause
 
   /// Resting pictures stay as they are while something is drawn for a file, until each pause has ended.
   void pauseRefinement(bool pauses) {

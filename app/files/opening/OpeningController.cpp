@@ -3,10 +3,12 @@
 
 #include "app/asking/FileDialogs.h"
 #include "app/document/DocumentText.h"
+#include "app/files/opening/RecentMenu.h"
 #include "app/files/opening/SeriesDialog.h"
 #include "app/window/WindowContext.h"
 #include "io/looks/dicom/DicomLook.h"
 #include "widgets/Translated.h"
+#include "widgets/ValueText.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/panels/ViewPanels.h"
@@ -42,6 +44,12 @@ QString missingVolumeText(NamedBy by, const QString& expected) {
   default:
     return OpeningController::tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
   }
+}
+
+// As a label ends that tells of its volume (plainDescription).
+QString descriptionOf(const SeriesSummary& series) {
+  const QString size = QStringLiteral("%1×%2×%3").arg(series.dims.x).arg(series.dims.y).arg(series.dims.z);
+  return series.modality.empty() ? size : QString::fromStdString(series.modality) + QLatin1Char(' ') + size;
 }
 
 } // namespace
@@ -92,9 +100,14 @@ void VolumeLoader::cancel() {
 
 OpeningController::OpeningController(WindowContext& context, std::function<std::function<void()>()> before)
     : QObject(&context.window), m_context(context),
-      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 6})), m_before(std::move(before)) {
+      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 6})),
+      m_entries(new RecentMenu(*m_recent)), m_before(std::move(before)) {
   m_recent->setObjectName(QStringLiteral("recentSources"));
   connect(m_recent, &QMenu::aboutToShow, this, &OpeningController::refreshRecent);
+  connect(m_entries, &RecentMenu::chosen, this, &OpeningController::openRecent);
+  connect(m_entries, &RecentMenu::removed, this,
+          [this](int number) { removeRecent(m_context.settings.recentSources().value(number).path); });
+  connect(m_entries, &RecentMenu::cleared, this, &OpeningController::clearRecent);
   addActions();
   connectLoader();
   connectEmptyPanel();
@@ -135,20 +148,14 @@ void OpeningController::addActions() {
 void OpeningController::connectLoader() {
   connect(&m_loader, &VolumeLoader::progressed, &m_context.view, &CompareView::setLoading);
   connect(&m_loader, &VolumeLoader::cancelled, &m_context.view, &CompareView::clearLoading);
-  connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningController::chooseSeries);
+  connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningController::findSeries);
   connect(&m_loader, &VolumeLoader::loaded, this,
           [this](const LoadedScene& scene, const Histogram& histogram) {
             m_context.view.clearLoading();
             rememberAsked();
             emit loaded(scene, histogram, m_requested);
           });
-  connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
-    m_context.view.clearLoading();
-    m_context.settings.removeRecentSource(source);
-    refreshRecent();
-    m_context.showError(sentence);
-    m_failure = sentence;
-  });
+  connect(&m_loader, &VolumeLoader::failed, this, &OpeningController::sayFailure);
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
           [this](const QString& source, const QString& expected, NamedBy by) {
             m_failure = missingVolumeText(by, expected);
@@ -170,6 +177,27 @@ void OpeningController::connectEmptyPanel() {
   connect(empty, &EmptyPanel::openFileRequested, this, &OpeningController::askForFile);
   connect(empty, &EmptyPanel::sampleRequested, this, &OpeningController::openSample);
   connect(empty, &EmptyPanel::recentRequested, this, &OpeningController::openRecent);
+  connect(empty, &EmptyPanel::recentRemovalRequested, m_entries, &RecentMenu::removed);
+}
+
+// What was opened before stays in the list, and nobody has typed its name: it may lie on a drive that is not
+// connected just now.
+void OpeningController::sayFailure(const QString& source, const QString& sentence) {
+  m_context.view.clearLoading();
+  const bool isGone = m_again.path == source && QFileInfo(source).isAbsolute() && !QFileInfo::exists(source);
+  m_failure =
+      isGone ? tr("%1 is not where it was: it was moved or deleted, or its drive or network folder is not "
+                  "connected.")
+                   .arg(m_again.label)
+             : sentence;
+  const QList<RecentSource> recent = m_context.settings.recentSources();
+  if (std::ranges::none_of(recent, [&](const RecentSource& one) { return one.path == source; }))
+    return m_context.showError(m_failure);
+  m_context.messages.show(MessageBar::Kind::error, m_failure, {},
+                          {tr("Remove from recent files"), [this, source] {
+                             m_context.messages.hide();
+                             removeRecent(source);
+                           }});
 }
 
 void OpeningController::open(const QString& source, const SourceOptions& options) {
@@ -193,6 +221,7 @@ void OpeningController::restore(const QString& session) {
 void OpeningController::start(const Request& request, const QString& what) {
   m_context.messages.hide();
   m_requested = request;
+  m_again = {};
   SourceOptions known = withKnownVolumes(request.options);
   known.hidesTable = true;
   known.smoothsSlices = true;
@@ -277,17 +306,34 @@ void OpeningController::askForFolder() {
     open(path);
 }
 
-void OpeningController::chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom) {
+// Of a folder that is opened again the series that it says is opened. Numbers follow from what lies in the
+// folder: where that has changed, people choose.
+void OpeningController::findSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom) {
+  const int before = m_again.path == source ? m_again.series : 0;
+  const std::vector<SeriesSummary> all = dicom->summaries();
+  const auto same = std::ranges::find(all, before, &SeriesSummary::number);
+  if (same != all.end() && m_again.label.endsWith(descriptionOf(*same)))
+    readSeries(source, dicom, before);
+  else
+    chooseSeries(source, dicom, before);
+}
+
+void OpeningController::chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom,
+                                     int chosen) {
   m_context.view.clearLoading();
-  auto* dialog = new SeriesDialog(dicom->summaries(), &m_context.window);
+  auto* dialog = new SeriesDialog(dicom->summaries(), &m_context.window, chosen);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &SeriesDialog::seriesChosen, this, [this, source, dicom](int number) {
-    SourceOptions options = m_requested.options;
-    options.read.series = number;
-    options.dicom = dicom;
-    open(source, options);
-  });
+  connect(dialog, &SeriesDialog::seriesChosen, this,
+          [this, source, dicom](int number) { readSeries(source, dicom, number); });
   dialog->open();
+}
+
+void OpeningController::readSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom,
+                                   int number) {
+  SourceOptions options = m_requested.options;
+  options.read.series = number;
+  options.dicom = dicom;
+  open(source, options);
 }
 
 void OpeningController::askForSpacing(const Request& shown, const glm::dvec3& spacingMm) {
@@ -328,8 +374,9 @@ void OpeningController::leaveFailure() {
   m_failure.clear();
 }
 
-void OpeningController::remember(const QString& path, const QString& label, const std::string& volume) {
-  m_context.settings.addRecentSource(path, label);
+void OpeningController::remember(const QString& path, const QString& label, const std::string& volume,
+                                 int series) {
+  m_context.settings.addRecentSource(path, label, series);
   if (std::filesystem::path(volume).is_absolute())
     m_context.settings.addKnownVolume(volume);
   refreshRecent();
@@ -350,8 +397,10 @@ QStringList OpeningController::recentTexts() {
 
 void OpeningController::openRecent(int number) {
   const QList<RecentSource> recent = m_context.settings.recentSources();
-  if (number >= 0 && number < recent.size())
-    open(recent[number].path);
+  if (number < 0 || number >= recent.size())
+    return;
+  open(recent[number].path);
+  m_again = recent[number];
 }
 
 void OpeningController::clearRecent() {
@@ -360,15 +409,14 @@ void OpeningController::clearRecent() {
   m_context.view.emptyPanel().setRecentSources({});
 }
 
+void OpeningController::removeRecent(const QString& path) {
+  m_context.settings.removeRecentSource(path);
+  refreshRecent();
+}
+
 void OpeningController::refreshRecent() {
-  m_recent->clear();
   const QStringList texts = recentTexts();
-  for (int number = 0; number < texts.size(); ++number)
-    m_recent->addAction(QString(texts[number]).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
-                        [this, number] { openRecent(number); });
-  m_recent->setEnabled(!m_recent->isEmpty());
-  m_recent->addSeparator();
-  m_recent->addAction(tr("&Clear this list"), this, &OpeningController::clearRecent);
+  m_entries->setTexts(texts);
   m_context.view.emptyPanel().setRecentSources(texts);
 }
 

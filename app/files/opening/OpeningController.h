@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/OpenDocument.h"
+#include "app/document/Settings.h"
 #include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
@@ -14,6 +15,7 @@ class QMenu;
 
 namespace limn {
 
+class RecentMenu;
 struct WindowContext;
 
 /// Loads scenes on a worker thread, one at a time; starting another cancels the one under way. Signals come
@@ -74,8 +76,8 @@ public:
   void askForSpacing(const Request& shown, const glm::dvec3& spacingMm);
 
   /// Adds to what was opened before; `label` names nobody. `volume` is where its voxels lie, or a built-in
-  /// name.
-  void remember(const QString& path, const QString& label, const std::string& volume);
+  /// name; `series` the number of one that was chosen, 0 where none was.
+  void remember(const QString& path, const QString& label, const std::string& volume, int series = 0);
   /// Somebody goes on with what is open: that something else could not be opened is no longer said.
   void leaveFailure();
 
@@ -92,13 +94,17 @@ private:
   /// What was opened before, latest first, in words that name nobody.
   QStringList recentTexts();
   void clearRecent();
+  void removeRecent(const QString& path);
   /// Opens one of these, from 0 on.
   void openRecent(int number);
   void start(const Request& request, const QString& what);
+  void sayFailure(const QString& source, const QString& sentence);
   void locateVolume(const QString& scene);
   void locateLabels(const QString& scene, const QString& expected);
   void openWithoutLabels(const QString& scene);
-  void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
+  void findSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
+  void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom, int chosen);
+  void readSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom, int number);
   void readWithSpacing(const Request& shown, const QString& entered);
   void refreshRecent();
   /// A dialog was answered with what is open now: the next begins there.
@@ -106,11 +112,13 @@ private:
 
   WindowContext& m_context;
   QMenu* m_recent; ///< of what was opened before
+  RecentMenu* m_entries;
   std::function<std::function<void()>()> m_before;
   VolumeLoader m_loader;
-  QString m_failure;   ///< why nothing was opened; empty once that does not matter
-  Request m_requested; ///< last; it may still load, or have failed
-  QString m_asked;     ///< what a dialog answered last
+  QString m_failure;    ///< why nothing was opened; empty once that does not matter
+  Request m_requested;  ///< last; it may still load, or have failed
+  QString m_asked;      ///< what a dialog answered last
+  RecentSource m_again; ///< what was opened before and is opened again; without a path where it is not
 };
 
 } // namespace limn

@@ -55,12 +55,15 @@ QTreeWidgetItem* rowOf(const SeriesSummary& series) {
 
 } // namespace
 
-SeriesDialog::SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent)
+SeriesDialog::SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent, int chosen)
     : QDialog(parent), m_series(series), m_list(new QTreeWidget(this)) {
   setWindowTitle(tr("Choose a series"));
   auto* column = new QVBoxLayout(this);
   column->addWidget(new QLabel(tr("This folder holds %1 series, the largest first.").arg(series.size())));
   makeTable();
+  for (std::size_t row = 0; row < series.size(); ++row)
+    if (series[row].number == chosen)
+      m_list->setCurrentItem(m_list->topLevelItem(static_cast<int>(row)));
   column->addWidget(m_list);
   auto* buttons = new QDialogButtonBox(this);
   QPushButton* open = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);

@@ -11,12 +11,13 @@ class QTreeWidget;
 
 namespace limn {
 
-/// Lets the user choose one of the series in a folder; the largest is chosen at first.
+/// Lets the user choose one of the series in a folder; at first the one of the number `chosen` is, or else
+/// the largest.
 class SeriesDialog : public QDialog {
   Q_OBJECT
 
 public:
-  SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent);
+  SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent, int chosen = 0);
 
 signals:
   /// The number of the chosen series, as DicomFolder gives it.

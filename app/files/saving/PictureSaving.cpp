@@ -8,6 +8,7 @@
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
+#include "scene/effects/EffectPlan.h"
 #include "widgets/view/CompareView.h"
 
 #include <QFileInfo>
@@ -16,6 +17,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace limn {
@@ -63,6 +65,9 @@ PictureSaving::PictureSaving(WindowContext& context)
     if (!m_awaited.path().isEmpty())
       QTimer::singleShot(0, this, &PictureSaving::look);
   });
+  // Nobody tells of a picture that stays as it is.
+  connect(&context.actions.find("refineAtRest"), &QAction::toggled, this, &PictureSaving::look,
+          Qt::QueuedConnection);
   connect(m_stop, &QToolButton::clicked, this, [this] {
     forget();
     m_context.window.statusBar()->showMessage(tr("Cancelled; nothing was saved."), cancelledToldForMs);
@@ -132,9 +137,9 @@ void PictureSaving::look() {
   const QString path = m_awaited.path();
   if (path.isEmpty())
     return;
-  switch (m_awaited.look(content(), [this] { return m_context.view.restingImage(0).has_value(); })) {
+  switch (m_awaited.look(content(), [this] { return isFinished(m_context.view.pictureState()); })) {
   case AwaitedPicture::Outcome::waits:
-    say(tr("Saving %1 once the picture is complete").arg(QFileInfo(path).fileName()));
+    say(waitingText(QFileInfo(path).fileName()));
     break;
   case AwaitedPicture::Outcome::complete:
     forget();
@@ -146,6 +151,27 @@ void PictureSaving::look() {
         tr("The picture changed before it was complete, so it is not saved; save it again."));
     break;
   }
+}
+
+// A file is looked at for longer than the screen: it gets what the screen shows in the end, with what is
+// known of its error. Physical light gains for minutes; how many paths a saved picture has is asked for by
+// itself.
+bool PictureSaving::isFinished(const PictureState& state) const {
+  const std::vector<Scene> scenes = m_context.view.scenesOfSides();
+  return state.resting &&
+         (state.isFinal || !m_context.view.refinesAtRest() || std::ranges::any_of(scenes, isPhysical));
+}
+
+QString PictureSaving::waitingText(const QString& file) const {
+  const PictureState state = m_context.view.pictureState();
+  if (!state.resting)
+    return tr("Saving %1 once the picture is complete").arg(file);
+  if (state.refinementEnd)
+    return tr("Saving %1 once it is known how exact the picture is").arg(file);
+  if (state.refinementFraction <= 0.0)
+    return tr("Saving %1 once the picture is refined").arg(file);
+  return tr("Saving %1 once the picture is refined: %2 %")
+      .arg(file, QString::number(static_cast<int>(100.0 * state.refinementFraction)));
 }
 
 void PictureSaving::forget() {

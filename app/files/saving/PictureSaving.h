@@ -16,6 +16,7 @@ class QToolButton;
 
 namespace limn {
 
+struct PictureState;
 struct WindowContext;
 
 /// Asks where a picture of the window is to be saved; empty where nobody wants to.
@@ -65,8 +66,8 @@ private:
   PictureOptions m_options;
 };
 
-/// Asks how and where a view's picture is to be saved and waits until it is complete; meanwhile a row of the
-/// status bar says so and offers to cancel.
+/// Asks how and where a view's picture is to be saved and waits until it is the one that stays on screen;
+/// meanwhile a row of the status bar says so, and how far it is, and offers to cancel.
 class PictureSaving : public QObject {
   Q_OBJECT
 
@@ -94,6 +95,8 @@ private:
   void look();
   void forget();
   void say(const QString& text);
+  bool isFinished(const PictureState& state) const;
+  QString waitingText(const QString& file) const;
   PictureContent content() const;
   DrawingTold told(const std::vector<Scene>& asked);
 

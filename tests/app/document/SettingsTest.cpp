@@ -89,6 +89,11 @@ TEST_F(Settled, theTenLastOpenedAreRemembered) {
   EXPECT_EQ(recent.front().label, "again");
   EXPECT_EQ(pathsOf(settings).count("/5"), 1);
   EXPECT_FALSE(pathsOf(settings).contains("/1"));
+  EXPECT_EQ(recent.front().series, 0);
+  settings.addRecentSource("/5", "again", 2);
+  EXPECT_EQ(settings.recentSources().front().series, 2);
+  settings.addRecentSource("/5", "again");
+  EXPECT_EQ(settings.recentSources().front().series, 0) << "none was chosen this time";
   settings.removeRecentSource("/5");
   EXPECT_FALSE(pathsOf(settings).contains("/5"));
   settings.clearRecentSources();

@@ -294,6 +294,15 @@ void EmptyPanel::setRecentSources(const QStringList& texts) {
                                QStringLiteral("recent"), m_recent);
     button->setAccessibleName(tr("Open again: %1").arg(name));
     connect(button, &QPushButton::clicked, this, [this, number] { emit recentRequested(number); });
+    auto* remove = new QAction(tr("Remove from this list"), button);
+    remove->setShortcut(QKeySequence::Delete);
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    button->addAction(remove);
+    button->setContextMenuPolicy(Qt::ActionsContextMenu);
+    // Later: the button goes with what is taken out.
+    connect(
+        remove, &QAction::triggered, this, [this, number] { emit recentRemovalRequested(number); },
+        Qt::QueuedConnection);
     column->addWidget(button);
   }
   m_hasRecent = !texts.isEmpty();

@@ -39,7 +39,7 @@ class EmptyPanel : public PicturePanel {
 public:
   explicit EmptyPanel(QWidget* parent);
 
-  /// Latest first; the first few are offered.
+  /// Latest first; the first few are offered, which Del or a right click take out of the list.
   void setRecentSources(const QStringList& texts);
 
   /// What was left with unsaved changes, as a few words; empty: nothing. The keyboard stands on it where it
@@ -58,6 +58,7 @@ signals:
   void openFileRequested();
   void sampleRequested();
   void recentRequested(int number); ///< of setRecentSources, from 0 on
+  void recentRemovalRequested(int number);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

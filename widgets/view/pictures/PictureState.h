@@ -109,8 +109,9 @@ struct PictureState {
   bool refines = false; ///< a better picture is being drawn, looked for, or will be
   double refinementFraction = 0.0;            ///< of the pass that is being drawn, 0..1
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
-  QString renderer;                           ///< what draws, by its own name
-  QString limitation; ///< one sentence where less than the whole volume, or fewer samples, are drawn
+  bool isFinal = false; ///< while resting: no better picture follows, and what chance says of it is known
+  QString renderer;     ///< what draws, by its own name
+  QString limitation;   ///< one sentence where less than the whole volume, or fewer samples, are drawn
   Engine engine = Engine::rayCaster;
   QString engineReason;         ///< one sentence: why this engine draws; may be empty
   bool driverHasFailed = false; ///< and the processor draws in its place
@@ -122,6 +123,7 @@ inline PictureState staleState(PictureState state) {
   state.resting = false;
   state.refines = false;
   state.refinementEnd.reset();
+  state.isFinal = false;
   for (SideState& side : state.sides) {
     side.fraction = 0.0;
     side.chance.reset();

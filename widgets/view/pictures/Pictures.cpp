@@ -38,6 +38,7 @@ void Pictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
   m_refinement.reset();
   m_light.reset();
   m_chance.reset();
+  m_isFinal = false;
 }
 
 // Follow what is shown: its error is estimated, and whether it sees the transfer function.
@@ -81,8 +82,11 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
     m_chance.follow(sides());
   if (turn != RestTurn::nothing)
     return turn;
-  const RestTurn light = followLight();
-  return light == RestTurn::nothing ? checkByChance() : light;
+  if (const RestTurn light = followLight(); light != RestTurn::nothing)
+    return light;
+  const RestTurn check = checkByChance();
+  m_isFinal = check == RestTurn::nothing;
+  return check;
 }
 
 RestTurn Pictures::followLight() {
@@ -161,6 +165,7 @@ PictureState Pictures::state() const {
   state.refinementFraction /= std::max(finer, 1);
   if (!lightFollows)
     state.refinementEnd = m_refinement.end();
+  state.isFinal = state.resting && m_isFinal;
   return state;
 }
 

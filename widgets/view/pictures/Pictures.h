@@ -67,6 +67,7 @@ public:
   void giveUpRefinement() {
     leaveRefinementPass();
     m_refinement.giveUp();
+    m_isFinal = true;
   }
   RestWork& rest() { return m_rest; }
   const RestWork& rest() const { return m_rest; }
@@ -109,7 +110,8 @@ private:
   ChanceCheck m_chance;
   std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
   std::array<bool, 2> m_isLightMeasured{true, true};
-  QString m_limitation; ///< of the scenes at their own step
+  bool m_isFinal = false; ///< nothing better follows what is shown
+  QString m_limitation;   ///< of the scenes at their own step
   int m_count = 0;
 };
 

@@ -460,6 +460,7 @@ std::vector<double> tolerancesUntilRest(const std::function<double(double)>& lev
   std::vector<double> tolerances;
   for (RestTurn turn = RestTurn::worked; turn != RestTurn::nothing;) {
     turn = pictures.workAtRest(true, 5.0);
+    EXPECT_EQ(pictures.state().isFinal, turn == RestTurn::nothing) << "not while a better one may follow";
     const std::optional<double> tolerance = pictures.side(0).finishedQuality().toleranceLevels;
     if (!tolerance || (!tolerances.empty() && tolerances.back() == *tolerance))
       continue;
