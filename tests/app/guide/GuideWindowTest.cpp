@@ -152,7 +152,8 @@ TEST_F(GuideWindowTest, findsEveryPlaceByKeysAlone) {
   EXPECT_GT(shown.page().verticalScrollBar()->value(), 0);
   EXPECT_EQ(shown.page().extraSelections().size(), hits);
   // Words that stand apart, in a paragraph and in the headings above it.
-  for (const char* words : {"rename measurement", "hide label", "only one label"}) {
+  for (const char* words : {"rename measurement", "hide label", "only one label", "why is my picture grey",
+                            "gradient-enhanced", "film"}) {
     search->setText(QLatin1String(words));
     EXPECT_TRUE(found->text().startsWith(QStringLiteral("1 of "))) << words;
     EXPECT_FALSE(shown.page().extraSelections().isEmpty()) << words;
