@@ -18,7 +18,7 @@ namespace limn {
 namespace {
 
 // Of the whole volume along one of its axes; none where the file does not say.
-std::optional<double> lengthMm(const Volume* volume, int axis) {
+std::optional<double> axisLengthMm(const Volume* volume, int axis) {
   if (!volume || !volume->info().spacingKnown)
     return std::nullopt;
   const Grid& grid = volume->grid();
@@ -49,7 +49,7 @@ QString extentText(const CropBox& crop, const Volume& volume, int axis) {
                           : axis == 1 ? CropSection::tr("Rows %1–%2 of %3")
                                       : CropSection::tr("Slices %1–%2 of %3");
   QString text = stacked.arg(span.first).arg(span.last).arg(grid.dims[axis]);
-  if (const std::optional<double> length = lengthMm(&volume, axis))
+  if (const std::optional<double> length = axisLengthMm(&volume, axis))
     text += CropSection::tr(" · %1 mm").arg(plainNumber((crop.upper[axis] - crop.lower[axis]) * *length, 1));
   return text;
 }
@@ -101,7 +101,7 @@ void CropSection::setScene(const Scene& scene) {
     m_volume = scene.volume;
     for (int axis = 0; axis < 3; ++axis)
       m_rows[static_cast<std::size_t>(axis)].range->setSpec(
-          percentSpec(axisName(axis), lengthMm(m_volume.get(), axis)));
+          percentSpec(axisName(axis), axisLengthMm(m_volume.get(), axis)));
   } else if (scene.crop == m_crop) {
     return;
   }
