@@ -13,6 +13,7 @@
 #include <QFileIconProvider>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeDatabase>
 #include <QObject>
@@ -76,6 +77,8 @@ void giveRoom(QFileDialog& dialog) {
   // Folders have neither size nor kind.
   dialog.setLabelText(QFileDialog::FileName, QObject::tr("Folder:"));
   files->setColumnHidden(1, true);
+  if (auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
+    name->setPlaceholderText(QObject::tr("the folder shown above; files are not listed"));
   for (const char* part : {"fileTypeLabel", "fileTypeCombo"})
     if (auto* shown = dialog.findChild<QWidget*>(QLatin1String(part)))
       shown->hide();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guide/GuidePage.h"
+#include "app/guide/GuideSearch.h"
 
 #include <QDir>
 #include <QFile>
@@ -93,6 +94,37 @@ int levelOf(const QString& piece) {
   while (level < piece.size() && piece[level] == QLatin1Char('#'))
     ++level;
   return level;
+}
+
+// What is looked for, of a piece and the headings that it stands under.
+using IsWanted = std::function<bool(const QString& piece, const QStringList& headings)>;
+
+QString textOf(const std::vector<GuideChapter>& chapters, const IsWanted& isWanted) {
+  QStringList found;
+  for (const GuideChapter& chapter : chapters) {
+    QStringList headings;
+    QStringList above;    // those of them that no piece was found below yet
+    bool isNamed = false; // by the last heading, or the one right above it: all of its text is meant
+    bool isBelowHeading = false;
+    for (const QString& written : piecesOf(chapter.markdown)) {
+      const QString piece = withoutLinks(written, chapter, chapters);
+      const int level = levelOf(piece);
+      if (level > 0)
+        for (QStringList* list : {&headings, &above})
+          erase_if(*list, [level](const QString& heading) { return levelOf(heading) >= level; });
+      const bool isFound = isWanted(piece, headings);
+      if (level > 0) {
+        headings << piece;
+        above << piece;
+        isNamed = isFound || (isNamed && isBelowHeading);
+      } else if (isFound || isNamed) {
+        found << above << piece;
+        above.clear();
+      }
+      isBelowHeading = level > 0;
+    }
+  }
+  return found.isEmpty() ? QString() : found.join(QStringLiteral("\n\n")) + QLatin1Char('\n');
 }
 
 using PictureAddress = std::function<QString(const QString&)>;
@@ -282,30 +314,17 @@ QString withSource(const QString& words, const QString& sourcePath) {
 }
 
 QString guideText(const std::vector<GuideChapter>& chapters, const QString& words) {
-  static const QRegularExpression space(QStringLiteral("\\s+"));
-  const QStringList wanted = words.split(space, Qt::SkipEmptyParts);
-  QStringList found;
-  for (const GuideChapter& chapter : chapters) {
-    QStringList above;    // headings that no piece was found below yet
-    bool isNamed = false; // by the last heading, or the one right above it: all of its text is meant
-    bool isBelowHeading = false;
-    for (const QString& written : piecesOf(chapter.markdown)) {
-      const QString piece = withoutLinks(written, chapter, chapters);
-      const int level = levelOf(piece);
-      const bool isFound = std::ranges::all_of(
-          wanted, [&](const QString& word) { return piece.contains(word, Qt::CaseInsensitive); });
-      if (level > 0) {
-        erase_if(above, [level](const QString& heading) { return levelOf(heading) >= level; });
-        above << piece;
-        isNamed = isFound || (isNamed && isBelowHeading);
-      } else if (isFound || isNamed) {
-        found << above << piece;
-        above.clear();
-      }
-      isBelowHeading = level > 0;
-    }
-  }
-  return found.isEmpty() ? QString() : found.join(QStringLiteral("\n\n")) + QLatin1Char('\n');
+  const QStringList written = tellingWordsOf(words);
+  const QString exactly = textOf(chapters, [&](const QString& piece, const QStringList&) {
+    return std::ranges::all_of(
+        written, [&](const QString& word) { return piece.contains(word, Qt::CaseInsensitive); });
+  });
+  if (!exactly.isEmpty())
+    return exactly;
+  const QList<GuideWord> meant = guideWordsOf(words);
+  return textOf(chapters, [&](const QString& piece, const QStringList& headings) {
+    return tellsOf(piece, headings, meant);
+  });
 }
 
 GuidePage guidePage(const std::vector<GuideChapter>& chapters, const PictureAddress& picture) {

@@ -32,7 +32,9 @@ QString withSource(const QString& words, const QString& sourcePath);
 
 /// The guide for a terminal: every paragraph, line of a table or code that holds all of these words, or
 /// stands right under a heading that does, below the headings that it stands under. Without words everything.
-/// Case does not matter. Links are words; those that leave the guide name their file.
+/// Case does not matter, nor do words that questions are made of. Where no place holds all others, other
+/// names of things count, too (guideWordsOf), and headings may hold some. Links are words; those that leave
+/// the guide name their file.
 QString guideText(const std::vector<GuideChapter>& chapters, const QString& words = {});
 
 /// A place in the guide that can be gone to.

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollBar>
 #include <QShortcut>
@@ -171,9 +170,8 @@ int GuideView::look(const QString& text) {
   if (!text.isEmpty())
     for (QTextCursor at = document()->find(text, 0); !at.isNull(); at = document()->find(text, at))
       m_hits.push_back(at);
-  static const QRegularExpression space(QStringLiteral("\\s+"));
-  if (const QStringList words = text.split(space, Qt::SkipEmptyParts); m_hits.empty() && words.size() > 1)
-    m_hits = placesOf(words);
+  if (m_hits.empty())
+    m_hits = placesOf(guideWordsOf(text));
   if (!m_hits.empty()) {
     const auto first =
         std::ranges::find_if(m_hits, [from](const QTextCursor& hit) { return hit.selectionStart() >= from; });
@@ -183,23 +181,26 @@ int GuideView::look(const QString& text) {
   return hits();
 }
 
-std::vector<QTextCursor> GuideView::placesOf(const QStringList& words) const {
+std::vector<QTextCursor> GuideView::placesOf(const QList<GuideWord>& words) const {
   std::vector<QTextCursor> places;
   QStringList above; // the headings, from the chapter's on
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     const QTextCursor piece = pieceFrom(block);
     const QString text = piece.selectedText();
-    if (const int level = block.blockFormat().headingLevel(); level > 0)
-      above = above.mid(0, level - 1) << text;
-    const auto isInText = [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); };
-    const auto isNamed = [&](const QString& word) {
-      return isInText(word) || std::ranges::any_of(above, [&](const QString& heading) {
-               return heading.contains(word, Qt::CaseInsensitive);
-             });
-    };
-    const auto own = std::ranges::find_if(words, isInText);
-    if (own != words.end() && std::ranges::all_of(words, isNamed))
-      places.push_back(document()->find(*own, piece.selectionStart()));
+    const int level = block.blockFormat().headingLevel();
+    if (level > 0)
+      above = above.mid(0, level - 1);
+    if (tellsOf(text, above, words)) {
+      HeldName own;
+      for (auto word = words.begin(); own.at < 0; ++word)
+        own = heldName(text, *word);
+      QTextCursor place(document());
+      place.setPosition(piece.selectionStart() + static_cast<int>(own.at));
+      place.setPosition(place.position() + static_cast<int>(own.length), QTextCursor::KeepAnchor);
+      places.push_back(place);
+    }
+    if (level > 0)
+      above << text;
   }
   return places;
 }

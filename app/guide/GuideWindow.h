@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/guide/GuidePage.h"
+#include "app/guide/GuideSearch.h"
 
 #include <QDialog>
 #include <QString>
@@ -35,8 +36,8 @@ public:
   bool canGoBack() const { return !m_left.empty(); }
 
   /// Marks every place of a text, whatever its case, and goes to the first from what is seen on. Of a text
-  /// that stands nowhere these are the paragraphs and rows of tables that hold all of its words, if need be
-  /// with the headings above them. The number of places.
+  /// that stands nowhere these are the paragraphs and rows of tables that tell of its words, which may be a
+  /// question (guideWordsOf). The number of places.
   int look(const QString& text);
   /// Goes to the next place or the one before, around the end; the number of it, from 1 on, or 0 for none.
   int step(int direction);
@@ -65,7 +66,7 @@ private:
   void layOut();
   void mark();
   int topOf(int heading) const;
-  std::vector<QTextCursor> placesOf(const QStringList& words) const;
+  std::vector<QTextCursor> placesOf(const QList<GuideWord>& words) const;
 
   GuidePage m_page;
   std::vector<int> m_places; ///< of the headings in the document

@@ -155,7 +155,11 @@ void RegionController::openLabelFiles(const QStringList& chosen) {
   std::vector<std::filesystem::path> files;
   for (const QString& path : paths)
     files.emplace_back(path.toStdString());
-  start(tr("Opening labels"), {nextGestureId(), openingText(paths, *m_volume)},
+  openInOrder(files, {nextGestureId(), openingText(paths, *m_volume)});
+}
+
+void RegionController::openInOrder(const std::vector<std::filesystem::path>& files, const Gesture& gesture) {
+  start(tr("Opening labels"), gesture,
         [files, body = m_body, opened = std::make_shared<std::optional<Segmentation>>()](
             const Region& kept, const Volume& volume, const Progress& progress) {
           if (!*opened)
@@ -163,7 +167,17 @@ void RegionController::openLabelFiles(const QStringList& chosen) {
           const FoundRegion found = openedBeside(kept, **opened, volume, part(progress, 0.8, 1.0));
           return withTableOf(kept, found, volume, body, progress);
         });
-  m_opening = paths.front();
+  m_opening = QString::fromStdString(files.front().string());
+}
+
+MessageBar::Action RegionController::smallestOnTop(const FoundRegion& found) {
+  if (found.smallestLast.empty())
+    return {};
+  return {tr("Smaller ones on top"), [this, files = found.smallestLast, volume = m_volume] {
+            m_context.messages.hide();
+            if (m_context.session.scene().volume == volume)
+              openInOrder(files, {nextGestureId(), tr("smaller labels on top")});
+          }};
 }
 
 void RegionController::setBodyOnly(bool isOn) {
@@ -331,9 +345,10 @@ void RegionController::keep(const FoundRegion& found, const Gesture& gesture) {
   if (found.region.kind == Region::Kind::labels && replacesLabels(found.region, kept))
     sayWhatGaveWay(kept, found);
   else if (!found.remark.empty() && isRestricting(found.region))
-    say(translated(found.remark), {}, {tr("Show everything"), [this] { showEverything(); }});
+    say(translated(found.remark), {}, {tr("Show everything"), [this] { showEverything(); }},
+        smallestOnTop(found));
   else if (!found.remark.empty())
-    say(translated(found.remark));
+    say(translated(found.remark), {}, smallestOnTop(found));
   else
     return showScene(m_context.session.scene());
   if (isStep)
@@ -355,15 +370,15 @@ void RegionController::sayWhatGaveWay(const Region& before, const FoundRegion& f
                               .arg(namesOf(found.region, *m_volume), namesOf(before, *m_volume));
   say(found.covered.empty() ? gaveWay : gaveWay + QLatin1Char(' ') + translated(found.covered),
       found.remark.empty() ? QStringList() : QStringList{translated(found.remark)},
-      {tr("Bring those back"), bringBack});
+      {tr("Bring those back"), bringBack}, smallestOnTop(found));
 }
 
 void RegionController::say(const QString& sentence, const QStringList& details,
-                           const MessageBar::Action& action) {
+                           const MessageBar::Action& action, const MessageBar::Action& other) {
   m_said = sentence;
   const Scene& scene = m_context.session.scene();
   m_saidOf = {scene.volume, scene.keep.kind, sourcesOf(scene.keep)};
-  m_context.messages.show(MessageBar::Kind::warning, sentence, details, action);
+  m_context.messages.show(MessageBar::Kind::warning, sentence, details, action, {}, other);
 }
 
 // Where those labels or the body have gone otherwise than by undo, nothing that was said of them holds.

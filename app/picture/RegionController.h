@@ -14,6 +14,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -77,9 +78,13 @@ private:
   void work(const Gesture& gesture, const Work& work);
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
+  void openInOrder(const std::vector<std::filesystem::path>& files, const Gesture& gesture);
+  /// Has masks that others cover read anew, the smallest last; no button where that changes nothing.
+  MessageBar::Action smallestOnTop(const FoundRegion& found);
   void sayWhatGaveWay(const Region& before, const FoundRegion& found);
   /// Warns of something about what is kept now.
-  void say(const QString& sentence, const QStringList& details = {}, const MessageBar::Action& action = {});
+  void say(const QString& sentence, const QStringList& details = {}, const MessageBar::Action& action = {},
+           const MessageBar::Action& other = {});
   void leaveWhatWasSaid(const Scene& scene);
   void measureLabels(const Scene& scene);
   void hideTableBesideLabels(bool isHidden, const Gesture& gesture);

@@ -45,8 +45,9 @@ QT_TRANSLATE_NOOP("limn::Preset", "Enamel, implants and metal; bone as a shadow"
 QT_TRANSLATE_NOOP("limn::Preset", "CT X-ray")
 QT_TRANSLATE_NOOP("limn::Preset", "How much each ray absorbs; like a radiograph")
 QT_TRANSLATE_NOOP("limn::Preset", "MR skull-stripped brain")
-QT_TRANSLATE_NOOP("limn::Preset",
-                  "A brain without its skull; on a whole head this shows the scalp, fitted to each series")
+QT_TRANSLATE_NOOP(
+    "limn::Preset",
+    "On a whole head this shows the scalp; for a brain without its skull, fitted to each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR glass")
 QT_TRANSLATE_NOOP("limn::Preset", "Tissues as tinted glass; stretched to the brightness of each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR head")

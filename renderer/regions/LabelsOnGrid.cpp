@@ -273,7 +273,7 @@ MasksOnGrid::MasksOnGrid(const Grid& grid, std::size_t most, std::shared_ptr<Roo
     m_places = StoredVoxels<std::uint16_t>(RoomVector<std::uint16_t>(voxels, 0, std::move(room)));
 }
 
-void MasksOnGrid::add(const Volume& mask, const Label& label, const Effort& effort) {
+std::size_t MasksOnGrid::add(const Volume& mask, const Label& label, const Effort& effort) {
   const std::vector<std::size_t> taken = std::visit(
       [&](auto& places) {
         return visitVoxels(mask, [&](const auto& stored) {
@@ -281,11 +281,13 @@ void MasksOnGrid::add(const Volume& mask, const Label& label, const Effort& effo
         });
       },
       m_places);
-  if (std::accumulate(taken.begin(), taken.end(), std::size_t{0}) == 0)
-    return;
+  const std::size_t voxels = std::accumulate(taken.begin(), taken.end(), std::size_t{0});
+  if (voxels == 0)
+    return 0;
   m_labels.push_back(label);
   for (std::size_t place = 1; place < taken.size(); ++place)
     noteOverlap(place, m_labels.size() - 1, taken[place]);
+  return voxels;
 }
 
 void MasksOnGrid::noteOverlap(std::size_t loser, std::size_t winner, std::size_t voxels) {

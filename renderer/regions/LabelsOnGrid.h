@@ -34,8 +34,9 @@ public:
   MasksOnGrid(const Grid& grid, std::size_t most, std::shared_ptr<Room> room);
 
   /// A mask (isMask) as a label; nearest voxel by nearest voxel where it has another grid. One without a
-  /// voxel on the grid makes no label. Throws Cancelled, after which the map is of no use.
-  void add(const Volume& mask, const Label& label, const Effort& effort = {});
+  /// voxel on the grid makes no label. The number of its voxels there. Throws Cancelled, after which the map
+  /// is of no use.
+  std::size_t add(const Volume& mask, const Label& label, const Effort& effort = {});
 
   /// The labels of a map that lies on the grid, all at once: `labels` holds what each of its places becomes,
   /// in order, and nothing for those whose voxels do not come along, as those of the background. Throws

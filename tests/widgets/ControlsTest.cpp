@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QTest>
@@ -376,6 +377,9 @@ TEST(ColorButton, escTakesBackWhatWasPicked) {
     button.click();
     auto* picker = button.findChild<ColorPicker*>();
     ASSERT_NE(picker, nullptr);
+    const auto* ends = picker->window()->findChild<QLabel*>();
+    ASSERT_NE(ends, nullptr) << "says so";
+    EXPECT_TRUE(ends->isVisible() && ends->text().contains(QStringLiteral("Esc takes it back")));
     QTest::mouseClick(picker, Qt::LeftButton, {}, {100, 100});
     ASSERT_NE(button.color(), before);
     QWidget* const hex = picker->findChild<QLineEdit*>();

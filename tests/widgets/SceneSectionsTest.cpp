@@ -196,6 +196,16 @@ TEST_F(SceneSections, aTypedPercentCutsOneSideAndLeavesTheOthersExact) {
   EXPECT_FALSE(widgetNamed<QPushButton>(*m_panel.cropSection(), "Reset crop")->isEnabled());
 }
 
+TEST_F(SceneSections, typedMillimetresCutThere) {
+  m_panel.cropSection()->setFolded(false);
+  RangeSlider* range = rowNamed<RangeSlider>(m_panel, "Right–Left");
+  ASSERT_NE(range, nullptr);
+  const Grid& grid = m_scene.volume->grid();
+  type(widgetNamed<NumberField>(*range, "Right–Left, Right"), QStringLiteral("48 mm"));
+  EXPECT_NEAR(m_scene.crop.lower.x * grid.dims.x * grid.spacingMm.x, 48.0, 1e-9);
+  EXPECT_EQ(m_scene.crop.upper.x, 1.0);
+}
+
 TEST_F(SceneSections, aRangeStopsOneVoxelBeforeItsOtherEnd) {
   m_panel.cropSection()->setFolded(false);
   RangeSlider* range = rowNamed<RangeSlider>(m_panel, "Feet–Head");

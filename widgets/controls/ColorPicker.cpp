@@ -8,6 +8,7 @@
 #include <QFrame>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
@@ -58,6 +59,10 @@ public:
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->addWidget(&picker);
+    auto* ends = new QLabel(ColorPicker::tr("Enter keeps it, Esc takes it back."));
+    ends->setForegroundRole(QPalette::PlaceholderText);
+    ends->setWordWrap(true);
+    layout->addWidget(ends);
   }
 
 protected:

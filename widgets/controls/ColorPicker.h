@@ -86,7 +86,8 @@ private:
 };
 
 /// Opens a ColorPicker with this colour in a pop-up beside `anchor` (global pixels), which closes on a click
-/// elsewhere, on Enter, and on Esc, which takes back what was picked. The pop-up goes when it is closed.
+/// elsewhere, on Enter, and on Esc, which takes back what was picked, as it says. The pop-up goes when it is
+/// closed.
 ColorPicker* openColorPicker(const glm::dvec3& color, const QRect& anchor, QWidget* parent);
 
 /// A swatch that opens a ColorPicker below itself. Enter there keeps what was picked, Esc takes it back. One

@@ -22,6 +22,12 @@ double fractionOf(const SliderScale& scale, double value);
 /// The number at a place on the track; exact at both ends.
 double valueAtFraction(const SliderScale& scale, double fraction);
 
+/// A second unit of a number.
+struct OtherUnit {
+  QString unit = {};   ///< empty: none
+  double factor = 1.0; ///< so many of the first are one of it
+};
+
 /// What a slider row says and allows.
 struct NumberSpec {
   QString label;                  ///< a clinician's words, the formula's symbol in brackets
@@ -29,6 +35,7 @@ struct NumberSpec {
   QString help;                   ///< one sentence: what it does to the picture
   QString unit = {};              ///< empty where the number has none
   QString unitOfOne = {};         ///< behind 1, where it has another word there: "voxel"; empty: the same
+  OtherUnit otherUnit = {};       ///< that can be typed, too
   SliderScale scale;              ///< of the track
   double lowest = scale.lowest;   ///< smallest number that can be typed
   double highest = scale.highest; ///< largest number that can be typed

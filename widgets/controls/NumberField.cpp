@@ -23,6 +23,7 @@ namespace limn {
 namespace {
 
 constexpr int refusalMs = 8000;
+constexpr int otherDecimals = 1;                 // of limits in the other unit
 constexpr QColor refusedColor(0xd1, 0x34, 0x38); // 3:1 at least on light and on dark fields
 constexpr int besideText = 6;                    // the margins of the line edit and the cursor
 
@@ -74,10 +75,7 @@ NumberField::NumberField(double lowest, double highest, int decimals, QWidget* p
   setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   setNumber(std::clamp(0.0, lowest, highest));
   connect(this, &QAbstractSpinBox::editingFinished, this, &NumberField::reportIfChanged);
-  connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
-    m_isTyped = !text.trimmed().isEmpty();
-    forgetRefusal();
-  });
+  connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::noteTyped);
   m_refusalStands->setSingleShot(true);
   m_refusalStands->setInterval(refusalMs);
   connect(m_refusalStands, &QTimer::timeout, this, &NumberField::forgetRefusal);
@@ -94,6 +92,7 @@ void NumberField::setLimits(double lowest, double highest, int decimals) {
 void NumberField::setNumber(double number) {
   m_isMixed = false;
   m_number = number;
+  m_typedInOther.reset();
   forgetRefusal();
   lineEdit()->setPlaceholderText({});
   setValue(number);
@@ -120,6 +119,11 @@ void NumberField::setUnit(const QString& unit, const QString& ofOne) {
   m_unit = unit;
   m_unitOfOne = ofOne;
   showUnit();
+}
+
+void NumberField::setOtherUnit(const QString& unit, double factor) {
+  m_otherUnit = unit;
+  m_otherFactor = factor;
 }
 
 void NumberField::showUnit() {
@@ -199,6 +203,8 @@ QValidator::State NumberField::validate(QString& text, int& position) const {
     return QValidator::Intermediate;
   if (text.trimmed() == minusSign)
     return QValidator::Intermediate;
+  if (number && isInOtherUnit(text))
+    return QValidator::Acceptable;
   if (number && m_takesPercent && (text.endsWith(QLatin1Char('%')) || text.endsWith(QLatin1Char(' '))))
     return QValidator::Acceptable;
   QString typed = withHyphen(shown) + unit;
@@ -225,7 +231,7 @@ void NumberField::selectNumber() {
 // Without suffix, in the user's locale.
 std::optional<double> NumberField::read(const QString& text) const {
   QString plain = withHyphen(text.chopped(unitOf(text).size())).trimmed();
-  for (const QString& unit : {suffix().trimmed(), m_unit, m_unitOfOne})
+  for (const QString& unit : {suffix().trimmed(), m_unit, m_unitOfOne, m_otherUnit})
     if (!unit.isEmpty() && plain.endsWith(unit)) { // typed by hand
       plain = plain.chopped(unit.size()).trimmed();
       break;
@@ -237,7 +243,27 @@ std::optional<double> NumberField::read(const QString& text) const {
   const double number = locale().toDouble(plain, &isNumber);
   if (!isNumber || !std::isfinite(number)) // "nan" is a number, too
     return std::nullopt;
+  if (isInOtherUnit(text))
+    return fromOtherUnit(number);
   return isPercent ? number / 100.0 : number;
+}
+
+// The limit that is told in the other unit is rounded, and fits as it is told.
+double NumberField::fromOtherUnit(double number) const {
+  const double own = m_otherFactor * number, rounding = 0.5 * std::pow(10.0, -otherDecimals) * m_otherFactor;
+  return own > maximum() + rounding || own < minimum() - rounding ? own
+                                                                  : std::clamp(own, minimum(), maximum());
+}
+
+// The spin box keeps its own unit behind what is typed.
+bool NumberField::isInOtherUnit(const QString& text) const {
+  return !m_otherUnit.isEmpty() && text.chopped(unitOf(text).size()).trimmed().endsWith(m_otherUnit);
+}
+
+void NumberField::noteTyped(const QString& text) {
+  m_isTyped = !text.trimmed().isEmpty();
+  m_typedInOther = isInOtherUnit(text) ? read(text) : std::nullopt;
+  forgetRefusal();
 }
 
 // As it is shown: more digits can be typed.
@@ -260,6 +286,7 @@ QString NumberField::asTyped(const QString& text) const {
   const QString typed = text.chopped(unitOf(text).size()).trimmed();
   const bool hasUnit = (m_takesPercent && typed.endsWith(QLatin1Char('%'))) ||
                        (!m_unit.isEmpty() && typed.endsWith(m_unit)) ||
+                       (!m_otherUnit.isEmpty() && typed.endsWith(m_otherUnit)) ||
                        (!m_unitOfOne.isEmpty() && typed.endsWith(m_unitOfOne)) ||
                        (!suffix().trimmed().isEmpty() && typed.endsWith(suffix().trimmed()));
   return read(text) && !hasUnit ? typed + unitOf(text) : typed;
@@ -267,10 +294,18 @@ QString NumberField::asTyped(const QString& text) const {
 
 void NumberField::refuse(const QString& text) {
   const QString unit = usualSuffix();
-  const QString lowest = written(minimum()) + unit, highest = written(maximum()) + unit;
-  m_refusal = (m_takesPercent ? tr("%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.")
-                              : tr("%1 does not fit: give a number from %2 to %3."))
-                  .arg(asTyped(text), lowest, highest);
+  const QString lowest = written(minimum()) + unit, highest = written(maximum()) + unit,
+                typed = asTyped(text);
+  if (!m_otherUnit.isEmpty())
+    m_refusal =
+        tr("%1 does not fit: give a number from %2 to %3, or from %4 to %5.")
+            .arg(typed, lowest, highest, valueText(minimum() / m_otherFactor, m_otherUnit, otherDecimals),
+                 valueText(maximum() / m_otherFactor, m_otherUnit, otherDecimals));
+  else
+    m_refusal =
+        (m_takesPercent ? tr("%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.")
+                        : tr("%1 does not fit: give a number from %2 to %3."))
+            .arg(typed, lowest, highest);
   setAccessibleDescription(m_refusal);
   sayRefusal(*this, m_refusal);
   update();
@@ -324,11 +359,17 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
 
 void NumberField::reportIfChanged() {
   lineEdit()->setModified(false);
+  const std::optional<double> exact = std::exchange(m_typedInOther, std::nullopt);
   if (m_isMixed) {
     if (!std::exchange(m_isTyped, false) || !m_refusal.isEmpty())
       return;
     setNumber(value());
     emit numberEdited(m_number);
+    return;
+  }
+  if (exact && value() == QString::number(*exact, 'f', decimals()).toDouble()) {
+    if (std::exchange(m_number, *exact) != *exact)
+      emit numberEdited(m_number);
     return;
   }
   // The display rounds: an untouched field must not replace the exact number by its rounding.

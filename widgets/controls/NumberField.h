@@ -58,6 +58,10 @@ public:
   /// "10 %" means 0.1.
   void setTakesPercent(bool takes) { m_takesPercent = takes; }
 
+  /// A second unit that can be typed behind a number: `factor` of the field's own are one of it. What is
+  /// typed so keeps the digits that the field does not show. Empty: none.
+  void setOtherUnit(const QString& unit, double factor);
+
   /// Why the last number was refused; empty once another is typed, or the field is left alone.
   const QString& refusal() const { return m_refusal; }
 
@@ -79,6 +83,9 @@ protected:
 
 private:
   std::optional<double> read(const QString& text) const;
+  bool isInOtherUnit(const QString& text) const;
+  double fromOtherUnit(double number) const;
+  void noteTyped(const QString& text);
   void selectNumber();
   QString asTyped(const QString& text) const;
   void refuse(const QString& text);
@@ -96,6 +103,9 @@ private:
   bool m_takesPercent = false;
   bool m_isMixed = false;
   bool m_isTyped = false; ///< something, since it is mixed
+  QString m_otherUnit;    ///< empty: none
+  double m_otherFactor = 1.0;
+  std::optional<double> m_typedInOther; ///< the number, unrounded, while it stands in the field
   QString m_refusal;
   QTimer* m_refusalStands;            ///< in a field that was left with what is refused
   std::optional<QString> m_leastText; ///< where it is as wide as its numbers

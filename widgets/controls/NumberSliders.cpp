@@ -59,6 +59,7 @@ void ValueSlider::setSpec(const NumberSpec& spec) {
   m_spec = spec;
   m_label->setText(spec.label);
   m_field->setUnit(spec.unit, spec.unitOfOne);
+  m_field->setOtherUnit(spec.otherUnit.unit, spec.otherUnit.factor);
   m_field->setLimits(spec.lowest, spec.highest, spec.decimals);
   m_slider->setScale(spec.scale);
   m_slider->setDecimals(spec.decimals);
@@ -125,6 +126,7 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_slider->setDecimals(spec.decimals);
   for (NumberField* field : {m_lower, m_upper}) {
     field->setUnit(spec.unit);
+    field->setOtherUnit(spec.otherUnit.unit, spec.otherUnit.factor);
     field->setLimits(spec.lowest, spec.highest, spec.decimals);
   }
   m_lower->setAccessibleName(

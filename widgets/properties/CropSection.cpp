@@ -12,21 +12,34 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <optional>
+
 namespace limn {
 namespace {
 
-NumberSpec percentSpec(const AxisName& name) {
-  return {
-      .label = name.axis,
-      .called = CropSection::tr("Crop of %1").arg(name.axis),
-      .help = CropSection::tr(
-          "What lies outside this part of the volume is cut away; the first number is the end named first."),
-      .unit = QStringLiteral("%"),
-      .scale = {0.0, 100.0, false},
-      .defaultUpper = 100.0,
-      .decimals = 1,
-      .lowerName = name.lowEnd,
-      .upperName = name.highEnd};
+// Of the whole volume along one of its axes; none where the file does not say.
+std::optional<double> axisLengthMm(const Volume* volume, int axis) {
+  if (!volume || !volume->info().spacingKnown)
+    return std::nullopt;
+  const Grid& grid = volume->grid();
+  return grid.dims[axis] * grid.spacingMm[axis];
+}
+
+// Along an axis that is so long, where that is known.
+NumberSpec percentSpec(const AxisName& name, const std::optional<double>& length) {
+  const QString help = CropSection::tr(
+      "What lies outside this part of the volume is cut away; the first number is the end named first.");
+  return {.label = name.axis,
+          .called = CropSection::tr("Crop of %1").arg(name.axis),
+          .help = length ? CropSection::tr("%1 Millimetres from that end can be typed, too: 48 mm.").arg(help)
+                         : help,
+          .unit = QStringLiteral("%"),
+          .otherUnit = length ? OtherUnit{QStringLiteral("mm"), 100.0 / *length} : OtherUnit{},
+          .scale = {0.0, 100.0, false},
+          .defaultUpper = 100.0,
+          .decimals = 1,
+          .lowerName = name.lowEnd,
+          .upperName = name.highEnd};
 }
 
 QString extentText(const CropBox& crop, const Volume& volume, int axis) {
@@ -36,10 +49,8 @@ QString extentText(const CropBox& crop, const Volume& volume, int axis) {
                           : axis == 1 ? CropSection::tr("Rows %1–%2 of %3")
                                       : CropSection::tr("Slices %1–%2 of %3");
   QString text = stacked.arg(span.first).arg(span.last).arg(grid.dims[axis]);
-  if (volume.info().spacingKnown) {
-    const double length = (crop.upper[axis] - crop.lower[axis]) * grid.dims[axis] * grid.spacingMm[axis];
-    text += CropSection::tr(" · %1 mm").arg(plainNumber(length, 1));
-  }
+  if (const std::optional<double> length = axisLengthMm(&volume, axis))
+    text += CropSection::tr(" · %1 mm").arg(plainNumber((crop.upper[axis] - crop.lower[axis]) * *length, 1));
   return text;
 }
 
@@ -51,7 +62,7 @@ CropSection::CropSection(QWidget* parent)
   const std::array<AxisName, 3> names = axisNames({}, false);
   for (int axis = 0; axis < 3; ++axis) {
     Row& row = m_rows[static_cast<std::size_t>(axis)];
-    row.range = new RangeSlider(percentSpec(names[static_cast<std::size_t>(axis)]));
+    row.range = new RangeSlider(percentSpec(names[static_cast<std::size_t>(axis)], {}));
     row.extent = new QLabel;
     row.extent->setForegroundRole(QPalette::PlaceholderText);
     auto* both = new QVBoxLayout;
@@ -89,7 +100,8 @@ void CropSection::setScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     m_volume = scene.volume;
     for (int axis = 0; axis < 3; ++axis)
-      m_rows[static_cast<std::size_t>(axis)].range->setSpec(percentSpec(axisName(axis)));
+      m_rows[static_cast<std::size_t>(axis)].range->setSpec(
+          percentSpec(axisName(axis), axisLengthMm(m_volume.get(), axis)));
   } else if (scene.crop == m_crop) {
     return;
   }

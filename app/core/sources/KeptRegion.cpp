@@ -77,7 +77,7 @@ FoundRegion openedBeside(const Region& kept, const Segmentation& opened, const V
                          const Progress& progress) {
   const Region before = withoutCuts(kept);
   if (!isOfMasks(before) || !isOfMasks(opened.region))
-    return {opened.region, opened.remark, false, opened.covered};
+    return {opened.region, opened.remark, false, opened.covered, opened.smallestLast};
   const Segmentation joined =
       joinedMasks(before, opened.region, gridOfFile(volume), progress, volume.info().patient, volume.room());
   return {joined.region, opened.remark.followedBy(" ", joined.remark), false,
@@ -145,6 +145,7 @@ FoundRegion cutIn(const Volume& volume, const FoundRegion& found, const std::vec
                   const Progress& progress) {
   FoundRegion cut = cutAnew(volume, found.region, cuts, false, progress);
   cut.covered = found.covered;
+  cut.smallestLast = found.smallestLast;
   if (!found.remark.empty())
     cut.remark = found.remark;
   return cut;

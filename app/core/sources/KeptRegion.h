@@ -17,6 +17,7 @@ struct FoundRegion {
   Message remark;
   bool takesNothing = false; ///< the last of its cuts, as the remark says
   Message covered{};         ///< of labels that others left no voxel to; the remark has it, too
+  std::vector<std::filesystem::path> smallestLast{}; ///< in which order their files would (Segmentation)
 };
 
 /// The body of a volume, asked for: everything where there is none. Throws Cancelled.

@@ -15,6 +15,9 @@ struct Segmentation {
   Region region;
   Message remark;
   Message covered{}; ///< which labels others left no voxel to; the remark begins with it
+  /// Where that happened, the files of its masks from the largest to the smallest, which as a list
+  /// (readMasks) leave as many as can be a voxel; empty where they came so.
+  std::vector<std::filesystem::path> smallestLast{};
 };
 
 /// Labels as a volume on a grid of their own, and what the file and its name say of them.

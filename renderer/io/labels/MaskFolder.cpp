@@ -7,7 +7,9 @@
 #include "scene/regions/BodyAndLabels.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <numeric>
 
 namespace limn {
 namespace {
@@ -168,6 +170,7 @@ Label labelOf(const LabelVolume& mask, int value, const std::string& name, const
 struct ReadMasks {
   std::optional<MasksOnGrid> masks{};
   std::vector<fs::path> files{};
+  std::vector<std::size_t> voxels{}; ///< of each, on the grid
   std::vector<std::string> skipped{};
 };
 
@@ -199,10 +202,24 @@ ReadMasks readInOrder(const std::vector<fs::path>& files, Order order, const Gri
     const std::string name = maskName(files[n], value, files, taken, patient);
     const Label label = order == Order::asChosen ? labelOf(mask, value, name, taken)
                                                  : Label{value, name, labelColor(taken.size())};
-    read.masks->add(*mask.volume, label,
-                    effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels")));
+    read.voxels.push_back(
+        read.masks->add(*mask.volume, label,
+                        effortOf(part(progress, share(0.8), share(1.0)), Message::tr("Placing labels"))));
   }
   return read;
+}
+
+// Empty where they came so.
+std::vector<fs::path> smallestLastOf(const ReadMasks& read) {
+  std::vector<std::size_t> order(read.files.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t n) { return read.voxels[n]; });
+  if (std::ranges::is_sorted(order))
+    return {};
+  std::vector<fs::path> files;
+  for (const std::size_t n : order)
+    files.push_back(read.files[n]);
+  return files;
 }
 
 Region regionOf(MasksOnGrid& masks, const std::string& source) {
@@ -224,7 +241,8 @@ Segmentation readMaskFolder(const fs::path& folder, const Grid& grid, const Prog
   if (region.weights.size() == 1)
     failReading(folder, Message::tr("all of its masks are empty"),
                 Message::tr("open the segmentation of this volume"));
-  return {region, covered.followedBy(" ", remark), covered};
+  return {region, covered.followedBy(" ", remark), covered,
+          covered.empty() ? std::vector<fs::path>() : smallestLastOf(read)};
 }
 
 Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, const Progress& progress,
@@ -245,7 +263,8 @@ Segmentation readMasks(const std::vector<fs::path>& files, const Grid& grid, con
     return {readSegmentation(read.files.front(), grid, progress, patient).region, remark};
   for (std::size_t n = 1; n < read.files.size(); ++n)
     region.moreSources.push_back(sourceOf(read.files[n]));
-  return {region, covered.followedBy(" ", remark), covered};
+  return {region, covered.followedBy(" ", remark), covered,
+          covered.empty() ? std::vector<fs::path>() : smallestLastOf(read)};
 }
 
 bool isOfMasks(const Region& region) {

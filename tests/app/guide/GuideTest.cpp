@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guide/GuidePage.h"
+#include "app/guide/GuideSearch.h"
 #include "documentation/Matches.h"
 #include "documentation/Tree.h"
 #include "support/ProgramRun.h"
@@ -95,6 +96,29 @@ TEST(Guide, isFoundByItsHeadingsWithTheTextBelow) {
             "# How exact?\n\n## At length\n\nToo long.\n");
   EXPECT_EQ(guideText(one, QStringLiteral("exact how")).toStdString(),
             "# How exact?\n\n## Briefly\n\nVery.\n\n- So.\n");
+}
+
+TEST(Guide, understandsQuestionsAndOtherNames) {
+  EXPECT_EQ(guideWordsOf(QStringLiteral("Why is my picture grey?")).size(), 2);
+  EXPECT_EQ(guideWordsOf(QStringLiteral("how do I")).size(), 3) << "nothing else is left";
+  EXPECT_EQ(guideWordsOf(QStringLiteral("gradient-enhanced")).size(), 2);
+  EXPECT_LT(heldName(QStringLiteral("measuring"), {QStringLiteral("ring")}).at, 0);
+  EXPECT_EQ(heldName(QStringLiteral("Some rings"), guideWordsOf(QStringLiteral("ring")).front()).at, 5);
+  const std::vector<GuideChapter> one{
+      {"one", "one.md", "# One\n\nNothing.\n\n## The picture\n\n- Grey: no colours.\n\n- Dark.\n"}};
+  for (const char* question : {"why is my picture grey?", "gray images"})
+    EXPECT_EQ(guideText(one, QLatin1String(question)).toStdString(),
+              "# One\n\n## The picture\n\n- Grey: no colours.\n")
+        << question;
+}
+
+TEST(Guide, saysWhatToDoWhenAPictureLooksWrong) {
+  for (const char* question : {"why is my picture grey", "my picture is empty", "why is it so dark",
+                               "noisy picture", "ring pattern"})
+    EXPECT_TRUE(guideText(guideChapters(), QLatin1String(question)).contains(QLatin1String("looks wrong")))
+        << question;
+  for (const char* words : {"gradient-enhanced", "gradient-enhanced shading", "film"})
+    EXPECT_FALSE(guideText(guideChapters(), QLatin1String(words)).isEmpty()) << words;
 }
 
 TEST(Guide, hasNoLinksInATerminal) {

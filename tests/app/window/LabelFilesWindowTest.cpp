@@ -153,6 +153,26 @@ TEST_F(LabelFilesWindow, aLabelThatOthersCoverIsNamedInTheSentenceItself) {
                 covered.arg(QStringLiteral("Brain")));
 }
 
+TEST_F(LabelFilesWindow, smallerMasksCanBePutOnTopOfThoseThatCoverThem) {
+  std::filesystem::create_directory(folder.path() / "masks");
+  write("masks/label_Brain.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) && v.x >= 16 ? 1 : 0; });
+  write("masks/label_Head.nrrd", [](const glm::ivec3& v) { return isInBoxes(v) ? 1 : 0; });
+  ASSERT_TRUE(openLabels("masks"));
+  QToolButton* reorder = offered(QStringLiteral("Smaller ones on top"));
+  ASSERT_NE(reorder, nullptr) << messages().sentence().toStdString();
+  QTest::mouseClick(reorder, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([this] {
+    return names() != std::vector<std::string>{"Background", "Brain", "Head"};
+  }));
+  EXPECT_EQ(names(), (std::vector<std::string>{"Background", "Head", "Brain"}));
+  for (const std::size_t place : {1, 2}) {
+    const VoxelBox& box = scene().keep.labels->boxAround(place);
+    EXPECT_NE(box.lower, box.upper) << place;
+  }
+  EXPECT_EQ(undo().undoText(), QStringLiteral("smaller labels on top"));
+  EXPECT_EQ(offered(QStringLiteral("Smaller ones on top")), nullptr) << "which they are";
+}
+
 TEST_F(LabelFilesWindow, whatIsSaidOfLabelsThatGaveWayGoesWhereThatIsUndone) {
   ASSERT_TRUE(openLabels("label_Skull.nrrd"));
   ASSERT_TRUE(openLabels("parts.seg.nrrd"));

@@ -300,7 +300,13 @@ TEST_F(LabelPickWindow, aFolderOfMasksThatIsDroppedBecomesTheLabels) {
 TEST_F(LabelPickWindow, theMenuOpensAFolderOfMasksAndSaysWhatIsNone) {
   std::filesystem::create_directory(folder.path() / "images");
   write<std::int16_t>("images/ct.nii.gz", [](const glm::ivec3& v) { return v.x; });
-  typeName(pathTo("images"));
+  onceAsked<QFileDialog>([this](QFileDialog& dialog) {
+    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    ASSERT_NE(name, nullptr);
+    EXPECT_TRUE(name->placeholderText().contains(QStringLiteral("files are not listed")));
+    name->setText(pathTo("images"));
+    QTest::keyClick(name, Qt::Key_Return);
+  });
   window->findChild<QAction*>(QStringLiteral("openLabelFolder"))->trigger();
   ASSERT_TRUE(test::waitUntil([this] { return !messages().isHidden() && !regions().isBusy(); }));
   EXPECT_TRUE(messages().sentence().contains(QStringLiteral("no file in it is the mask of a structure")))

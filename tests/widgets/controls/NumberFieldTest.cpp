@@ -214,6 +214,27 @@ TEST(NumberField, takesItsUnitAsItIsTyped) {
   EXPECT_EQ(field.text(), QStringLiteral("90") + QChar(0x00a0) + QStringLiteral("HU"));
 }
 
+TEST(NumberField, takesASecondUnitWithItsDigits) {
+  NumberField field(0.0, 100.0, 1);
+  field.setUnit(QStringLiteral("%"));
+  field.setOtherUnit(QStringLiteral("mm"), 100.0 / 208.4);
+  field.show();
+  for (const char* keys : {"48 mm", "48mm"}) {
+    const Typed typed = typedInto(field, QString::fromLatin1(keys));
+    EXPECT_EQ(typed.edits, std::vector<double>{48.0 * (100.0 / 208.4)}) << keys;
+    EXPECT_EQ(typed.number, 48.0 * (100.0 / 208.4)) << keys << ": " << typed.refusal.toStdString();
+    EXPECT_EQ(typed.text, QLocale().toString(23) + QChar(0x00a0) + QLatin1Char('%'));
+  }
+  EXPECT_EQ(typedInto(field, QStringLiteral("48 %")).number, 48.0);
+  EXPECT_EQ(typedInto(field, QStringLiteral("48")).number, 48.0);
+  field.setOtherUnit(QStringLiteral("mm"), 100.0 / 208.36);
+  EXPECT_EQ(typedInto(field, QLocale().toString(208.4) + QStringLiteral(" mm")).number, 100.0);
+  const QString tooLong = typedInto(field, QStringLiteral("300mm")).refusal;
+  EXPECT_TRUE(tooLong.startsWith(QStringLiteral("300mm does not fit"))) << tooLong.toStdString();
+  EXPECT_TRUE(tooLong.contains(QLocale().toString(208.4) + QChar(0x00a0) + QStringLiteral("mm")));
+  EXPECT_TRUE(typedInto(field, QStringLiteral("48cm")).refusal.startsWith(QStringLiteral("48cm does not")));
+}
+
 TEST(NumberField, readsBothMinusSignsAndShowsTheRealOne) {
   NumberField field(-1000.0, 1000.0, 1);
   field.show();

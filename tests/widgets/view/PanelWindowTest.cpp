@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
@@ -26,10 +27,14 @@ QPushButton* buttonNamed(const ViewHost& host, const char* name) {
 }
 
 TEST(Panels, withoutAVolumeTheViewOffersThreeWaysToOpenOne) {
-  ViewHost host;
+  ViewHost host({900, 700});
   ASSERT_TRUE(host.show());
   auto* panel = host.view.findChild<EmptyPanel*>();
   ASSERT_TRUE(panel->isVisible());
+  const QList<QLabel*> labels = panel->findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+    return label->isVisible() && label->text().contains(QStringLiteral("shows CT and MR volumes"));
+  })) << "what it is";
   QSignalSpy folder(panel, &EmptyPanel::openFolderRequested);
   QSignalSpy file(panel, &EmptyPanel::openFileRequested);
   QSignalSpy sample(panel, &EmptyPanel::sampleRequested);

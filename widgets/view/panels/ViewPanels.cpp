@@ -128,7 +128,9 @@ EmptyPanel::EmptyPanel(QWidget* parent)
     : PicturePanel(parent), m_target(new QWidget(this)), m_recent(new QWidget(this)) {
   setAttribute(Qt::WA_StyledBackground);
   m_title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
-  m_formats = new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
+  m_formats = new QLabel(tr("Limn shows CT and MR volumes in three dimensions.") + QLatin1Char('\n') +
+                             tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"),
+                         m_target);
   m_formats->setAlignment(Qt::AlignCenter);
   m_formats->setWordWrap(true);
   m_folder = panelButton(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);

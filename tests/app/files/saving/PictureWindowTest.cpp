@@ -323,6 +323,10 @@ TEST_F(SavedPicture, ofAnotherShapeIsWhatTheCommandLineDrawsInItsSize) {
   const Camera camera = scene().camera;
   onceAsked<PictureDialog>([](PictureDialog& dialog) {
     askForPixels(dialog, "512", "512");
+    EXPECT_TRUE(dialog.findChild<QCheckBox*>(QStringLiteral("pictureNames"))
+                    ->text()
+                    .startsWith(QStringLiteral("Model")))
+        << "not those of patients";
     for (const char* mark : {"pictureNames", "pictureLetters", "pictureScale", "pictureWarning"})
       dialog.findChild<QCheckBox*>(QLatin1String(mark))->setChecked(false);
     dialog.findChild<QCheckBox*>(QStringLiteral("pictureMeasurements"))->setChecked(false);
