@@ -126,7 +126,8 @@ void PresetController::connectBrowser() {
       m_own.duplicate(*preset);
   });
   connect(browser, &PresetBrowser::exportRequested, this, &PresetController::exportRequested);
-  connect(browser, &PresetBrowser::searchEnded, &m_context.view, qOverload<>(&QWidget::setFocus));
+  connect(browser, &PresetBrowser::searchEnded, &m_context.view,
+          [this] { m_context.view.setFocus(Qt::TabFocusReason); }); // by a key, too, so that it shows
   connect(browser, &PresetBrowser::galleryChosen, this,
           [this](bool isGallery) { m_context.settings.setPresetsAreGallery(isGallery); });
   m_browser.setGallery(m_context.settings.presetsAreGallery());
