@@ -149,7 +149,10 @@ std::vector<Preset> PresetController::fittedPresets() const {
 void PresetController::showStanding() {
   PresetStanding standing;
   standing.favourites = m_context.settings.favourites();
-  m_volume = m_context.session.scene().volume;
+  const std::shared_ptr<const Volume>& volume = m_context.session.scene().volume;
+  if (volume && !haveSameVoxels(volume, m_volume))
+    m_browser.endSearch(); // it was for another volume, and would hide what suits this one
+  m_volume = volume;
   if (m_volume)
     standing.fit = {m_volume->info().modality, firstLook(*m_volume, m_context.document.histogram()),
                     looksLikeHounsfield(*m_volume)};
