@@ -4,6 +4,7 @@
 #include "app/language/Language.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QLocale>
 #include <QScopeGuard>
 
@@ -20,9 +21,11 @@ bool soundAlike(const QString& asked, const QString& other) {
   return a.code == b.code && a.locale == b.locale;
 }
 
-// A field takes what was typed when it loses the keyboard.
+// A field takes what was typed when it loses the keyboard. Settings and guide have nothing to enter, and
+// the keyboard is to stay there.
 void enterWhatIsTyped() {
-  if (QWidget* field = QApplication::focusWidget())
+  QWidget* field = QApplication::focusWidget();
+  if (field && !qobject_cast<QDialog*>(field->window()))
     field->clearFocus();
 }
 

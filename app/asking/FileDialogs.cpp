@@ -84,6 +84,20 @@ void giveRoom(QFileDialog& dialog) {
       shown->hide();
 }
 
+// Lets a typed path say alone what is chosen. While it is typed Qt selects each folder on its way, and one
+// whose row in its own folder is that of the next it does not deselect (QItemSelectionModel::isRowSelected
+// compares rows, not parents, after a toggle). Such a folder would be opened in place of what the field says.
+void heedTypedPaths(QFileDialog& dialog) {
+  const auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")); // as Qt calls them
+  auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
+  if (!name || !files)
+    return;
+  QObject::connect(name, &QLineEdit::textChanged, files, [files](const QString& typed) {
+    if (typed.contains(QLatin1Char('/')))
+      files->selectionModel()->clearSelection();
+  });
+}
+
 } // namespace
 
 bool holdsLooks(const QString& path) {
@@ -129,6 +143,7 @@ QStringList askForPaths(QWidget* parent, const OpenQuestion& question, const Set
   if (!question.filters.isEmpty())
     dialog.setNameFilters(question.filters);
   giveRoom(dialog);
+  heedTypedPaths(dialog);
   if (dialog.exec() != QDialog::Accepted)
     return {};
   return dialog.selectedFiles();
@@ -257,6 +272,7 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& 
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     followFilter(dialog, offered);
     giveRoom(dialog);
+    heedTypedPaths(dialog);
     if (dialog.exec() != QDialog::Accepted)
       return {};
     filter = dialog.selectedNameFilter();

@@ -245,6 +245,10 @@ void PresetBrowser::focusSearch() {
   m_search->selectAll();
 }
 
+void PresetBrowser::endSearch() {
+  m_search->clear();
+}
+
 void PresetBrowser::choose(const QModelIndex& index) {
   if (!index.isValid() || index.data(presetRole::isGroup).toBool())
     return;

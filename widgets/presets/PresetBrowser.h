@@ -67,6 +67,9 @@ public:
   /// Puts the keyboard into the search field.
   void focusSearch();
 
+  /// Empties it: all are listed.
+  void endSearch();
+
   QSize sizeHint() const override { return {232, 480}; }
 
 signals:

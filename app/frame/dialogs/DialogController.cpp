@@ -2,6 +2,7 @@
 #include "app/frame/dialogs/DialogController.h"
 
 #include "app/frame/dialogs/MouseAndKeys.h"
+#include "app/frame/dialogs/WindowsAbove.h"
 #include "app/guide/GuideWindow.h"
 #include "app/window/WindowContext.h"
 #include "widgets/controls/ChoiceRow.h"
@@ -209,8 +210,19 @@ QCheckBox* SettingsDialog::switchOf(QAction& action) {
   return box;
 }
 
+// Of its own: a box that was opened has its list inside.
+int SettingsDialog::fieldInHand() const {
+  return static_cast<int>(findChildren<QWidget*>(Qt::FindDirectChildrenOnly).indexOf(focusWidget()));
+}
+
+void SettingsDialog::takeInHand(int field) {
+  if (QWidget* taken = findChildren<QWidget*>(Qt::FindDirectChildrenOnly).value(field))
+    taken->setFocus();
+}
+
 DialogController::DialogController(WindowContext& context) : QObject(&context.window), m_context(context) {
   qApp->installEventFilter(new DialogRoom(this));
+  new WindowsAbove(context.window);
   QAction* settings =
       context.actions.add(QStringLiteral("settings"),
                           {.text = tr("&Settings…"), .place = {Menu::edit, 3, 1}, .shortcut = tr("Ctrl+,")});
@@ -255,7 +267,9 @@ bool DialogController::isBusy() const {
 }
 
 DialogController::Memory DialogController::memory() const {
-  Memory memory{m_settings && m_settings->isVisible(), {}};
+  Memory memory;
+  if (m_settings && m_settings->isVisible())
+    memory.settingsField = m_settings->fieldInHand();
   if (!m_guide || !m_guide->isVisible())
     return memory;
   const GuideView& page = m_guide->page();
@@ -267,8 +281,10 @@ DialogController::Memory DialogController::memory() const {
 void DialogController::takeOver(const Memory& memory) {
   if (memory.guidePlace)
     showGuide(*memory.guidePlace);
-  if (memory.showsSettings)
+  if (memory.settingsField) {
     showSettings();
+    m_settings->takeInHand(*memory.settingsField);
+  }
 }
 
 void DialogController::showSettings() {
@@ -278,6 +294,7 @@ void DialogController::showSettings() {
   }
   m_settings->show();
   m_settings->raise();
+  m_settings->activateWindow();
 }
 
 // It stays while it is hidden: checks go on, and what they found is there when it is opened again.

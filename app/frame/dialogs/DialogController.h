@@ -64,6 +64,10 @@ class SettingsDialog : public QDialog {
 public:
   SettingsDialog(const ActionList& actions, QWidget* parent);
 
+  /// Which of its fields has the keyboard, for a dialog that takes its place; -1: none.
+  int fieldInHand() const;
+  void takeInHand(int field);
+
 private:
   QComboBox* choiceOf(QActionGroup& group, const QString& name);
   QCheckBox* switchOf(QAction& action);
@@ -84,7 +88,7 @@ public:
 
   /// Which of them are shown, for a window that takes this one's place.
   struct Memory {
-    bool showsSettings = false;
+    std::optional<int> settingsField;  ///< as takeInHand takes it; absent: the settings are not shown
     std::optional<QString> guidePlace; ///< absent: the guide is not shown
   };
   Memory memory() const;

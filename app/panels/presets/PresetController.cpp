@@ -127,7 +127,8 @@ void PresetController::connectBrowser() {
       m_own.duplicate(*preset);
   });
   connect(browser, &PresetBrowser::exportRequested, this, &PresetController::exportRequested);
-  connect(browser, &PresetBrowser::searchEnded, &m_context.view, qOverload<>(&QWidget::setFocus));
+  connect(browser, &PresetBrowser::searchEnded, &m_context.view,
+          [this] { m_context.view.setFocus(Qt::TabFocusReason); }); // by a key, too, so that it shows
   connect(browser, &PresetBrowser::galleryChosen, this,
           [this](bool isGallery) { m_context.settings.setPresetsAreGallery(isGallery); });
   m_browser.setGallery(m_context.settings.presetsAreGallery());
@@ -149,7 +150,10 @@ std::vector<Preset> PresetController::fittedPresets() const {
 void PresetController::showStanding() {
   PresetStanding standing;
   standing.favourites = m_context.settings.favourites();
-  m_volume = m_context.session.scene().volume;
+  const std::shared_ptr<const Volume>& volume = m_context.session.scene().volume;
+  if (volume && !haveSameVoxels(volume, m_volume))
+    m_browser.endSearch(); // it was for another volume, and would hide what suits this one
+  m_volume = volume;
   if (m_volume)
     standing.fit = {m_volume->info().modality, firstLook(*m_volume, m_context.document.histogram()),
                     looksLikeHounsfield(*m_volume)};

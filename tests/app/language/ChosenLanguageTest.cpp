@@ -71,10 +71,16 @@ protected:
     return waitUntil([this] { return !window().loader().isLoading(); }) && session().scene().volume;
   }
 
-  /// Chooses the language of the next line, down or up, as the settings offer it, named `label` there.
-  void choose(const char* label, Qt::Key key) {
+  void showSettings() {
     if (!window().findChild<SettingsDialog*>())
       named("settings").trigger();
+    const auto* settings = window().findChild<SettingsDialog*>();
+    ASSERT_TRUE(waitUntil([&] { return settings->isActiveWindow(); })) << "they take the keyboard";
+  }
+
+  /// Chooses the language of the next line, down or up, as the settings offer it, named `label` there.
+  void choose(const char* label, Qt::Key key) {
+    showSettings();
     auto* box = widgetNamed<QComboBox>(*window().findChild<SettingsDialog*>(), label);
     ASSERT_NE(box, nullptr);
     box->setFocus();
@@ -152,6 +158,8 @@ TEST_F(ChosenLanguage, comesAtOnceWithAllThatIsOpenAndGoesBack) {
   const auto* settings = window().findChild<SettingsDialog*>();
   ASSERT_TRUE(settings && settings->isVisible()) << "where the language was chosen";
   EXPECT_EQ(settings->windowTitle(), QStringLiteral("Einstellungen"));
+  EXPECT_TRUE(waitUntil([&] { return settings->isActiveWindow(); }));
+  EXPECT_EQ(settings->focusWidget(), widgetNamed<QComboBox>(*settings, "Sprache")) << "the keys go on there";
 
   named("undo").trigger();
   EXPECT_EQ(session().scene().transferFunction, once);
@@ -388,7 +396,7 @@ TEST_F(ChosenLanguage, comesOnceADragHasEnded) {
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   const MainWindow* english = &window();
   QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
-  named("settings").trigger(); // the drag begins with the settings beside it
+  showSettings(); // the drag begins with the settings beside it
   bool stays = false;
   dragAPoint([&] {
     choose("Language", Qt::Key_Down);

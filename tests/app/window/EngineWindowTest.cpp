@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/core/drawing/PictureMaker.h"
+#include "app/frame/dialogs/DialogController.h"
+#include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/properties/EffectTimes.h"
 
+#include <QComboBox>
 #include <QMenu>
+#include <QWindow>
 
 #include <algorithm>
 #include <fstream>
@@ -56,6 +60,23 @@ TEST_F(EngineWindow, theOneChosenInTheMenuDrawsAndIsRemembered) {
   EXPECT_FALSE(entry("cpu")->isChecked());
   EXPECT_TRUE(labelSays(QStringLiteral("OpenGL")));
   EXPECT_EQ(Settings(settingsFile()).engine(), Engine::rayCaster);
+}
+
+// Qt makes the window anew for OpenGL.
+TEST_F(EngineWindow, theSettingsStayAboveTheWindowAndKeepTheKeyboard) {
+  window->findChild<QAction*>(QStringLiteral("settings"))->trigger();
+  auto* settings = window->findChild<SettingsDialog*>();
+  ASSERT_TRUE(test::waitUntil([&] { return settings->isActiveWindow(); }));
+  const WId before = window->winId();
+  auto* box = widgetNamed<QComboBox>(*settings, "Draw with");
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Up);
+  ASSERT_EQ(view().engine(), Engine::rayCaster);
+  ASSERT_NE(window->winId(), before);
+  EXPECT_TRUE(
+      test::waitUntil([&] { return settings->windowHandle()->transientParent() == window->windowHandle(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return settings->isActiveWindow(); }));
+  EXPECT_TRUE(settings->isVisible() && box->hasFocus());
 }
 
 TEST_F(EngineWindow, whatATrialHasShownIsTakenWithoutAnother) {

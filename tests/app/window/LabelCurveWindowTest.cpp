@@ -7,6 +7,8 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/LabelSection.h"
+#include "widgets/theme/LookStyle.h"
+#include "widgets/theme/Theme.h"
 
 #include <QComboBox>
 #include <QTreeView>
@@ -72,6 +74,25 @@ protected:
 
   TransferFunction function;
 };
+
+// A row is selected with and without the keyboard.
+TEST_F(LabelCurveWindow, aLineAroundTheLabelsShowsThatTheyHaveTheKeyboard) {
+  applyTheme(*qApp, ThemeChoice::light);
+  section().setFolded(false);
+  table().setCurrentIndex(table().model()->index(1, 0));
+  const auto edge = [this] {
+    const QImage shown = table().grab().toImage();
+    return shown.pixelColor(shown.width() / 2, shown.height() - 1);
+  };
+  view().setFocus();
+  const QColor accent = themeColors(Look::light).accent;
+  EXPECT_NE(edge(), accent);
+  const int height = table().height();
+  table().setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(table().hasFocus());
+  EXPECT_EQ(edge(), accent);
+  EXPECT_EQ(table().height(), height);
+}
 
 TEST_F(LabelCurveWindow, aLabelGetsItsOwnCurveWhichThePanelThenEdits) {
   EXPECT_FALSE(whose().isVisible()) << "no label has one";

@@ -7,6 +7,7 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/gestures/ViewDrag.h"
+#include "widgets/view/panels/FocusRing.h"
 
 #include <QStatusBar>
 #include <QToolBar>
@@ -94,6 +95,7 @@ TEST_F(PanelCycleTest, enterInThePresetListLeadsNowhereAndInTheSearchToThePictur
   QTest::keyClicks(search, QStringLiteral("bone"));
   QTest::keyClick(search, Qt::Key_Return);
   EXPECT_EQ(QApplication::focusWidget(), &view());
+  EXPECT_TRUE(view().findChild<FocusRing*>()->isVisible()) << "where the keyboard is";
 }
 
 // What belongs to no panel is left by F6, and holds nobody.

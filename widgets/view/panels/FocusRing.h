@@ -5,7 +5,7 @@
 
 namespace limn {
 
-/// A line around a widget while it has the focus by Tab. A pointer that gives the focus shows where it is by
+/// A line around a widget while it has the focus by a key. A pointer that gives the focus shows where it is by
 /// itself.
 class FocusRing : public QWidget {
   Q_OBJECT

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/asking/FileDialogs.h"
 #include "app/core/sources/SceneSource.h"
 #include "app/files/opening/SeriesDialog.h"
 #include "app/files/saving/PictureDialog.h"
@@ -345,6 +346,44 @@ TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
   });
   window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
   EXPECT_EQ(asked, pathTo("labels"));
+}
+
+// In folders where each is the first of its folder, which is where Qt alone opens the one before the last.
+TEST_F(OpeningWindow, aPathThatIsTypedIsWhatIsOpened) {
+  const QString volume = smallVolume("0/0");
+  const QString inner = pathTo("0/0/0");
+  fs::create_directories(inner.toStdString());
+  Settings settings(UserFolders::below(folder.path()).settings);
+  const auto answer = [&](const OpenQuestion& question, const QString& path, const QString& from) {
+    settings.setDialogFolder(from);
+    onceAsked<QFileDialog>([&path](QFileDialog& dialog) {
+      auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+      ASSERT_TRUE(name && test::waitUntilExposed(dialog));
+      ASSERT_TRUE(test::waitUntil([&] {
+        if (!dialog.isActiveWindow())
+          dialog.activateWindow();
+        return dialog.isActiveWindow();
+      }));
+      name->setFocus();
+      name->selectAll();
+      const auto press = [&dialog](auto key) { // goes to the list of what fits once that is open
+        const QWidget* popup = QApplication::activePopupWidget();
+        QTest::keyClick(popup ? popup->windowHandle() : dialog.windowHandle(), key);
+      };
+      for (const QChar letter : path)
+        press(letter.toLatin1());
+      EXPECT_EQ(name->text(), path);
+      EXPECT_TRUE(test::waitUntil([] { return QApplication::activePopupWidget() != nullptr; }));
+      press(Qt::Key_Return);
+      if (dialog.isVisible())
+        dialog.reject();
+    });
+    return askWhatToOpen(window.get(), question, settings);
+  };
+  for (const QString& from : {pathTo("0/0"), pathTo("0"), pathTo("")}) {
+    EXPECT_EQ(answer({QStringLiteral("a file")}, volume, from), volume);
+    EXPECT_EQ(answer({QStringLiteral("a folder"), true}, inner, from), inner);
+  }
 }
 
 TEST_F(OpeningWindow, theDialogShowsFilesOfScannersWhichHaveNoEnding) {

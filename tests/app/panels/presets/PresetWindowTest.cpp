@@ -377,6 +377,20 @@ TEST_F(PresetWindow, aRenamedPresetIsSeenThoughASearchForItsFormerNameWouldHideI
   EXPECT_FALSE(rowOf(browser(), QStringLiteral("Petrous")).isValid());
 }
 
+TEST_F(PresetWindow, anotherVolumeEndsTheSearchAndAPresetDoesNot) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  auto& search = *browser().findChild<QLineEdit*>();
+  search.setFocus();
+  QTest::keyClicks(&search, QStringLiteral("glass"));
+  QTest::keyClick(&search, Qt::Key_Return);
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(search.text(), QStringLiteral("glass")) << "it may be the second of them";
+  ASSERT_TRUE(open(QStringLiteral("phantom:9")));
+  EXPECT_TRUE(search.text().isEmpty());
+  const QString shown = QString::fromStdString(session().preset().name);
+  EXPECT_TRUE(rowOf(browser(), shown).isValid()) << shown.toStdString();
+}
+
 TEST_F(PresetWindow, theHeadersNameWhatWasJustSavedRenamedOrUsed) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   emit browser().presetChosen(QStringLiteral("CT bone"));
