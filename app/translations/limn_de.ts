@@ -2222,6 +2222,22 @@
         <source>This is the right picture; the left one lies closer to its exact one.</source>
         <translation>Das ist das rechte Bild; das linke liegt näher an seinem exakten.</translation>
     </message>
+    <message>
+        <source>the folder shown above; files are not listed</source>
+        <translation>der oben gezeigte Ordner; Dateien sind nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>Enter or a double click closes the line. Esc takes it back.</source>
+        <translation>Eingabe oder ein Doppelklick schließt die Linie. Esc nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Show what was cut away</source>
+        <translation>Weggeschnittenes zeigen</translation>
+    </message>
+    <message>
+        <source>A click shows what was cut away again; a second one shows everything.</source>
+        <translation>Ein Klick zeigt wieder, was weggeschnitten wurde; ein zweiter zeigt alles.</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2542,6 +2558,10 @@
         <source>%1 (key %2)</source>
         <translation>%1 (Taste %2)</translation>
     </message>
+    <message>
+        <source>Enter keeps it, Esc takes it back.</source>
+        <translation>Eingabe behält sie, Esc nimmt sie zurück.</translation>
+    </message>
 </context>
 <context>
     <name>limn::CompareView</name>
@@ -2821,6 +2841,10 @@
     <message>
         <source>Crop of %1</source>
         <translation>Zuschnitt von %1</translation>
+    </message>
+    <message>
+        <source>%1 Millimetres from that end can be typed, too: 48 mm.</source>
+        <translation>%1 Auch Millimeter von diesem Ende aus können eingegeben werden: 48 mm.</translation>
     </message>
 </context>
 <context>
@@ -3684,6 +3708,14 @@
     <message>
         <source>Unsaved work: %1</source>
         <translation>Nicht gespeicherte Arbeit: %1</translation>
+    </message>
+    <message>
+        <source>Limn shows CT and MR volumes in three dimensions.</source>
+        <translation>Limn zeigt CT- und MR-Volumen dreidimensional.</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Aus dieser Liste entfernen</translation>
     </message>
 </context>
 <context>
@@ -7309,14 +7341,6 @@
         <translation>Die Preset-Datei %1 wird ausgelassen: Ein anderes Preset heißt „%2“; geben Sie ihr einen eigenen Namen.</translation>
     </message>
     <message>
-        <source>The figure has %1 panels, of which the window shows the first; the command limn figure draws all of them again.</source>
-        <translation>Die Abbildung hat %1 Teilbilder, von denen das Fenster das erste zeigt; der Befehl limn figure zeichnet alle erneut.</translation>
-    </message>
-    <message>
-        <source>The figure has %1 panels, of which the window shows %2; the command limn figure draws all of them again.</source>
-        <translation>Die Abbildung hat %1 Teilbilder, von denen das Fenster %2 zeigt; der Befehl limn figure zeichnet alle erneut.</translation>
-    </message>
-    <message>
         <source>Cannot write %1: this picture needs the ending .png or .tif.</source>
         <translation>%1 kann nicht geschrieben werden: Dieses Bild braucht die Endung .png oder .tif.</translation>
     </message>
@@ -9216,6 +9240,22 @@
         <source>The corners that the upright grid adds beside its slices hold no data.</source>
         <translation>Die Ecken, die das aufrechte Gitter neben seinen Schichten ergänzt, enthalten keine Daten.</translation>
     </message>
+    <message>
+        <source>The figure has %1 panels, of which the window shows the first.</source>
+        <translation>Die Abbildung hat %1 Teilbilder, von denen das Fenster das erste zeigt.</translation>
+    </message>
+    <message>
+        <source>The figure has %1 panels, of which the window shows %2.</source>
+        <translation>Die Abbildung hat %1 Teilbilder, von denen das Fenster %2 zeigt.</translation>
+    </message>
+    <message>
+        <source>The command limn figure draws all of them again.</source>
+        <translation>Der Befehl limn figure zeichnet alle erneut.</translation>
+    </message>
+    <message>
+        <source>it is a text, not a volume</source>
+        <translation>sie ist ein Text, kein Volumen</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -9363,6 +9403,10 @@
         <source>%1 does not fit: give a number from %2 to %3.</source>
         <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein.</translation>
     </message>
+    <message>
+        <source>%1 does not fit: give a number from %2 to %3, or from %4 to %5.</source>
+        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 oder von %4 bis %5 ein.</translation>
+    </message>
 </context>
 <context>
     <name>limn::OpeningController</name>
@@ -9413,10 +9457,6 @@
     <message>
         <source>%1, opened %2</source>
         <translation>%1, geöffnet %2</translation>
-    </message>
-    <message>
-        <source>&amp;Clear this list</source>
-        <translation>Liste &amp;leeren</translation>
     </message>
     <message>
         <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf *.clut *.tfi *.1dt)</source>
@@ -9481,6 +9521,14 @@
     <message>
         <source>Where are the labels %1?</source>
         <translation>Wo sind die Labels %1?</translation>
+    </message>
+    <message>
+        <source>%1 is not where it was: it was moved or deleted, or its drive or network folder is not connected.</source>
+        <translation>%1 ist nicht mehr dort: verschoben oder gelöscht, oder das Laufwerk oder der Netzwerkordner ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>Remove from recent files</source>
+        <translation>Aus den zuletzt geöffneten entfernen</translation>
     </message>
 </context>
 <context>
@@ -10238,10 +10286,6 @@
         <translation>%1 × %2 Pixel: Mehr als %3 je Seite können nicht gezeichnet werden</translation>
     </message>
     <message>
-        <source>&amp;Names, and what is hidden</source>
-        <translation>&amp;Namen, und was ausgeblendet ist</translation>
-    </message>
-    <message>
         <source>Save the slice</source>
         <translation>Schicht speichern</translation>
     </message>
@@ -10314,6 +10358,10 @@
     <message>
         <source>Locked: the height follows from the width. Unlocked: the picture shows as much from top to bottom as on screen, and at the sides what fits.</source>
         <translation>Gesperrt: Die Höhe folgt aus der Breite. Offen: Das Bild zeigt von oben bis unten so viel wie der Bildschirm und an den Seiten, was hineinpasst.</translation>
+    </message>
+    <message>
+        <source>Model &amp;names, and what is hidden</source>
+        <translation>&amp;Namen der Modelle, und was ausgeblendet ist</translation>
     </message>
 </context>
 <context>
@@ -10464,6 +10512,18 @@
     <message>
         <source>Ctrl+Shift+P</source>
         <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>Saving %1 once it is known how exact the picture is</source>
+        <translation>%1 wird gespeichert, sobald bekannt ist, wie genau das Bild ist</translation>
+    </message>
+    <message>
+        <source>Saving %1 once the picture is refined</source>
+        <translation>%1 wird gespeichert, sobald das Bild verfeinert ist</translation>
+    </message>
+    <message>
+        <source>Saving %1 once the picture is refined: %2 %</source>
+        <translation>%1 wird gespeichert, sobald das Bild verfeinert ist: %2 %</translation>
     </message>
 </context>
 <context>
@@ -11016,12 +11076,12 @@
         <translation>Helle Gefäße jeder Skala; MR-Angiografie, Subtraktions-CT, an jede Serie angepasst</translation>
     </message>
     <message>
-        <source>A brain without its skull; on a whole head this shows the scalp, fitted to each series</source>
-        <translation>Gehirn ohne Schädel; an einem ganzen Kopf zeigt dies die Haut, an jede Serie angepasst</translation>
-    </message>
-    <message>
         <source>MR skull-stripped brain</source>
         <translation>MR Gehirn ohne Schädel</translation>
+    </message>
+    <message>
+        <source>On a whole head this shows the scalp; for a brain without its skull, fitted to each series</source>
+        <translation>An einem ganzen Kopf zeigt dies die Haut; für ein Gehirn ohne Schädel, an jede Serie angepasst</translation>
     </message>
 </context>
 <context>
@@ -11372,6 +11432,17 @@
     </message>
 </context>
 <context>
+    <name>limn::RecentMenu</name>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from this list</source>
+        <translation>Aus dieser Liste &amp;entfernen</translation>
+    </message>
+</context>
+<context>
     <name>limn::RegionController</name>
     <message>
         <source>Open the labels of this volume</source>
@@ -11472,6 +11543,18 @@
     <message>
         <source>one file</source>
         <translation>einer Datei</translation>
+    </message>
+    <message>
+        <source>Smaller ones on top</source>
+        <translation>Kleinere obenauf</translation>
+    </message>
+    <message>
+        <source>smaller labels on top</source>
+        <translation>kleinere Labels obenauf</translation>
+    </message>
+    <message>
+        <source>show what was cut away</source>
+        <translation>Weggeschnittenes zeigen</translation>
     </message>
 </context>
 <context>
@@ -12483,6 +12566,10 @@
     <message>
         <source>Its frames do not say what they show: %1.</source>
         <translation>Seine Einzelbilder sagen nicht, was sie zeigen: %1.</translation>
+    </message>
+    <message>
+        <source>What was measured is not in its frames.</source>
+        <translation>Was gemessen wurde, ist in seinen Einzelbildern nicht zu sehen.</translation>
     </message>
 </context>
 <context>
