@@ -140,7 +140,8 @@ PictureDialog::PictureDialog(const PictureOptions& options, const QSize& screen,
   form->addRow(tr("With it"), marks);
   const SavedMarks& on = options.marks;
   addMark("pictureNames",
-          kind == PictureKind::slice ? tr("&Names: plane, place, window") : tr("Model &names, and what is hidden"),
+          kind == PictureKind::slice ? tr("&Names: plane, place, window")
+                                     : tr("Model &names, and what is hidden"),
           on.names);
   addMark("pictureLetters", tr("&Letters of the sides (R, L, …)"), on.letters);
   addMark("pictureScale", tr("Scale &bar"), on.scale);

@@ -60,7 +60,7 @@ public:
   void use(const QString& name);
   /// Shows a preset for a while; an empty name ends that.
   void preview(const QString& name);
-  /// Has a preset compared with what is shown.
+  /// Has a preset compared with what is shown, by the model of a side (0 left, 1 right).
   void compare(const QString& name, int likeSide);
   /// Fills a menu with the presets for the picture of a side, 0 left or the only one, 1 right: a chosen one
   /// is used there, or compared with the scene's own look where the other side shows that. That which the

@@ -30,10 +30,10 @@ TEST_F(PictureInfo, tellsWhatAPictureCarriesWithoutItsVolume) {
   const std::string render =
       "render phantom:8 --size 32x24 --preset \"CT bone\" --light headlight --view left ";
   ASSERT_EQ(run(render + "--model robust --tolerance 4 -o " + picture).status, 0);
-  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
-  const std::string statement = scene["accuracy"]["statement"].get<std::string>();
-  scene["volume"] = "elsewhere.nii.gz";
-  writeBytes(picture, readBytes(picture), scene.dump());
+  nlohmann::json carried = nlohmann::json::parse(readImageDescription(picture));
+  const std::string statement = carried["accuracy"]["statement"].get<std::string>();
+  carried["volume"] = "elsewhere.nii.gz";
+  writeBytes(picture, readBytes(picture), carried.dump());
   const Outcome told = run("info " + picture);
   ASSERT_EQ(told.status, 0) << told.err;
   EXPECT_EQ(told.out, "picture     32 x 24 pixels\n"
@@ -54,7 +54,7 @@ TEST_F(PictureInfo, tellsWhatAPictureCarriesWithoutItsVolume) {
   EXPECT_EQ(alone["picture"]["volumes"], nlohmann::json::array({"elsewhere.nii.gz"}));
   EXPECT_EQ(
       alone["picture"]["accuracy"],
-      nlohmann::json({{"statement", statement}, {"within_levels", scene["accuracy"]["within_levels"]}}));
+      nlohmann::json({{"statement", statement}, {"within_levels", carried["accuracy"]["within_levels"]}}));
   const Outcome both = run("info --volume phantom:8 " + picture);
   EXPECT_TRUE(both.out.starts_with(told.out)) << both.out << both.err;
   EXPECT_NE(both.out.find("dimensions  24 x 29 x 34 voxels"), std::string::npos) << both.out;
@@ -68,11 +68,11 @@ TEST_F(PictureInfo, tellsWhatAPictureHides) {
   const std::string picture = file("a.png").string();
   ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
   EXPECT_EQ(run("info --quiet " + picture).out.find("hidden "), std::string::npos);
-  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
+  nlohmann::json carried = nlohmann::json::parse(readImageDescription(picture));
   const nlohmann::json piece = {{"seed_mm", {0.0, 0.0, 0.0}}, {"range", {0.0, 100.0}}};
-  scene["keep"] = {"body", {{"piece", piece}}};
-  scene["crop"] = {{"lower", {0.0, 0.0, 0.0}}, {"upper", {1.0, 1.0, 0.5}}};
-  writeBytes(picture, readBytes(picture), scene.dump());
+  carried["keep"] = {"body", {{"piece", piece}}};
+  carried["crop"] = {{"lower", {0.0, 0.0, 0.0}}, {"upper", {1.0, 1.0, 0.5}}};
+  writeBytes(picture, readBytes(picture), carried.dump());
   const std::string told = run("info --quiet " + picture).out;
   EXPECT_NE(
       told.find("\nhidden      the table (body only), what 1 cut takes away, what lies outside the crop\n"),
@@ -92,9 +92,9 @@ TEST_F(PictureInfo, tellsOfTheVolumeThatAPictureNamesWhereItIsFound) {
   const nlohmann::json facts = nlohmann::json::parse(run("info --json " + picture).out);
   EXPECT_EQ(facts, nlohmann::json::parse(run("info --json --volume phantom:8 " + picture).out));
   EXPECT_GT(facts.size(), 1u);
-  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
-  scene["keep"] = {{"labels", "elsewhere.nrrd"}};
-  writeBytes(picture, readBytes(picture), scene.dump());
+  nlohmann::json carried = nlohmann::json::parse(readImageDescription(picture));
+  carried["keep"] = {{"labels", "elsewhere.nrrd"}};
+  writeBytes(picture, readBytes(picture), carried.dump());
   EXPECT_EQ(run("info " + picture).out, told.out);
 }
 
@@ -104,9 +104,9 @@ TEST_F(PictureInfo, aPictureOfTheSampleHeadIsToldAsOne) {
     GTEST_SKIP() << "the head of invesalius-examples is not installed";
   const std::string picture = file("a.png").string();
   ASSERT_EQ(run("render phantom:8 --size 32x24 --step 1 -o " + picture).status, 0);
-  nlohmann::json scene = nlohmann::json::parse(readImageDescription(picture));
-  scene["volume"] = head.filename().string();
-  writeBytes(picture, readBytes(picture), scene.dump());
+  nlohmann::json carried = nlohmann::json::parse(readImageDescription(picture));
+  carried["volume"] = head.filename().string();
+  writeBytes(picture, readBytes(picture), carried.dump());
   EXPECT_NE(run("info --quiet " + picture).out.find("volume      Cranium.inv3 (the sample head)\n"),
             std::string::npos);
 }

@@ -570,8 +570,7 @@ TEST_F(CutWindow, cutsHoldWhenOtherThingsAreKeptAndComeBackWithTheSession) {
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);
   EXPECT_EQ(cuts().size(), 1u);
   EXPECT_EQ(weightInTheMiddle(), 0.0);
-  // The note brings back what was cut first, then what Body only hides.
-  const Region both = scene().keep;
+  const Region both = scene().keep; // the note brings back what was cut first, then what Body only hides
   emit view().findChild<ViewInput*>()->everythingRequested();
   ASSERT_TRUE(ready());
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);

@@ -221,7 +221,7 @@ TEST_F(ModelWindow, propertiesSayWhichOfTwoLooksTheyEdit) {
   EXPECT_TRUE(sharpness->isEnabled()) << "the left model has it";
   auto& presets = *window->findChild<PresetController*>();
   presets.use(QStringLiteral("CT bone"));
-  presets.compare(QStringLiteral("CT skin"));
+  presets.compare(QStringLiteral("CT skin"), 0);
   ASSERT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
   EXPECT_FALSE(said->isHidden());
   EXPECT_TRUE(said->text().contains(QStringLiteral("\"CT skin\""))) << said->text().toStdString();

@@ -541,7 +541,7 @@ TEST_F(Looks, ofTwoPresetsTheOneThatIsEditedIsCalledModified) {
 TEST_F(Looks, ofWhichACurveWasFittedSayThatInTheirNames) {
   openWithPresetOfOtherValues();
   setLayout(CompareLayout::sideBySide);
-  presets().compare(QStringLiteral("mylook"));
+  presets().compare(QStringLiteral("mylook"), 1);
   EXPECT_EQ(names().value(0), QStringLiteral("mylook, fitted"));
   presets().use(QStringLiteral("mylook"));
   EXPECT_EQ(names(), (QStringList{QStringLiteral("mylook, fitted"), QStringLiteral("mylook, fitted")}));
@@ -553,7 +553,7 @@ TEST_F(Looks, ofWhichACurveWasFittedSayThatInTheirNames) {
 TEST_F(Looks, builtInOnesInHounsfieldUnitsSayWhereThoseWereNotUsed) {
   openWithPresetOfOtherValues();
   setLayout(CompareLayout::sideBySide);
-  presets().compare(QStringLiteral("CT skin"));
+  presets().compare(QStringLiteral("CT skin"), 1);
   presets().use(QStringLiteral("CT bone"));
   EXPECT_EQ(names(), (QStringList{QStringLiteral("CT skin, fitted"), QStringLiteral("CT bone, fitted")}));
   ASSERT_TRUE(messages().isVisible());

@@ -36,18 +36,18 @@ TEST_F(ReadOut, namesTheTissueUnderThePointerAndOfThePointInHand) {
 
 TEST_F(ReadOut, namesOfTissuesLieClearOfCurveAndHistogram) {
   CanvasPicture picture = m_canvas.picture();
-  const QRectF& plot = picture.transform.plot;
-  const double left = plot.center().x(), width = 60.0;
+  const QRectF& field = picture.transform.plot;
+  const double left = field.center().x(), width = 60.0;
   picture.function.points.clear();
   picture.histogram.line.clear();
-  EXPECT_NEAR(tissueNamePlace(picture, left, width).top(), plot.top(), 2.0);
+  EXPECT_NEAR(tissueNamePlace(picture, left, width).top(), field.top(), 2.0);
   picture.function = {1.0, {{0.0, glm::dvec3(1.0), 0.98}}};
   const QRectF lowest = tissueNamePlace(picture, left, width);
-  EXPECT_NEAR(lowest.bottom(), plot.bottom(), 2.0) << "the curve runs along the upper edge";
-  const double height = plot.height() - 6.0; // of the edge: within the lowest row
-  picture.histogram.line << QPointF(0.0, height) << QPointF(plot.width(), height);
+  EXPECT_NEAR(lowest.bottom(), field.bottom(), 2.0) << "the curve runs along the upper edge";
+  const double height = field.height() - 6.0; // of the edge: within the lowest row
+  picture.histogram.line << QPointF(0.0, height) << QPointF(field.width(), height);
   const QRectF above = tissueNamePlace(picture, left, width);
-  EXPECT_LE(above.bottom(), plot.top() + height);
+  EXPECT_LE(above.bottom(), field.top() + height);
   EXPECT_NEAR(above.bottom(), lowest.top(), 1e-9) << "in the row above that";
 }
 

@@ -5,8 +5,8 @@
 
 namespace limn {
 
-/// A line around a widget while it has the focus by a key. A pointer that gives the focus shows where it is by
-/// itself.
+/// A line around a widget while it has the focus by a key. A pointer that gives the focus shows where it is
+/// by itself.
 class FocusRing : public QWidget {
   Q_OBJECT
 
