@@ -89,6 +89,7 @@ QStandardItem* presetItem(const ListedPreset& listed, const QImage& curve) {
       note.isEmpty()
           ? shownName
           : QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(shownName.toHtmlEscaped(), note.toHtmlEscaped()));
+  item->setStatusTip(note); // whole, however narrow the list is
   item->setEditable(false);
   return item;
 }
