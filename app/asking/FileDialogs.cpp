@@ -87,13 +87,14 @@ void giveRoom(QFileDialog& dialog) {
 // Lets a typed path say alone what is chosen. While it is typed Qt selects each folder on its way, and one
 // whose row in its own folder is that of the next it does not deselect (QItemSelectionModel::isRowSelected
 // compares rows, not parents, after a toggle). Such a folder would be opened in place of what the field says.
+// In a field without the keyboard Qt writes the name of what is selected instead.
 void heedTypedPaths(QFileDialog& dialog) {
   const auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")); // as Qt calls them
   auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
   if (!name || !files)
     return;
-  QObject::connect(name, &QLineEdit::textChanged, files, [files](const QString& typed) {
-    if (typed.contains(QLatin1Char('/')))
+  QObject::connect(name, &QLineEdit::textChanged, files, [name, files](const QString& typed) {
+    if (name->hasFocus() && typed.contains(QLatin1Char('/')))
       files->selectionModel()->clearSelection();
   });
 }
