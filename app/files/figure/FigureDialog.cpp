@@ -31,7 +31,7 @@
 namespace limn {
 namespace {
 
-constexpr int sideWidth = 500; // names of looks with their models have room
+constexpr int sideWidth = 450; // room for names of looks with their models, and on small screens
 
 // The first picture of a preview has so many pixels each way as a share of the last, so that it comes at
 // once.
@@ -92,7 +92,7 @@ FigureDialog::FigureDialog(WindowContext& context, std::function<FigureLooks()> 
   m_soon.setSingleShot(true);
   m_soon.setInterval(restMs);
   connectParts();
-  resize(1196, 660);
+  resize(1146, 660);
 }
 
 ActionLook FigureDialog::look() {
