@@ -2844,7 +2844,7 @@
     </message>
     <message>
         <source>%1 Millimetres from that end can be typed, too: 48 mm.</source>
-        <translation>%1 Auch Millimeter von diesem Ende aus können eingegeben werden: 48 mm.</translation>
+        <translation>%1 Auch Millimeter von diesem Ende aus können eingegeben werden: 48 mm.</translation>
     </message>
 </context>
 <context>
@@ -10523,7 +10523,7 @@
     </message>
     <message>
         <source>Saving %1 once the picture is refined: %2 %</source>
-        <translation>%1 wird gespeichert, sobald das Bild verfeinert ist: %2 %</translation>
+        <translation>%1 wird gespeichert, sobald das Bild verfeinert ist: %2 %</translation>
     </message>
 </context>
 <context>

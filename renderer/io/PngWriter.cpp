@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/PngWriter.h"
 
+#include "io/openimageio/PictureLibrary.h"
+
 #include <png.h>
 
 #include <cerrno>
@@ -31,7 +33,7 @@ void keep(png_structp png, png_bytep data, std::size_t count) {
     encoded.isOutOfMemory = true;
   }
   if (encoded.isOutOfMemory)
-    png_error(png, "no memory is left");
+    png_error(png, "memory");
 }
 
 [[noreturn]] void stop(png_structp png, png_const_charp reason) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/openimageio/PictureLibrary.h"
-
 #include <string>
 
 namespace limn {
+
+struct PictureToWrite;
 
 /// Writes a picture of bytes as PNG in sRGB by libpng, without the two hundred libraries that other formats
 /// bring: to load those takes longer than most pictures. The same picture is the same bytes each time. Empty
