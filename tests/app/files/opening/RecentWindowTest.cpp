@@ -50,6 +50,9 @@ TEST_F(RecentWindow, ofAFolderOfTwoTheSeriesIsOpenedAgainThatWasOpenedBefore) {
   };
   const auto modality = [this] { return scene().volume ? scene().volume->info().modality : std::string(); };
   const auto openAgain = [this] {
+    // Without a window manager nobody gives the keys back when the dialog before this one ends.
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
     QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
     ASSERT_FALSE(scene().volume);
     auto* recent = window->findChild<QPushButton*>(QStringLiteral("recent"));
