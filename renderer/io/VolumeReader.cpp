@@ -18,6 +18,7 @@
 #include "scene/volume/Orientation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -67,12 +68,22 @@ bool isText(std::string_view start) {
   });
 }
 
+constexpr std::array rawEndings{".raw", ".zraw", ".dat", ".bin"};
+
+// Whether raw voxels lie beside a text of the same name, which then describes them.
+bool describesRawVoxels(const fs::path& path, std::string_view start) {
+  return isText(start) && std::ranges::any_of(rawEndings, [&](const char* ending) {
+           std::error_code ignored;
+           return fs::exists(fs::path(path).replace_extension(ending), ignored);
+         });
+}
+
 [[noreturn]] void failUnknown(const fs::path& path, std::string_view start) {
   const std::string ending = lowerCase(path.extension().string());
   if (const auto header = headerBeside(path))
     failReading(path, Message::tr("it holds voxels without their size"),
                 Message::tr("open %1 instead").arg(header->filename().string()));
-  if (ending == ".raw" || ending == ".zraw" || ending == ".dat" || ending == ".bin")
+  if (std::ranges::find(rawEndings, ending) != rawEndings.end() || describesRawVoxels(path, start))
     failReading(
         path, Message::tr("it does not say the size and type of a volume in a way that Limn knows"),
         Message::tr(
