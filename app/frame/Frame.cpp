@@ -275,11 +275,10 @@ void Frame::addLanguages() {
 }
 
 Frame::Memory Frame::memory() const {
-  return {m_focus.isOn(), !m_context.tour.isHidden(), m_dialogs.memory(), m_context.docks.leftWidth()};
+  return {m_focus.isOn(), !m_context.tour.isHidden(), m_dialogs.memory()};
 }
 
 void Frame::takeOver(const Memory& memory) {
-  m_context.docks.setLeftWidth(memory.leftWidth);
   if (memory.isPictureOnly)
     m_focus.enter();
   if (memory.offersTour)

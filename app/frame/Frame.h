@@ -123,7 +123,6 @@ public:
     bool isPictureOnly = false;
     bool offersTour = false;
     DialogController::Memory dialogs;
-    int leftWidth = 0; ///< Docks::leftWidth
   };
   Memory memory() const;
   /// Once the window is shown.

@@ -407,8 +407,7 @@ void Panels::restore(const SessionDocument& session) {
 }
 
 Panels::Memory Panels::memory() const {
-  return {m_switchedOff,       m_projections,         m_earlier.earlier(),
-          m_accuracy.memory(), m_properties.folded(), m_properties.place()};
+  return {m_switchedOff, m_projections, m_earlier.earlier(), m_accuracy.memory(), m_properties.folded()};
 }
 
 void Panels::takeOver(const Memory& memory) {
@@ -417,7 +416,6 @@ void Panels::takeOver(const Memory& memory) {
   m_earlier.setEarlier(memory.earlier);
   m_accuracy.takeOver(memory.accuracy);
   m_properties.setFolded(memory.foldedProperties);
-  m_properties.scrollTo(memory.properties);
 }
 
 } // namespace limn

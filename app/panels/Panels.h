@@ -11,7 +11,6 @@
 #include "app/panels/presets/ThumbnailController.h"
 #include "io/scenefile/SessionFile.h"
 #include "scene/effects/EffectRows.h"
-#include "widgets/controls/FoldingSection.h"
 
 #include <QObject>
 
@@ -139,7 +138,6 @@ public:
     std::optional<EarlierLook::Shaped> earlier;
     AccuracyController::Memory accuracy;
     std::vector<bool> foldedProperties; ///< SectionPanel::folded
-    SectionPanel::Place properties;     ///< to which they were scrolled
   };
   Memory memory() const;
   /// Of the same volume, which is shown already.

@@ -363,30 +363,6 @@ void Docks::restore(const QByteArray& geometry, const QByteArray& state) {
   m_window.restoreState(state);
 }
 
-int Docks::seenLeftWidth() const {
-  for (const QDockWidget* dock : at(Qt::LeftDockWidgetArea))
-    if (!dock->isFloating() && !dock->visibleRegion().isEmpty()) // of those behind, it is an old one
-      return dock->width();
-  return 0;
-}
-
-int Docks::leftWidth() const {
-  const int seen = seenLeftWidth();
-  return m_left.wished > 0 && seen == m_left.got ? m_left.wished : seen;
-}
-
-void Docks::setLeftWidth(int width) {
-  if (width <= 0)
-    return;
-  m_window.resizeDocks({at(Qt::LeftDockWidgetArea).front()}, {width}, Qt::Horizontal);
-  QMetaObject::invokeMethod(
-      this,
-      [this, width] {
-        m_left = {width, seenLeftWidth()};
-      },
-      Qt::QueuedConnection); // laid out
-}
-
 void Docks::hideAll() {
   for (const Qt::DockWidgetArea area :
        {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea})

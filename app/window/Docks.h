@@ -61,11 +61,6 @@ public:
   /// Shows again what a narrow window has folded by itself: it is remembered without.
   void endFolding();
 
-  /// How wide those at the left are, or were wished where their words are wider; 0 where none is seen.
-  int leftWidth() const;
-  /// As wide as in a window that this one takes the place of, or as its words let them be.
-  void setLeftWidth(int width);
-
   /// Hides all that stand around the picture.
   void hideAll();
   /// Shows again what that hid; what lay on top of others does so again.
@@ -92,7 +87,6 @@ private:
   void addFolds(ActionList& actions);
   void fold(Qt::DockWidgetArea area, Folded& folded);
   static void unfold(Folded& folded);
-  int seenLeftWidth() const;
   void foldWhereNarrow();
   void enterTab(int tab);
   /// Tabs and contents name docks; a title below or above them would say it again. A dock of the right side
@@ -110,12 +104,6 @@ private:
   QDockWidget* m_seenLast = nullptr; ///< of those that sessions know
   Folded m_aside;                    ///< by hideAll
   std::map<Qt::DockWidgetArea, Folded> m_folded;
-  /// A width, and what came of it.
-  struct GivenWidth {
-    int wished = 0;
-    int got = 0;
-  };
-  GivenWidth m_left;
   bool m_foldedItself = false; ///< the right side, because the window is narrow
 };
 

@@ -194,25 +194,6 @@ void SectionPanel::scrollTo(const QWidget& section) {
   verticalScrollBar()->setValue(section.mapTo(widget(), QPoint()).y());
 }
 
-SectionPanel::Place SectionPanel::place() const {
-  const int scrolled = verticalScrollBar()->value();
-  const QList<FoldingSection*> sections = findChildren<FoldingSection*>();
-  Place place{0, scrolled};
-  for (qsizetype i = 0; i < sections.size(); ++i)
-    if (const int top = sections[i]->mapTo(widget(), QPoint()).y();
-        sections[i]->isVisible() && top <= scrolled)
-      place = {static_cast<std::size_t>(i), scrolled - top};
-  return place;
-}
-
-void SectionPanel::scrollTo(const Place& place) {
-  const QList<FoldingSection*> sections = findChildren<FoldingSection*>();
-  if (place.section >= static_cast<std::size_t>(sections.size()))
-    return;
-  scrollTo(*sections[static_cast<qsizetype>(place.section)]);
-  verticalScrollBar()->setValue(verticalScrollBar()->value() + place.beyond);
-}
-
 std::vector<bool> SectionPanel::folded() const {
   std::vector<bool> folded;
   for (const FoldingSection* section : findChildren<FoldingSection*>())

@@ -81,15 +81,6 @@ public:
   /// unfolded or filled just now has its place first. The keyboard stays where it is.
   void scrollTo(const QWidget& section);
 
-  /// Where it is scrolled to: a section, from the first one, and how far beyond its upper edge, pixels.
-  struct Place {
-    std::size_t section = 0;
-    int beyond = 0;
-  };
-  Place place() const;
-  /// To where the same panel was scrolled elsewhere, in words of other lengths.
-  void scrollTo(const Place& place);
-
   /// Which of its sections are folded, from the first one; and folds those of the same panel elsewhere.
   std::vector<bool> folded() const;
   void setFolded(const std::vector<bool>& folded);

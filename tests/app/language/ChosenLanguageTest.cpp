@@ -178,30 +178,6 @@ TEST_F(ChosenLanguage, comesAtOnceWithAllThatIsOpenAndGoesBack) {
   expectNothingSaidOrAsked();
 }
 
-TEST_F(ChosenLanguage, panelsStayScrolledAndComeBackAsNarrow) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
-  const auto place = [this] { return window().findChild<PropertiesPanel*>()->place(); };
-  const auto width = [this] {
-    return window().findChild<QDockWidget*>(QStringLiteral("presetDock"))->width();
-  };
-  window().findChild<PropertiesPanel*>()->scrollTo(SectionPanel::Place{2, 0});
-  const std::size_t section = place().section;
-  ASSERT_GT(section, 0u);
-  const int narrow = width();
-
-  QSignalSpy replaced(spoken.get(), &SpokenWindow::replaced);
-  choose("Language", Qt::Key_Down);
-  ASSERT_TRUE(isReplaced(replaced));
-  EXPECT_TRUE(waitUntil([&] { return place().section == section; })) << place().section;
-  QCoreApplication::processEvents();
-  EXPECT_GE(width(), narrow);
-  replaced.clear();
-  choose("Sprache", Qt::Key_Up);
-  ASSERT_TRUE(isReplaced(replaced));
-  EXPECT_TRUE(waitUntil([&] { return width() == narrow && place().section == section; }))
-      << width() << " of " << narrow << ", " << place().section;
-}
-
 TEST_F(ChosenLanguage, keepsSlicesPanelsComparisonAndItsUndoSteps) {
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   auto* comparison = window().findChild<ComparisonController*>();
