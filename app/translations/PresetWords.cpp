@@ -47,7 +47,7 @@ QT_TRANSLATE_NOOP("limn::Preset", "How much each ray absorbs; like a radiograph"
 QT_TRANSLATE_NOOP("limn::Preset", "MR skull-stripped brain")
 QT_TRANSLATE_NOOP(
     "limn::Preset",
-    "On a whole head this shows the scalp; for a brain without its skull, fitted to each series")
+    "Of a whole head it shows the scalp; for a brain without its skull, fitted to each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR glass")
 QT_TRANSLATE_NOOP("limn::Preset", "Tissues as tinted glass; stretched to the brightness of each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR head")

@@ -11080,7 +11080,7 @@
         <translation>MR Gehirn ohne Schädel</translation>
     </message>
     <message>
-        <source>On a whole head this shows the scalp; for a brain without its skull, fitted to each series</source>
+        <source>Of a whole head it shows the scalp; for a brain without its skull, fitted to each series</source>
         <translation>An einem ganzen Kopf zeigt dies die Haut; für ein Gehirn ohne Schädel, an jede Serie angepasst</translation>
     </message>
 </context>

@@ -84,7 +84,7 @@ TEST(BuiltInPresets, nonePromisesABrainButWhereItWasStripped) {
   for (const Preset& preset : presets)
     EXPECT_TRUE(says(preset, "stripped") || !(says(preset, "brain") || says(preset, "Brain"))) << preset.name;
   const std::string note = presetNamed(presets, "MR skull-stripped brain").note;
-  EXPECT_TRUE(note.starts_with("On a whole head this shows the scalp;")) << note << ": rows cut what follows";
+  EXPECT_TRUE(note.starts_with("Of a whole head it shows the scalp;")) << note << ": rows cut what follows";
 }
 
 TEST(BuiltInPresets, holdEveryFirstLook) {
