@@ -45,9 +45,8 @@ QT_TRANSLATE_NOOP("limn::Preset", "Enamel, implants and metal; bone as a shadow"
 QT_TRANSLATE_NOOP("limn::Preset", "CT X-ray")
 QT_TRANSLATE_NOOP("limn::Preset", "How much each ray absorbs; like a radiograph")
 QT_TRANSLATE_NOOP("limn::Preset", "MR skull-stripped brain")
-QT_TRANSLATE_NOOP(
-    "limn::Preset",
-    "Of a whole head it shows the scalp; for a brain without its skull, fitted to each series")
+QT_TRANSLATE_NOOP("limn::Preset",
+                  "Of a whole head it shows the scalp; for a brain without its skull, fitted to each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR glass")
 QT_TRANSLATE_NOOP("limn::Preset", "Tissues as tinted glass; stretched to the brightness of each series")
 QT_TRANSLATE_NOOP("limn::Preset", "MR head")
