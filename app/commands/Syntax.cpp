@@ -190,8 +190,8 @@ CommandWords wordsOf(const CLI::App& app, const KnownValues& values) {
 ProgramSyntax::ProgramSyntax(const std::string& name, const std::string& what, const std::string& version)
     : m_app(std::make_unique<CLI::App>(what, name)) {
   m_app->set_version_flag("--version", version);
-  m_app->require_subcommand(
-      0, 1); // behind a command no word is another one, such as those the guide is asked for
+  // Behind a command no word is another one, such as those that the guide is asked for.
+  m_app->require_subcommand(0, 1);
 }
 
 ProgramSyntax::~ProgramSyntax() = default;

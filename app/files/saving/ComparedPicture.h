@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/ImageFile.h"
+#include "io/scenefile/SceneFile.h"
 #include "scene/basics/Image.h"
 #include "widgets/view/overlay/ViewGeometry.h"
 
@@ -10,6 +11,8 @@
 class QImage;
 
 namespace limn {
+
+struct Comparison;
 
 /// Marks over a picture of their size, both premultiplied.
 Image withMarks(Image image, const QImage& marks);
@@ -23,5 +26,10 @@ bool takesBytes(const std::string& path);
 
 /// A picture as files of bytes have it: colours that are not multiplied by their alpha.
 BytePicture bytesWithAlpha(const Image& image);
+
+/// What a saved picture tells of its sides, so that it is drawn and opened as it was. A look is called by the
+/// name of the program's preset that it is, and otherwise by none: pictures travel, and names that somebody
+/// gave stay here.
+ShownSides savedSides(const Comparison& shown);
 
 } // namespace limn

@@ -11,7 +11,6 @@
 #include "app/files/saving/ComparedPicture.h"
 #include "app/files/saving/DrawingTime.h"
 #include "app/files/saving/PictureSaving.h"
-#include "app/files/saving/SavedSides.h"
 #include "app/window/WindowContext.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
