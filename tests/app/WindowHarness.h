@@ -34,8 +34,9 @@ namespace limn::test {
 /// The program's window on settings, presets and files of a folder of its own.
 class WindowHarness : public testing::Test {
 protected:
-  /// `engine` draws: with OpenGL unless a test is about the choice, which depends on the machine.
-  explicit WindowHarness(std::optional<Engine> engine = Engine::rayCaster) {
+  /// `engine` draws: the processor, in a third of the time of OpenGL without a card, unless a test is about a driver
+  /// (`OpenGlWindow`) or about the choice, which depends on the machine.
+  explicit WindowHarness(std::optional<Engine> engine = Engine::cpu) {
     QCoreApplication::setOrganizationName(QStringLiteral("limn"));
     QCoreApplication::setApplicationName(QStringLiteral("limn"));
     const UserFolders folders = UserFolders::below(folder.path());
@@ -70,6 +71,7 @@ protected:
   void setLayout(CompareLayout layout) { window->findChild<ComparisonController*>()->setLayout(layout); }
   /// The widget with the OpenGL context, while the driver draws.
   QOpenGLWidget& canvas() { return *view().findChild<QOpenGLWidget*>(); }
+  /// What draws with the driver, while it does.
   PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }
   int compiledPrograms() { return loop().pictures()->engine().compiledPrograms(); }
 
@@ -78,7 +80,7 @@ protected:
     return test::waitUntil([this] { return !window->loader().isLoading() && view().pictureState().resting; });
   }
 
-  /// Waits until nothing is left to do at rest either.
+  /// Waits until nothing is left for the driver to do at rest either.
   [[nodiscard]] bool idle() {
     return test::waitUntil([this] { return !window->loader().isLoading() && loop().isIdle(); });
   }
@@ -170,6 +172,12 @@ protected:
 
   TemporaryFolder folder;
   std::unique_ptr<MainWindow> window;
+};
+
+/// The same, drawn with OpenGL.
+class OpenGlWindow : public WindowHarness {
+protected:
+  OpenGlWindow() : WindowHarness(Engine::rayCaster) {}
 };
 
 } // namespace limn::test

@@ -48,14 +48,14 @@ void noteWarning(QtMsgType type, const QMessageLogContext&, const QString& messa
     warnings << message;
 }
 
-class RandomActions : public test::WindowHarness {
+class RandomActions : public test::OpenGlWindow {
 protected:
   void SetUp() override {
     // What a thread has freed glibc keeps, up to 64 MB for each of 16 arenas, and malloc_trim leaves it
     // there: after 13,000 actions 123 MB were held and 718 resident. Of a threshold that is set it keeps no
     // more.
     mallopt(M_TRIM_THRESHOLD, 1 << 17);
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     window->resize(1280, 800);
     view().setRefinesAtRest(true);
     // The one thing that a hand would not come back from.

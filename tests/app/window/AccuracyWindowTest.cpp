@@ -49,10 +49,10 @@ std::pair<ReferenceFacts, ImageError> measuredAgain(const Scene& scene, const gl
       .get();
 }
 
-class AccuracyWindowTest : public test::WindowHarness {
+class AccuracyWindowTest : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     window->resize(800, 560); // small pictures converge soon
     window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
     ASSERT_TRUE(open(QStringLiteral("phantom:16")));

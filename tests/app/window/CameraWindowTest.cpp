@@ -18,10 +18,10 @@
 namespace limn {
 namespace {
 
-class CameraWindow : public test::WindowHarness {
+class CameraWindow : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     ASSERT_TRUE(openAlone(QStringLiteral("phantom:6")));
     ASSERT_TRUE(rest());
   }

@@ -8,10 +8,10 @@
 namespace limn {
 namespace {
 
-class CubeWindow : public test::WindowHarness {
+class CubeWindow : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     window->resize(1280, 900);
     ASSERT_TRUE(openAlone(QStringLiteral("phantom:6")));
     ASSERT_TRUE(rest());

@@ -22,7 +22,7 @@
 namespace limn {
 namespace {
 
-class DialogsWindow : public test::WindowHarness {
+class DialogsWindow : public test::OpenGlWindow {
 protected:
   QAction* named(const char* name) const { return window->findChild<QAction*>(QLatin1String(name)); }
   Settings settings() const { return Settings(UserFolders::below(folder.path()).settings); }

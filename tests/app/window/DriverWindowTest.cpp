@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-using DriverWindow = test::WindowHarness;
+using DriverWindow = test::OpenGlWindow;
 
 TEST_F(DriverWindow, aSessionGoesOnWhereTheDriverRefusesEveryShader) {
   auto broken = std::make_unique<test::BrokenShaders>();

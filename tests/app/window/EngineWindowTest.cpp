@@ -173,12 +173,12 @@ TEST_F(EngineWindow, aTrialIsNoReasonToWaitWhenTheWindowCloses) {
 
 // CTest runs this on Qt's offscreen platform, which makes no OpenGL context: the state of a machine without a
 // driver.
-class WindowWithoutOpenGl : public test::WindowHarness {
+class WindowWithoutOpenGl : public test::OpenGlWindow {
 protected:
   void SetUp() override {
     if (QGuiApplication::platformName() != QLatin1String("offscreen"))
       GTEST_SKIP() << "needs Qt's offscreen platform; CTest runs it so as limn_window_without_opengl";
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
   }
 };
 

@@ -20,7 +20,7 @@
 namespace limn {
 namespace {
 
-class FocusWindowTest : public test::WindowHarness, public testing::WithParamInterface<ThemeChoice> {};
+class FocusWindowTest : public test::OpenGlWindow, public testing::WithParamInterface<ThemeChoice> {};
 
 // The widget as it is on screen, with what its parents paint around it.
 QImage around(const QWidget& widget) {

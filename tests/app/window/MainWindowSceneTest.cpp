@@ -24,10 +24,10 @@
 namespace limn {
 namespace {
 
-class MainWindowScene : public test::WindowHarness {
+class MainWindowScene : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     ASSERT_TRUE(openAlone(QStringLiteral("phantom:4")));
     session().setCamera(orbited(scene().camera, 0.5, 0.4));
   }

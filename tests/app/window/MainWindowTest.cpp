@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-using MainWindowTest = test::WindowHarness;
+using MainWindowTest = test::OpenGlWindow;
 
 const QString phantom = QStringLiteral("phantom:4");
 

@@ -26,10 +26,10 @@
 namespace limn {
 namespace {
 
-class ModelWindow : public test::WindowHarness {
+class ModelWindow : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     window->resize(1280, 800);
     ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   }

@@ -42,7 +42,7 @@ struct DragFigures {
   FrameTimes own; ///< processor time of the window's thread, in which a driver compiles
 };
 
-class NeutralDrag : public test::WindowHarness {
+class NeutralDrag : public test::OpenGlWindow {
 protected:
   // Shows the phantom with the scene changed, with nothing left to do.
   [[nodiscard]] bool show(const std::function<void(Scene&)>& change, CompareLayout layout) {

@@ -36,7 +36,7 @@ std::vector<float> samplesOf(const Image& image) {
   return samples;
 }
 
-class RefinementTest : public test::WindowHarness {
+class RefinementTest : public test::OpenGlWindow {
 protected:
   QString statusText() const { return window->findChild<PictureStatus*>()->text().line(); }
 

@@ -72,10 +72,10 @@ void writeSeries(const std::filesystem::path& folder, bool isHounsfield, double 
   }
 }
 
-class SixTasks : public test::WindowHarness, public testing::WithParamInterface<bool> {
+class SixTasks : public test::OpenGlWindow, public testing::WithParamInterface<bool> {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     window->resize(1280, 800);
     writeSeries(folder.path() / "first", GetParam(), 6.0);
     writeSeries(folder.path() / "next", GetParam(), 5.0);

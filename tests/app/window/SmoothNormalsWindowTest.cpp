@@ -26,7 +26,7 @@ int ballAt(const glm::ivec3& v, double sliceMm) {
   return static_cast<int>(std::clamp(60.0 * (11.0 - glm::length(away)), -1000.0, 500.0));
 }
 
-class SmoothNormalsWindow : public test::WindowHarness {
+class SmoothNormalsWindow : public test::OpenGlWindow {
 protected:
   [[nodiscard]] bool openBall(double sliceMm) {
     test::writeShorts(

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class TurntableWindow : public test::WindowHarness {
+class TurntableWindow : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     ASSERT_TRUE(open(QStringLiteral("phantom:8")));
     ASSERT_TRUE(rest());
     window->findChild<QAction*>(QStringLiteral("saveTurntable"))->trigger();

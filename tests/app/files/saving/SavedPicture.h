@@ -11,10 +11,10 @@
 namespace limn::test {
 
 /// A picture of the view on its way into a file, as it is asked for.
-class SavedPicture : public WindowHarness {
+class SavedPicture : public OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
+    OpenGlWindow::SetUp();
     setLayout(CompareLayout::single);
     ASSERT_TRUE(open(QStringLiteral("phantom:4")));
     ASSERT_TRUE(rest());
