@@ -42,7 +42,7 @@ class PhysicalWindow : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    window->resize(800, 560); // few pixels to follow paths for
+    window->resize(640, 440); // few pixels to follow paths for
     ASSERT_TRUE(open(QStringLiteral("phantom:6")));
     ASSERT_TRUE(rest());
   }
