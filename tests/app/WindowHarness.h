@@ -34,7 +34,7 @@ namespace limn::test {
 /// The program's window on settings, presets and files of a folder of its own.
 class WindowHarness : public testing::Test {
 protected:
-  /// `engine` draws: the processor, in a third of the time of OpenGL without a card, unless a test is about a driver
+  /// `engine` draws: the processor, quicker than OpenGL without a card, unless a test is about a driver
   /// (`OpenGlWindow`) or about the choice, which depends on the machine.
   explicit WindowHarness(std::optional<Engine> engine = Engine::cpu) {
     QCoreApplication::setOrganizationName(QStringLiteral("limn"));

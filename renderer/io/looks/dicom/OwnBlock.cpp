@@ -14,7 +14,7 @@ namespace {
 constexpr const char* creator = "LIMN";
 constexpr const char* volumeWord = "series"; // a scene names its volume; this one is the series referred to
 constexpr Uint16 group = 0x4C49;
-constexpr Uint16 version = 1;
+constexpr Uint16 blockVersion = 1;
 const DcmTagKey creatorTag(group, 0x0010), versionTag(group, 0x1001), instanceTag(group, 0x1002),
     sceneTag(group, 0x1003);
 
@@ -63,7 +63,7 @@ void putOwnBlock(DcmItem& object, const Scene& scene, const std::string& instanc
     kept.keep.cuts = scene.keep.cuts;
   }
   insert<DcmLongString>(object, creatorTag, EVR_LO, creator);
-  require(object.putAndInsertUint16(DcmTag(versionTag, EVR_US), version).good(), versionTag);
+  require(object.putAndInsertUint16(DcmTag(versionTag, EVR_US), blockVersion).good(), versionTag);
   insert<DcmUniqueIdentifier>(object, instanceTag, EVR_UI, instance);
   insert<DcmUnlimitedText>(object, sceneTag, EVR_UT, sceneToJson(kept, volumeWord));
 }
@@ -72,7 +72,7 @@ std::optional<SceneDocument> ownBlockIn(DcmItem& object, const std::string& name
                                         std::vector<Message>& changes) {
   if (privateText(object, creatorTag) != creator)
     return std::nullopt;
-  if (versionIn(object) != version) {
+  if (versionIn(object) != blockVersion) {
     changes.push_back(
         Message::tr("It was written by a later Limn, so what only that knows was left aside: update Limn."));
     return std::nullopt;
