@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 2,000 random scenes (HARD_CASES section 5), in parts so that they run beside each other. `limn stability --fuzz N
-// --seed S` draws any others. Where there is no card, all of them are drawn by Mesa's softpipe, which interprets
-// programs, and two parts by llvmpipe, too, which takes four times as long to compile what draws so few pixels.
+// 2,000 random scenes (HARD_CASES section 5), in parts so that they run beside each other. Without a card
+// all of them are drawn by Mesa's softpipe, which interprets programs, and two parts by llvmpipe, too, which
+// takes longer to compile them than to draw so few pixels.
+// `limn stability --fuzz N --seed S` draws any others.
 #include "stability/PictureFuzz.h"
 #include "support/GlTest.h"
 
