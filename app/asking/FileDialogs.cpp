@@ -135,10 +135,7 @@ QStringList writtenLookFilters(const QString& first) {
 }
 
 QStringList askForPaths(QWidget* parent, const OpenQuestion& question, const Settings& settings) {
-  const QFileInfo beside(question.beside);
-  QFileDialog dialog(parent, question.title,
-                     !question.beside.isEmpty() && beside.exists() ? beside.absolutePath()
-                                                                   : settings.dialogFolder());
+  QFileDialog dialog(parent, question.title, settings.dialogFolder());
   dialog.setFileMode(question.isFolder ? QFileDialog::Directory
                      : question.isMany ? QFileDialog::ExistingFiles
                                        : QFileDialog::ExistingFile);

@@ -26,11 +26,10 @@ struct OpenQuestion {
   bool isFolder = false;
   QStringList filters = {}; ///< "Everything (*.nii *.nrrd)"; of files
   bool isMany = false;      ///< several files may be chosen
-  QString beside = {};      ///< begins in the folder of this, where it exists
 };
 
-/// Asks for a file or folder to open, beginning where the last one lay that could be opened, unless the
-/// question says where. Empty where nobody wants to open anything.
+/// Asks for a file or folder to open, beginning where the last one lay that could be opened. Empty where
+/// nobody wants to open anything.
 QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, const Settings& settings);
 
 /// The same where the question may be answered by several.

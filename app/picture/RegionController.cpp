@@ -127,29 +127,22 @@ RegionController::RegionController(WindowContext& context)
   });
 }
 
-// Labels mostly lie beside their volume, wherever that was opened from. Empty for one that no file holds.
-QString RegionController::volumePath() const {
-  return QString::fromStdString(m_context.document.volumePath());
-}
-
 void RegionController::askForLabels() {
   const QStringList paths = askForPaths(
       &m_context.window,
       {.title = tr("Open the labels of this volume"),
        .filters = {tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)"),
                    tr("All files (*)")},
-       .isMany = true,
-       .beside = volumePath()},
+       .isMany = true},
       m_context.settings);
   if (!paths.isEmpty())
     openLabelFiles(paths);
 }
 
 void RegionController::askForMasks() {
-  const QString path = askWhatToOpen(
-      &m_context.window,
-      {.title = tr("Open a folder of masks of this volume"), .isFolder = true, .beside = volumePath()},
-      m_context.settings);
+  const QString path = askWhatToOpen(&m_context.window,
+                                     {.title = tr("Open a folder of masks of this volume"), .isFolder = true},
+                                     m_context.settings);
   if (!path.isEmpty())
     openLabels(path);
 }

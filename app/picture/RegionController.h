@@ -78,7 +78,6 @@ private:
   void work(const Gesture& gesture, const Work& work);
   void cut(const Region& region, const std::vector<Cut>& cuts, const Gesture& gesture);
   void keep(const FoundRegion& found, const Gesture& gesture);
-  QString volumePath() const;
   void openInOrder(const std::vector<std::filesystem::path>& files, const Gesture& gesture);
   /// Has masks that others cover read anew, the smallest last; no button where that changes nothing.
   MessageBar::Action smallestOnTop(const FoundRegion& found);

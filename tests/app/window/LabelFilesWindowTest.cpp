@@ -50,18 +50,6 @@ TEST_F(LabelFilesWindow, masksThatAreChosenTogetherAreOneSegmentation) {
   EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
 }
 
-TEST_F(LabelFilesWindow, areLookedForBesideTheVolumeHoweverThatWasOpened) {
-  for (const char* which : {"openLabels", "openLabelFolder"}) {
-    QString place;
-    onceAsked<QFileDialog>([&place](QFileDialog& dialog) {
-      place = dialog.directory().absolutePath();
-      dialog.reject();
-    });
-    window->findChild<QAction*>(QLatin1String(which))->trigger();
-    EXPECT_EQ(QFileInfo(place), QFileInfo(pathTo("")));
-  }
-}
-
 TEST_F(LabelFilesWindow, masksThatAreDroppedTogetherAreOneSegmentation) {
   QMimeData data;
   data.setUrls(
