@@ -157,6 +157,14 @@ TEST(Layering, formatsAreReadByThemselves) {
              "pictures are drawn without a window");
 }
 
+// What clang-tidy looks for in sources that are read by themselves (bugprone-suspicious-include): units
+// include theirs.
+TEST(Sources, includeNoOthers) {
+  for (const char* folder : {"renderer", "widgets", "app", "tests"})
+    for (const test::Include& one : test::includesBelow(folder))
+      EXPECT_FALSE(one.header.ends_with(".cpp")) << one.file << ": " << one.header;
+}
+
 TEST(Sources, carryTheirLicence) {
   for (const char* folder : {"renderer", "widgets", "app", "tests", "shaders"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

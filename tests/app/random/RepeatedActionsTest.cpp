@@ -60,7 +60,7 @@ protected:
   void SetUp() override {
     OpenGlWindow::SetUp();
     const int asked = qEnvironmentVariableIntValue("LIMN_REPEATED_TIMES");
-    m_times = asked > 0 ? asked : 2; // what each leaves is left by two
+    m_times = asked > 0 ? asked : 5;
     // Icons that are made for a moment fill it up to its own limit of 10 MB.
     QPixmapCache::setCacheLimit(0);
     window->resize(1, 1); // as small as it can be: what pictures cost tells nothing here

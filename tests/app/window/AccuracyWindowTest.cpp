@@ -53,7 +53,7 @@ class AccuracyWindowTest : public test::OpenGlWindow {
 protected:
   void SetUp() override {
     OpenGlWindow::SetUp();
-    window->resize(640, 440); // small pictures converge soon
+    window->resize(800, 560); // small pictures converge soon
     window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
     ASSERT_TRUE(open(QStringLiteral("phantom:16")));
     ASSERT_TRUE(rest());

@@ -108,7 +108,7 @@ TEST_F(EngineWindow, bothAreTriedOnceTheFirstPictureRestsAndTheFasterDraws) {
 }
 
 TEST_F(EngineWindow, whatItCostsIsMeasuredWithTheEngineThatDraws) {
-  window->resize(640, 440); // small pictures converge soon
+  window->resize(800, 560); // small pictures converge soon
   ASSERT_TRUE(open(QStringLiteral("phantom:20")));
   ASSERT_TRUE(rest());
   EffectTimes times;

@@ -38,11 +38,11 @@
 namespace limn {
 namespace {
 
-class PhysicalWindow : public test::WindowHarness {
+class PhysicalWindow : public test::OpenGlWindow {
 protected:
   void SetUp() override {
-    WindowHarness::SetUp();
-    window->resize(640, 440); // few pixels to follow paths for
+    OpenGlWindow::SetUp();
+    window->resize(800, 560); // few pixels to follow paths for
     ASSERT_TRUE(open(QStringLiteral("phantom:6")));
     ASSERT_TRUE(rest());
   }
