@@ -152,7 +152,7 @@ void OpeningController::connectLoader() {
   connect(&m_loader, &VolumeLoader::loaded, this,
           [this](const LoadedScene& scene, const Histogram& histogram) {
             m_context.view.clearLoading();
-            rememberAsked();
+            rememberFolder();
             emit loaded(scene, histogram, m_requested);
           });
   connect(&m_loader, &VolumeLoader::failed, this, &OpeningController::sayFailure);
@@ -254,7 +254,6 @@ void OpeningController::locateVolume(const QString& scene) {
                     m_context.settings);
   if (path.isEmpty())
     return;
-  m_asked = path;
   Request request = m_requested;
   request.source = scene;
   request.options.volume = path.toStdString();
@@ -292,7 +291,6 @@ void OpeningController::askForFile() {
                        namesWithoutEnding() + QLatin1Char(')')} +
            readLookFilters()},
       m_context.settings);
-  m_asked = path;
   if (!path.isEmpty())
     open(path);
 }
@@ -301,7 +299,6 @@ void OpeningController::askForFolder() {
   const QString path = askWhatToOpen(&m_context.window,
                                      {.title = tr("Open a DICOM folder or an image stack"), .isFolder = true},
                                      m_context.settings);
-  m_asked = path;
   if (!path.isEmpty())
     open(path);
 }
@@ -361,11 +358,12 @@ void OpeningController::readWithSpacing(const Request& shown, const QString& ent
   open(shown.source, options);
 }
 
-void OpeningController::rememberAsked() {
-  const QString volume = QString::fromStdString(m_requested.options.volume.value_or("").string());
-  const QFileInfo asked(m_asked);
-  if (!m_asked.isEmpty() && (asked == QFileInfo(m_requested.source) || asked == QFileInfo(volume)))
-    rememberFolderOf(m_asked, m_context.settings);
+void OpeningController::rememberFolder() {
+  const auto& located = m_requested.options.volume;
+  const QString opened = located ? QString::fromStdString(located->string()) : m_requested.source;
+  const bool isOwn = !m_requested.isUnsavedSession && QFileInfo::exists(opened); // the sample lies nowhere
+  if (isOwn)
+    rememberFolderOf(opened, m_context.settings);
 }
 
 void OpeningController::leaveFailure() {

@@ -107,8 +107,8 @@ private:
   void readSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom, int number);
   void readWithSpacing(const Request& shown, const QString& entered);
   void refreshRecent();
-  /// A dialog was answered with what is open now: the next begins there.
-  void rememberAsked();
+  /// The next dialog begins where what was opened just now lies, however it was opened.
+  void rememberFolder();
 
   WindowContext& m_context;
   QMenu* m_recent; ///< of what was opened before
@@ -117,7 +117,6 @@ private:
   VolumeLoader m_loader;
   QString m_failure;    ///< why nothing was opened; empty once that does not matter
   Request m_requested;  ///< last; it may still load, or have failed
-  QString m_asked;      ///< what a dialog answered last
   RecentSource m_again; ///< what was opened before and is opened again; without a path where it is not
 };
 

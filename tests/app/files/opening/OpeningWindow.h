@@ -47,6 +47,21 @@ protected:
     return path;
   }
 
+  /// The field for a name in a dialog for files, once it has the keyboard, as where people type: into one
+  /// without it Qt writes what is selected. Null where the keyboard does not come.
+  static QLineEdit* nameIn(QFileDialog& dialog) {
+    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")); // as Qt calls it
+    const bool isReady = name && waitUntilExposed(dialog) && waitUntil([&dialog] {
+                           if (!dialog.isActiveWindow())
+                             dialog.activateWindow();
+                           return dialog.isActiveWindow();
+                         });
+    if (!isReady)
+      return nullptr;
+    name->setFocus();
+    return name;
+  }
+
   QString folderOfNextDialog() {
     auto asked = std::make_shared<QString>();
     onceAsked<QFileDialog>([asked](QFileDialog& dialog) {

@@ -269,15 +269,29 @@ TEST_F(OpeningWindow, aFolderOfWhatIsRefusedIsNotWhereTheNextDialogOpens) {
   }
   ASSERT_TRUE(refused("b/damaged.clut", "importLooks"));
   EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "of looks";
-  // What came in otherwise changes nothing either.
+}
+
+// Somebody who drops a volume into the window looks for its labels beside it.
+TEST_F(OpeningWindow, dialogsOpenBesideWhatWasOpenedWithoutThem) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  typeName(smallVolume("a"));
+  QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
   ASSERT_TRUE(open(smallVolume("c")));
-  EXPECT_EQ(folderOfNextDialog(), pathTo("a"));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("c"));
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("c")) << "the sample lies nowhere";
 }
 
 TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
   ASSERT_TRUE(open(smallVolume("a")));
   const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
-  typeName(labels);
+  onceAsked<QFileDialog>([&labels](QFileDialog& dialog) {
+    QLineEdit* name = nameIn(dialog);
+    ASSERT_NE(name, nullptr);
+    name->setText(labels);
+    QTest::keyClick(name, Qt::Key_Return);
+  });
   window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
   ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
   EXPECT_EQ(folderOfNextDialog(), pathTo("labels"));
@@ -299,14 +313,8 @@ TEST_F(OpeningWindow, aPathThatIsTypedIsWhatIsOpened) {
   const auto answer = [&](const OpenQuestion& question, const QString& path, const QString& from) {
     settings.setDialogFolder(from);
     onceAsked<QFileDialog>([&path](QFileDialog& dialog) {
-      auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-      ASSERT_TRUE(name && test::waitUntilExposed(dialog));
-      ASSERT_TRUE(test::waitUntil([&] {
-        if (!dialog.isActiveWindow())
-          dialog.activateWindow();
-        return dialog.isActiveWindow();
-      }));
-      name->setFocus();
+      QLineEdit* name = nameIn(dialog);
+      ASSERT_NE(name, nullptr);
       name->selectAll();
       const auto press = [&dialog](auto key) { // goes to the list of what fits once that is open
         const QWidget* popup = QApplication::activePopupWidget();
