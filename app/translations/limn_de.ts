@@ -2844,7 +2844,7 @@
     </message>
     <message>
         <source>%1 Millimetres from that end can be typed, too: 48 mm.</source>
-        <translation>%1 Auch Millimeter von diesem Ende aus können eingegeben werden: 48 mm.</translation>
+        <translation>%1 Auch Millimeter von diesem Ende aus können eingegeben werden: 48&#xa0;mm.</translation>
     </message>
 </context>
 <context>
@@ -4639,10 +4639,6 @@
     <message>
         <source>Shows only labels whose name holds these words</source>
         <translation>Zeigt nur Labels, deren Name diese Wörter enthält</translation>
-    </message>
-    <message>
-        <source>Clear the search</source>
-        <translation>Suche leeren</translation>
     </message>
     <message>
         <source>Colour…</source>
@@ -10523,7 +10519,7 @@
     </message>
     <message>
         <source>Saving %1 once the picture is refined: %2 %</source>
-        <translation>%1 wird gespeichert, sobald das Bild verfeinert ist: %2 %</translation>
+        <translation>%1 wird gespeichert, sobald das Bild verfeinert ist: %2&#xa0;%</translation>
     </message>
 </context>
 <context>
@@ -10718,6 +10714,14 @@
     <message>
         <source>Labels in their own colours, what is kept in orange, and the crop box in dashed white.</source>
         <translation>Labels in ihren eigenen Farben, was behalten wird, in Orange und der Zuschnitt weiß gestrichelt.</translation>
+    </message>
+    <message>
+        <source>Dark tissue</source>
+        <translation>Dunkles Gewebe</translation>
+    </message>
+    <message>
+        <source>Bright tissue</source>
+        <translation>Helles Gewebe</translation>
     </message>
 </context>
 <context>
@@ -11097,10 +11101,6 @@
     <message>
         <source>Search presets</source>
         <translation>Presets suchen</translation>
-    </message>
-    <message>
-        <source>Clear the search</source>
-        <translation>Suche leeren</translation>
     </message>
     <message>
         <source>Shows only presets whose name, modality or note holds these words (Ctrl+F)</source>
@@ -11723,6 +11723,13 @@
     </message>
 </context>
 <context>
+    <name>limn::SearchField</name>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+</context>
+<context>
     <name>limn::SeriesDialog</name>
     <message>
         <source>Choose a series</source>
@@ -11974,10 +11981,6 @@
         <translation>Nichts in diesem Volumen hat eine Grenzfläche, die hervortritt.</translation>
     </message>
     <message>
-        <source>Each band makes one boundary visible. Point at a row to see it in the picture; Use puts it into the curve, in one step of the history.</source>
-        <translation>Jedes Band macht eine Grenzfläche sichtbar. Zeigen Sie auf eine Zeile, um sie im Bild zu sehen; „Verwenden“ setzt das Band in die Kurve, als ein Schritt des Verlaufs.</translation>
-    </message>
-    <message>
         <source>In the curve</source>
         <translation>In der Kurve</translation>
     </message>
@@ -11988,6 +11991,10 @@
     <message>
         <source>Use the band %1</source>
         <translation>Band %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Each band makes one boundary visible, and the uppermost all beyond it; those that stand out most come first. Point at a row to see it in the picture; Use puts it into the curve, in one step of the history.</source>
+        <translation>Jedes Band macht eine Grenzfläche sichtbar, das oberste auch alles darüber; was am deutlichsten ist, steht zuerst. Zeigen Sie auf eine Zeile, um sie im Bild zu sehen; „Verwenden“ setzt das Band in die Kurve, als ein Schritt des Verlaufs.</translation>
     </message>
 </context>
 <context>

@@ -144,13 +144,30 @@ TEST_F(RangeSliderTest, escBringsBackTheExactNumbers) {
   EXPECT_EQ(m_ids.front(), m_ids.back());
 }
 
-TEST_F(RangeSliderTest, typedEndsStopAtEachOther) {
-  lowerField()->setFocus();
-  lowerField()->selectAll();
-  QTest::keyClicks(lowerField(), QStringLiteral("7"));
-  QTest::keyClick(lowerField(), Qt::Key_Return);
+TEST_F(RangeSliderTest, anEndThatIsTypedBeyondTheOtherIsRefusedWithWhatFits) {
+  const auto type = [this](const QString& text) {
+    lowerField()->setFocus();
+    lowerField()->selectAll();
+    QTest::keyClicks(lowerField(), text);
+    QTest::keyClick(lowerField(), Qt::Key_Return);
+  };
+  const int width = lowerField()->width();
+  type(QStringLiteral("7"));
+  EXPECT_TRUE(m_edits.empty());
+  EXPECT_EQ(lowerField()->refusal(), QStringLiteral("7 does not fit: give a number from 0 to 5."));
+  EXPECT_EQ(lowerField()->number(), 1.0);
+  type(QStringLiteral("5"));
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_EQ(m_edits.back(), (std::array{5.0, 5.0}));
+  m_range.setRange(1.0, 8.0);
+  type(QStringLiteral("7"));
+  EXPECT_EQ(m_edits.back(), (std::array{7.0, 8.0}));
+  m_range.setRange(1.0, 8.0);
+  m_range.setLeastApart(2.0);
+  type(QStringLiteral("7"));
+  EXPECT_EQ(lowerField()->refusal(), QStringLiteral("7 does not fit: give a number from 0 to 6."));
+  QCoreApplication::sendPostedEvents(); // layouts
+  EXPECT_EQ(lowerField()->width(), width);
 }
 
 TEST_F(RangeSliderTest, aDoubleClickOnTheNameResetsBothEnds) {

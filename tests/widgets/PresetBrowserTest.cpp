@@ -179,6 +179,20 @@ TEST_F(PresetBrowserTest, theHitThatEnterUsesIsMarked) {
   EXPECT_TRUE(hits().isEmpty());
 }
 
+TEST_F(PresetBrowserTest, undoIsTheProgramsWhereNothingIsLookedFor) {
+  const auto takesUndo = [this] {
+    QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    undo.ignore();
+    QCoreApplication::sendEvent(search(), &undo);
+    return undo.isAccepted();
+  };
+  EXPECT_FALSE(takesUndo());
+  QTest::keyClicks(search(), QStringLiteral("bone"));
+  EXPECT_TRUE(takesUndo());
+  search()->clear();
+  EXPECT_FALSE(takesUndo());
+}
+
 TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
   click(QStringLiteral("CT bone"));
   const QPoint lung = rowOf(m_browser, QStringLiteral("CT lung")).center();

@@ -209,7 +209,16 @@ TEST_F(SceneSections, typedMillimetresCutThere) {
 TEST_F(SceneSections, aRangeStopsOneVoxelBeforeItsOtherEnd) {
   m_panel.cropSection()->setFolded(false);
   RangeSlider* range = rowNamed<RangeSlider>(m_panel, "Feet–Head");
-  type(widgetNamed<NumberField>(*range, "Feet–Head, Head"), QStringLiteral("0"));
+  NumberField* head = widgetNamed<NumberField>(*range, "Feet–Head, Head");
+  const double before = m_scene.crop.upper.z;
+  type(head, QStringLiteral("0"));
+  EXPECT_EQ(m_scene.crop.upper.z, before);
+  EXPECT_TRUE(head->refusal().contains(QStringLiteral("does not fit: give a number from 2.9")))
+      << head->refusal().toStdString();
+  auto* track = range->findChild<TrackSlider*>();
+  QTest::mousePress(track, Qt::LeftButton, {}, track->handleCentre(1).toPoint());
+  QTest::mouseMove(track, track->handleCentre(0).toPoint() - QPoint(20, 0));
+  QTest::mouseRelease(track, Qt::LeftButton, {}, track->handleCentre(0).toPoint() - QPoint(20, 0));
   EXPECT_DOUBLE_EQ(m_scene.crop.upper.z, 1.0 / m_scene.volume->grid().dims.z);
   EXPECT_EQ(m_scene.crop.lower.z, 0.0);
   EXPECT_NEAR(widgetNamed<NumberField>(*range, "Feet–Head, Head")->number(), 100.0 * m_scene.crop.upper.z,

@@ -34,7 +34,9 @@ TEST(LookStyle, givesDialogsIconsOfOurOwnAndTheirButtonsNone) {
   for (const auto icon :
        {QStyle::SP_DirIcon, QStyle::SP_FileIcon, QStyle::SP_ComputerIcon, QStyle::SP_DirHomeIcon,
         QStyle::SP_ArrowBack, QStyle::SP_ArrowForward, QStyle::SP_FileDialogToParent,
-        QStyle::SP_FileDialogNewFolder, QStyle::SP_FileDialogListView, QStyle::SP_FileDialogDetailedView}) {
+        QStyle::SP_FileDialogNewFolder, QStyle::SP_FileDialogListView, QStyle::SP_FileDialogDetailedView,
+        QStyle::SP_LineEditClearButton, QStyle::SP_MessageBoxQuestion, QStyle::SP_MessageBoxInformation,
+        QStyle::SP_MessageBoxWarning, QStyle::SP_MessageBoxCritical}) {
     EXPECT_FALSE(drawn(look, icon).isNull()) << icon;
     EXPECT_NE(drawn(look, icon), drawn(*fusion, icon)) << icon;
   }

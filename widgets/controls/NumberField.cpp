@@ -63,7 +63,7 @@ QString withHyphen(QString text) {
 } // namespace
 
 NumberField::NumberField(double lowest, double highest, int decimals, QWidget* parent)
-    : QDoubleSpinBox(parent), m_refusalStands(new QTimer(this)) {
+    : QDoubleSpinBox(parent), m_lowest(lowest), m_highest(highest), m_refusalStands(new QTimer(this)) {
   m_refusalStands->setObjectName(QStringLiteral("refusalStands"));
   setLineEdit(new NumberEdit([this] { selectNumber(); })); // which the spin box owns
   setDecimals(decimals);
@@ -84,9 +84,17 @@ NumberField::NumberField(double lowest, double highest, int decimals, QWidget* p
 void NumberField::setLimits(double lowest, double highest, int decimals) {
   const double number = m_number; // the spin box would limit and round what it shows
   setDecimals(decimals);
+  m_lowest = lowest;
+  m_highest = highest;
   setRange(lowest, highest);
   setNumber(number);
   updateGeometry();
+}
+
+void NumberField::setBounds(double lowest, double highest) {
+  const double number = m_number;
+  setRange(lowest, highest);
+  setNumber(number);
 }
 
 void NumberField::setNumber(double number) {
@@ -172,7 +180,7 @@ void NumberField::setFitted(const QString& leastText) {
 QStringList NumberField::widestTexts() const {
   const double last = std::pow(10.0, -decimals());
   QStringList texts;
-  for (const double number : {minimum(), minimum() + last, maximum() - last, maximum()})
+  for (const double number : {m_lowest, m_lowest + last, m_highest - last, m_highest})
     texts << written(number) + usualSuffix();
   return texts << *m_leastText;
 }

@@ -26,6 +26,10 @@ public:
   /// Other limits; the number stays.
   void setLimits(double lowest, double highest, int decimals);
 
+  /// What fits now, where something else leaves less than the limits: another number that may not be passed.
+  /// The width stays. Until limits are set.
+  void setBounds(double lowest, double highest);
+
   void setNumber(double number);
   double number() const { return m_number; }
 
@@ -99,6 +103,7 @@ private:
   QString unitOf(const QString& text) const;
 
   double m_number = 0.0;
+  double m_lowest, m_highest;  ///< the limits
   QString m_unit, m_unitOfOne; ///< empty: none, or the same
   bool m_takesPercent = false;
   bool m_isMixed = false;

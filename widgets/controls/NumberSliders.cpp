@@ -139,12 +139,25 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_slider->setHandleNames({m_lower->accessibleName(), m_upper->accessibleName()});
   if (isEnabled())
     setToolTip(toolTipOf(spec, true));
+  boundEnds();
 }
 
 void RangeSlider::setRange(double lower, double upper) {
   m_slider->setValues({lower, upper});
   m_lower->setNumber(lower);
   m_upper->setNumber(upper);
+  boundEnds();
+}
+
+void RangeSlider::setLeastApart(double apart) {
+  m_apart = apart;
+  boundEnds();
+}
+
+void RangeSlider::boundEnds() {
+  const double lower = m_lower->number(), upper = m_upper->number();
+  m_lower->setBounds(m_spec.lowest, std::max(lower, upper - m_apart));
+  m_upper->setBounds(std::min(upper, lower + m_apart), m_spec.highest);
 }
 
 void RangeSlider::setUnavailable(const QString& reason) {

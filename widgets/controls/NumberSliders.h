@@ -52,6 +52,9 @@ public:
 
   void setRange(double lower, double upper);
 
+  /// How far apart the two ends stay at least; 0 at first. What is typed beyond is refused.
+  void setLeastApart(double apart);
+
   /// Disables the control and says why in its tool tip; an empty reason enables it.
   void setUnavailable(const QString& reason);
 
@@ -60,12 +63,15 @@ signals:
 
 private:
   void edit(double lower, double upper, std::uint64_t gestureId);
+  /// Neither end can be typed beyond the other.
+  void boundEnds();
 
   NumberSpec m_spec;
   ResetLabel* m_label;
   TrackSlider* m_slider;
   NumberField* m_lower;
   NumberField* m_upper;
+  double m_apart = 0.0;
 };
 
 } // namespace limn

@@ -112,6 +112,7 @@ void paintOutlined(QPainter& painter, const QRectF& place, const QString& text, 
 struct LegendParts {
   PlotTransform transform;
   QRectF bar;       ///< of colours
+  double left = 0;  ///< where the legend begins, with the words beside its plot
   double line = 1;  ///< the width of a thin line
   double text = 10; ///< the height of the font
 };
@@ -148,6 +149,7 @@ LegendParts partsOf(const QRectF& place, const ValueRange& range, const QFont& f
   const double bar = 0.8 * text;
   LegendParts parts;
   parts.text = text;
+  parts.left = place.left();
   parts.line = std::max(1.0, text / 14.0);
   parts.bar = QRectF(place.left() + left, place.bottom() - ticks - bar, place.width() - left - text, bar);
   parts.transform.plot =
@@ -189,28 +191,37 @@ void paintOpacities(QPainter& painter, const LegendParts& parts, const FigureCol
   painter.restore();
 }
 
+// The unit stands left of the numbers, where none has to give way to it; a long one at their right end.
 void paintValues(QPainter& painter, const LegendParts& parts, const Scene& scene,
                  const FigureColors& colors) {
   const QString& told = QString::fromStdString(scene.volume->info().unit);
   const QString unit = told.isEmpty() ? QObject::tr("value") : told;
   const QFontMetricsF metrics(painter.font());
+  const double gap = 0.6 * parts.text, unitWidth = metrics.horizontalAdvance(unit);
   const double top = parts.bar.bottom() + 0.3 * parts.text;
-  const double unitLeft = parts.bar.right() - metrics.horizontalAdvance(unit);
-  const QRectF row(parts.bar.left(), top, parts.bar.width(), 1.3 * parts.text);
-  painter.setPen(colors.text);
-  painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, unit);
   const int most = std::max(2, static_cast<int>(parts.bar.width() / (6.0 * parts.text)));
-  for (const AxisTick& tick : linearTicks(parts.transform.visible, most)) {
-    const double x = xOfValue(parts.transform, tick.value);
+  const std::vector<AxisTick> ticks = linearTicks(parts.transform.visible, most);
+  const auto halfOf = [&metrics](const AxisTick& tick) { return metrics.horizontalAdvance(tick.text) / 2.0; };
+  double first = parts.bar.left();
+  if (!ticks.empty())
+    first = std::min(first, xOfValue(parts.transform, ticks.front().value) - halfOf(ticks.front()));
+  const bool isLeft = unitWidth <= first - gap - parts.left;
+  const double end = isLeft ? parts.bar.right() + parts.text : parts.bar.right() - unitWidth - gap;
+  for (const AxisTick& tick : ticks) {
+    const double x = xOfValue(parts.transform, tick.value), half = halfOf(tick);
     painter.setPen(QPen(colors.line, parts.line));
     painter.drawLine(QPointF(x, parts.bar.bottom()), QPointF(x, parts.bar.bottom() + 0.25 * parts.text));
-    const double half = metrics.horizontalAdvance(tick.text) / 2.0;
-    if (x + half > unitLeft - 0.6 * parts.text)
+    if (!isLeft && x + half > end)
       continue;
     painter.setPen(colors.text);
-    painter.drawText(QRectF(x - half - parts.text, top, 2.0 * (half + parts.text), row.height()),
+    const double centre = std::min(x, end - half); // the last one may reach out of the legend
+    painter.drawText(QRectF(centre - half - parts.text, top, 2.0 * (half + parts.text), 1.3 * parts.text),
                      Qt::AlignCenter, tick.text);
   }
+  painter.setPen(colors.text);
+  const double unitLeft = isLeft ? first - gap - unitWidth : parts.bar.right() - unitWidth;
+  painter.drawText(QRectF(unitLeft - parts.text, top, unitWidth + 2.0 * parts.text, 1.3 * parts.text),
+                   Qt::AlignCenter, unit);
 }
 
 void paintOpacityCurve(QPainter& painter, const LegendParts& parts, const TransferFunction& function,

@@ -258,25 +258,36 @@ QToolButton* PlaneBar::makeMoreButton() {
 void PlaneBar::fillWindowMenu() {
   QMenu& menu = *m_windows->menu();
   menu.clear();
+  const auto withNumbers = [](const QString& name, const GreyWindow& window, int decimals) {
+    return tr("%1 (W %2 L %3)")
+        .arg(name, valueText(window.width, {}, decimals), valueText(window.centre, {}, decimals));
+  };
   const auto add = [&](const QString& text, const std::optional<GreyWindow>& window) {
     menu.addAction(text, this, [this, window] { edit([&](PlaneSettings& s) { s.window = window; }); });
   };
   if (looksLikeHounsfield(*m_content.volume))
     for (const TissueWindow tissue : tissueWindows) {
       const GreyWindow window = windowOf(tissue);
-      add(tr("%1 (W %2 L %3)")
-              .arg(nameOfWindow(tissue), valueText(window.width, {}, 0), valueText(window.centre, {}, 0)),
-          window);
+      add(withNumbers(nameOfWindow(tissue), window, 0), window);
     }
-  else
+  else {
+    // Values mean nothing by themselves: halves of what is seen at first show more of what differs little
+    // there.
+    const GreyWindow first = m_content.firstWindow;
+    const int decimals = decimalsFor(first.width / 100.0);
+    const GreyWindow dark = rounded({first.centre - 0.25 * first.width, 0.5 * first.width});
+    const GreyWindow bright = rounded({first.centre + 0.25 * first.width, 0.5 * first.width});
     add(tr("As at first"), std::nullopt);
+    add(withNumbers(tr("Dark tissue"), dark, decimals), dark);
+    add(withNumbers(tr("Bright tissue"), bright, decimals), bright);
+  }
   add(tr("Full range"), fullWindow(m_content.volume->range()));
 }
 
 void PlaneBar::setContent(const PlaneContent& content) {
   if (content == m_content)
     return; // or what somebody is typing would go
-  const bool isOther = content.volume != m_content.volume;
+  const bool isOther = content.volume != m_content.volume || content.firstWindow != m_content.firstWindow;
   m_content = content;
   setEnabled(content.volume != nullptr);
   if (!content.volume)

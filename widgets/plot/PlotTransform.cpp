@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plot/PlotTransform.h"
 
+#include "widgets/ValueText.h"
+
 #include <QLineF>
 
 #include <algorithm>
@@ -83,6 +85,11 @@ double opacityAtY(const PlotTransform& t, double y) {
 
 double valuePerPixel(const PlotTransform& t) {
   return (t.visible.highest - t.visible.lowest) / t.plot.width();
+}
+
+double roundedToPixel(const PlotTransform& t, double value) {
+  const double places = std::pow(10.0, decimalsFor(valuePerPixel(t)));
+  return std::round(value * places) / places;
 }
 
 ValueRange zoomedAtX(const PlotTransform& t, double x, double factor, const ValueRange& full) {

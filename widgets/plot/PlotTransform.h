@@ -39,6 +39,9 @@ double opacityAtY(const PlotTransform& transform, double y);
 /// Values per pixel across; the axis is linear, here and in what follows.
 double valuePerPixel(const PlotTransform& transform);
 
+/// The value with the digits that tell one pixel from the next: whole where a pixel spans one or more.
+double roundedToPixel(const PlotTransform& transform, double value);
+
 /// The visible range made `factor` times narrower around the value at `x`, which stays where it is. It stays
 /// within `full` and no narrower than a 100 000th of it.
 ValueRange zoomedAtX(const PlotTransform& transform, double x, double factor, const ValueRange& full);

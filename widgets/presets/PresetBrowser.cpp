@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/presets/PresetBrowser.h"
 
+#include "widgets/controls/SearchField.h"
 #include "widgets/presets/PresetDelegates.h"
 #include "widgets/presets/PresetFilter.h"
 #include "widgets/presets/PresetPointer.h"
@@ -14,7 +15,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QPushButton>
@@ -32,10 +32,10 @@
 namespace limn {
 
 PresetBrowser::PresetBrowser(QWidget* parent)
-    : QWidget(parent), m_search(new QLineEdit), m_views(new QStackedWidget), m_list(new QTreeView),
-      m_gallery(new QListView), m_switch(new QToolButton), m_delegate(new PresetDelegate(m_list)),
-      m_nothing(new QLabel(tr("No preset matches"))), m_save(new QPushButton(tr("Save as preset…"))),
-      m_delete(new QToolButton), m_searchIcon(m_search->addAction(QIcon(), QLineEdit::LeadingPosition)),
+    : QWidget(parent), m_search(new SearchField(tr("Search presets"))), m_views(new QStackedWidget),
+      m_list(new QTreeView), m_gallery(new QListView), m_switch(new QToolButton),
+      m_delegate(new PresetDelegate(m_list)), m_nothing(new QLabel(tr("No preset matches"))),
+      m_save(new QPushButton(tr("Save as preset…"))), m_delete(new QToolButton),
       m_model(new QStandardItemModel(this)), m_filtered(new PresetFilter(this)),
       m_flat(new FlatPresets(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -63,12 +63,6 @@ PresetBrowser::PresetBrowser(QWidget* parent)
   m_nothing->setAlignment(Qt::AlignCenter);
   m_nothing->setForegroundRole(QPalette::PlaceholderText);
   m_nothing->setMargin(16);
-  m_search->setPlaceholderText(tr("Search presets"));
-  m_search->setClearButtonEnabled(true);
-  m_search->setAccessibleName(tr("Search presets"));
-  for (QToolButton* button : m_search->findChildren<QToolButton*>()) // Qt's own, without names
-    button->setAccessibleName(button->defaultAction() == m_searchIcon ? tr("Search presets")
-                                                                      : tr("Clear the search"));
   m_search->setToolTip(tr("Shows only presets whose name, modality or note holds these words (Ctrl+F)"));
   m_search->installEventFilter(this);
   connect(m_search, &QLineEdit::textChanged, this, &PresetBrowser::search);
@@ -177,7 +171,6 @@ void PresetBrowser::refill() {
     showPresetPicture(*m_model, name, picture);
   search(m_search->text());
   mark();
-  m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
   m_switch->setIcon(themedIcon(QStringLiteral("view-names"), palette()));
   m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
   m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));

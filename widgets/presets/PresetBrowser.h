@@ -10,7 +10,6 @@
 
 class QAbstractItemView;
 class QLabel;
-class QLineEdit;
 class QListView;
 class QMenu;
 class QPushButton;
@@ -24,6 +23,7 @@ namespace limn {
 class FlatPresets;
 class PresetDelegate;
 class PresetFilter;
+class SearchField;
 
 /// The presets, searchable, as a list in groups (PresetModel) or a gallery of large pictures in the same
 /// order. A click or Enter chooses, a right click opens a menu and selects nothing; F makes a favourite, F2
@@ -124,7 +124,7 @@ private:
   PresetStanding m_standing;
   QString m_current; ///< the preset in use
   bool m_isModified = false;
-  QLineEdit* m_search;
+  SearchField* m_search;
   QStackedWidget* m_views;
   QTreeView* m_list;
   QListView* m_gallery;
@@ -133,7 +133,6 @@ private:
   QLabel* m_nothing;
   QPushButton* m_save;
   QToolButton* m_delete;
-  QAction* m_searchIcon;
   QStandardItemModel* m_model;
   PresetFilter* m_filtered;
   FlatPresets* m_flat; ///< for the gallery

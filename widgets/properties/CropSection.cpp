@@ -99,9 +99,11 @@ void CropSection::setScene(const Scene& scene) {
   m_scene = scene;
   if (scene.volume != m_volume) {
     m_volume = scene.volume;
-    for (int axis = 0; axis < 3; ++axis)
-      m_rows[static_cast<std::size_t>(axis)].range->setSpec(
-          percentSpec(axisName(axis), axisLengthMm(m_volume.get(), axis)));
+    for (int axis = 0; axis < 3; ++axis) {
+      RangeSlider& range = *m_rows[static_cast<std::size_t>(axis)].range;
+      range.setSpec(percentSpec(axisName(axis), axisLengthMm(m_volume.get(), axis)));
+      range.setLeastApart(m_volume ? 100.0 / m_volume->grid().dims[axis] : 0.0); // one voxel
+    }
   } else if (scene.crop == m_crop) {
     return;
   }

@@ -4,19 +4,18 @@
 #include "scene/regions/BodyAndLabels.h"
 #include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/ListRows.h"
+#include "widgets/controls/SearchField.h"
 #include "widgets/properties/LabelGroups.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QIcon>
-#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSpinBox>
 #include <QStyledItemDelegate>
-#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -119,18 +118,14 @@ QString summaryOf(const Region& region) {
 
 LabelSection::LabelSection(QWidget* parent)
     : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)), m_tree(new LabelTree(this)),
-      m_found(new QSortFilterProxyModel(this)), m_search(new QLineEdit), m_table(new QTreeView),
-      m_open(new QPushButton(tr("Open labels…"))), m_showAll(new QPushButton(tr("Show all"))) {
+      m_found(new QSortFilterProxyModel(this)), m_search(new SearchField(tr("Search labels"))),
+      m_table(new QTreeView), m_open(new QPushButton(tr("Open labels…"))),
+      m_showAll(new QPushButton(tr("Show all"))) {
   m_tree->setSourceModel(m_labels);
   m_found->setSourceModel(m_tree);
   m_found->setRecursiveFilteringEnabled(true);
   m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  m_search->setPlaceholderText(tr("Search labels"));
-  m_search->setAccessibleName(tr("Search labels"));
   m_search->setToolTip(tr("Shows only labels whose name holds these words"));
-  m_search->setClearButtonEnabled(true);
-  for (QToolButton* button : m_search->findChildren<QToolButton*>()) // Qt's own, without a name
-    button->setAccessibleName(tr("Clear the search"));
   connect(m_search, &QLineEdit::textChanged, this, [this](const QString& words) {
     m_found->setFilterFixedString(words);
     if (!words.isEmpty())

@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-class QLineEdit;
 class QModelIndex;
 class QPushButton;
 class QRect;
@@ -18,6 +17,7 @@ class QTreeView;
 namespace limn {
 
 class LabelTree;
+class SearchField;
 
 /// The labels of a segmentation that is open beside the volume: each is shown, hidden or faded, with the
 /// scene's curve or its own, which a colour begins that is picked for it. Many of one kind stand in a group,
@@ -55,7 +55,7 @@ private:
   LabelTable* m_labels;
   LabelTree* m_tree;
   QSortFilterProxyModel* m_found;
-  QLineEdit* m_search;
+  SearchField* m_search;
   QTreeView* m_table;
   QPushButton* m_open;
   QPushButton* m_showAll;

@@ -42,6 +42,15 @@ const char* ownIcon(QStyle::StandardPixmap icon) {
     return "view-details";
   case QStyle::SP_ToolBarHorizontalExtensionButton:
     return "more-tools";
+  case QStyle::SP_LineEditClearButton:
+    return "clear";
+  case QStyle::SP_MessageBoxQuestion:
+    return "question";
+  case QStyle::SP_MessageBoxInformation:
+    return "information";
+  case QStyle::SP_MessageBoxWarning:
+  case QStyle::SP_MessageBoxCritical:
+    return "warning";
   default:
     return nullptr;
   }

@@ -131,8 +131,9 @@ void SuggestionDialog::showSentence(const QString& sentence) {
 void SuggestionDialog::setSuggestions(const std::vector<Suggestion>& suggestions, const ValueNames& names) {
   showSentence(suggestions.empty()
                    ? tr("Nothing in this volume has a boundary that stands out.")
-                   : tr("Each band makes one boundary visible. Point at a row to see it in the picture; Use "
-                        "puts it into the curve, in one step of the history."));
+                   : tr("Each band makes one boundary visible, and the uppermost all beyond it; those that "
+                        "stand out most come first. Point at a row to see it in the picture; Use puts it "
+                        "into the curve, in one step of the history."));
   for (std::size_t i = 0; i < suggestions.size(); ++i)
     m_rows->addWidget(rowFor(suggestions[i], i, names));
   m_rows->addStretch();

@@ -9,6 +9,7 @@
 #include "widgets/figure/FigureText.h"
 #include "widgets/figure/LabelLegend.h"
 
+#include <QDataStream>
 #include <QLineF>
 #include <QPainter>
 #include <QPicture>
@@ -474,6 +475,21 @@ QByteArray strokes(const Figure& figure, const FigureLayout& layout) {
   paintFigure(painter, figure, layout, {});
   painter.end();
   return {picture.data(), static_cast<qsizetype>(picture.size())};
+}
+
+TEST(FigurePainting, everyNumberOfAnAxisIsPaintedBesideItsUnit) {
+  Figure figure = figureOf(1);
+  // With 6 % beside them 1000 is the axis's end.
+  figure.panels[0].scene.transferFunction.points = {{0.0, {1.0, 1.0, 1.0}, 0.0},
+                                                    {944.0, {1.0, 1.0, 1.0}, 1.0}};
+  const FigureLayout layout = figureLayout(figure);
+  const QByteArray painted = strokes(figure, layout);
+  for (const QString& text : {QStringLiteral("1000"), QStringLiteral("HU")}) {
+    QByteArray written;
+    QDataStream stream(&written, QIODevice::WriteOnly);
+    stream << text;
+    EXPECT_TRUE(painted.contains(written)) << text.toStdString();
+  }
 }
 
 // Looking at voxels takes time: whoever has found the labels of a figure has them laid out and painted.

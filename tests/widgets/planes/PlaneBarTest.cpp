@@ -123,6 +123,12 @@ TEST_F(PlaneBarTest, windowsOfTissuesAreChosenWhereValuesAreHounsfieldUnits) {
   host.widget.setContent(host.content);
   EXPECT_FALSE(choose(QStringLiteral("Window"), QStringLiteral("Lung"))) << "these are no Hounsfield units";
   EXPECT_TRUE(choose(QStringLiteral("Window"), QStringLiteral("As at first")));
+  host.content.firstWindow = {600.0, 1200.0};
+  host.widget.setContent(host.content);
+  ASSERT_TRUE(choose(QStringLiteral("Window"), QStringLiteral("Dark tissue")));
+  EXPECT_EQ(host.settings().window, (GreyWindow{300.0, 600.0}));
+  ASSERT_TRUE(choose(QStringLiteral("Window"), QStringLiteral("Bright tissue")));
+  EXPECT_EQ(host.settings().window, (GreyWindow{900.0, 600.0}));
 }
 
 TEST_F(PlaneBarTest, slabTintAndInterpolationAreChosen) {

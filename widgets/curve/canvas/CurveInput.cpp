@@ -68,7 +68,12 @@ TransferFunction draggedPoints(const CurveDrag& drag, const PlotTransform& trans
   const double y = yOfOpacity(transform, grabbed.opacity) + travelled.y();
   // Without vertical travel keep the opacity to the last bit.
   const double opacityOffset = travelled.y() == 0.0 ? 0.0 : opacityAtY(transform, y) - grabbed.opacity;
-  return withPointsMoved(drag.before, drag.moved, travelled.x() * valuePerPixel(transform), opacityOffset);
+  double value = grabbed.value + travelled.x() * valuePerPixel(transform);
+  if (!drag.isFine) // as the value is told
+    value = roundedToPixel(transform, value);
+  // Without horizontal travel keep the value to the last bit, too.
+  const double valueOffset = travelled.x() == 0.0 ? 0.0 : value - grabbed.value;
+  return withPointsMoved(drag.before, drag.moved, valueOffset, opacityOffset);
 }
 
 double widthFactor(const CurveDrag& drag, const PlotTransform& transform) {
@@ -224,6 +229,7 @@ CurveDrag begunDrag(const CurveHit& hit, const CurvePlot& plot, const PlotTransf
 
 void travel(CurveDrag& drag, const QPointF& position, bool fine) {
   drag.travelled += (position - drag.last) * (fine ? 0.1 : 1.0);
+  drag.isFine = drag.isFine || fine;
   drag.last = position;
   const QPointF fromPress = position - drag.press;
   drag.started = drag.started || std::hypot(fromPress.x(), fromPress.y()) >= startDistance;

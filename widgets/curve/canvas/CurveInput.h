@@ -56,6 +56,7 @@ struct CurveDrag {
   QPointF press;               ///< pixels
   QPointF last;                ///< pixels: the latest pointer position
   QPointF travelled;           ///< pixels: counts a tenth while Alt is held
+  bool isFine = false;         ///< Alt was held at some time
   double pressValue = 0.0;     ///< kind width
   bool fromGrip = false;       ///< kind width: Alt on the grip rather than an end of the bar
   bool started = false;        ///< the pointer left the press by a few pixels

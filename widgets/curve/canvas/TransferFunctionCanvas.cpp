@@ -180,13 +180,15 @@ void TransferFunctionCanvas::press(const CurveHit& hit, const QMouseEvent& event
 
 void TransferFunctionCanvas::pressCurve(const QPointF& position) {
   const TransferFunction before = m_plot.function;
-  const double value = std::max(valueAtX(transform(), position.x()), lowestPlace(m_plot.subject));
+  const PlotTransform plot = transform();
+  const double value =
+      std::max(roundedToPixel(plot, valueAtX(plot, position.x())), lowestPlace(m_plot.subject));
   const CurveChange added = withPointAt(m_plot, value, classify(before, value).opacity, shownDecimals());
   const std::uint64_t id = nextGestureId();
   apply(added, id);
   m_addedByPress = added.selected.front();
   CurveDrag drag =
-      begunDrag({CurveHit::Part::point, *m_addedByPress}, m_plot, transform(), position, Qt::NoModifier);
+      begunDrag({CurveHit::Part::point, *m_addedByPress}, m_plot, plot, position, Qt::NoModifier);
   drag.added = true;
   drag.restored = before;
   drag.gestureId = id;
@@ -276,7 +278,8 @@ void TransferFunctionCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void TransferFunctionCanvas::addPoint(const QPointF& position) {
   const PlotTransform plot = transform();
-  apply(withPointAt(m_plot, valueAtX(plot, position.x()), opacityAtY(plot, position.y()), shownDecimals()));
+  const double value = roundedToPixel(plot, valueAtX(plot, position.x()));
+  apply(withPointAt(m_plot, value, opacityAtY(plot, position.y()), shownDecimals()));
 }
 
 void TransferFunctionCanvas::wheelEvent(QWheelEvent* event) {
