@@ -67,7 +67,8 @@ TEST(LabelLooks, sharesAreTrilinearAndSumToOneAndTheirWeightsToTheRegions) {
   for (int trial = 0; trial < 2000; ++trial) {
     const glm::dvec3 index(any(random), any(random), any(random));
     double sum = 0.0, weight = 0.0;
-    for (const LookShare& one : lookSharesAt(looks, scene.keep, index).used()) {
+    const auto shares = lookSharesAt(looks, scene.keep, index);
+    for (const LookShare& one : shares.used()) {
       EXPECT_GT(one.share, 0.0);
       sum += one.share;
       weight += one.share * one.weight;

@@ -79,8 +79,8 @@ void expectFindsWhatSortingFinds(const Volume& volume, const std::string& what) 
 }
 
 int hashed(int i, int j, int k) {
-  return static_cast<int>((static_cast<unsigned>(i * 73856093) ^ static_cast<unsigned>(j * 19349663) ^
-                           static_cast<unsigned>(k * 83492791)) %
+  return static_cast<int>((static_cast<unsigned>(i) * 73856093u ^ static_cast<unsigned>(j) * 19349663u ^
+                           static_cast<unsigned>(k) * 83492791u) %
                           1009u);
 }
 

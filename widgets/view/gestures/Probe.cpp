@@ -45,7 +45,8 @@ private:
   double mixedAt(const glm::dvec3& index, double value) const {
     double extinction = 0.0;
     std::optional<double> factor; // where anything shows
-    for (const LookShare& share : lookSharesAt(m_looks, m_scene.keep, index).used()) {
+    const auto shares = lookSharesAt(m_looks, m_scene.keep, index);
+    for (const LookShare& share : shares.used()) {
       const TransferFunction& function = m_looks.functions[share.look];
       const double opacity = classify(function, value).opacity * share.weight;
       if (opacity <= 0.0)
