@@ -361,8 +361,8 @@ void OpeningController::readWithSpacing(const Request& shown, const QString& ent
 void OpeningController::rememberFolder() {
   const auto& located = m_requested.options.volume;
   const QString opened = located ? QString::fromStdString(located->string()) : m_requested.source;
-  const bool isOwn = !m_requested.isUnsavedSession && QFileInfo::exists(opened); // the sample lies nowhere
-  if (isOwn)
+  // What Limn kept lies where nobody looks, the sample nowhere.
+  if (!m_requested.isUnsavedSession && QFileInfo::exists(opened))
     rememberFolderOf(opened, m_context.settings);
 }
 
