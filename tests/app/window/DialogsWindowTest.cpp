@@ -17,6 +17,8 @@
 #include <QToolBar>
 #include <QUndoView>
 
+#include <algorithm>
+
 // Settings, history, stability checks and panels in windows of their own, in the program's window.
 
 namespace limn {
@@ -108,6 +110,34 @@ TEST_F(DialogsWindow, theHistoryListsEveryStepAndAClickGoesThere) {
   EXPECT_EQ(scene().transferFunction, before);
   clickRow(1);
   EXPECT_EQ(scene().transferFunction, dragged);
+}
+
+TEST_F(DialogsWindow, stepsThatAreUndoneStepBackInTheHistory) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  dragAPoint();
+  dragAPoint();
+  auto& history = *window->findChild<QUndoView*>();
+  window->findChild<QDockWidget*>(QStringLiteral("historyDock"))->raise();
+  // How far the darkest of a row's pixels is from its brightest: its letters from their ground.
+  const auto contrastOf = [&history](int row) {
+    QCoreApplication::processEvents();
+    const QImage picture =
+        history.viewport()->grab(history.visualRect(history.model()->index(row, 0))).toImage();
+    int lowest = 255, highest = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const int level = qGray(picture.pixel(x, y));
+        lowest = std::min(lowest, level);
+        highest = std::max(highest, level);
+      }
+    return highest - lowest;
+  };
+  const int done = contrastOf(1);
+  undo().setIndex(0);
+  EXPECT_LT(contrastOf(1), done);
+  EXPECT_GT(contrastOf(1), 0) << "still there to be read";
+  undo().setIndex(2);
+  EXPECT_EQ(contrastOf(1), done);
 }
 
 TEST_F(DialogsWindow, theHistoryBreaksLinesBeforeTheyAreCut) {

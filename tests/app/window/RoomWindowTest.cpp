@@ -419,7 +419,7 @@ TEST_F(Looks, whatIsRememberedIsNamedAfterItsPreset) {
   EXPECT_EQ(names(), (QStringList{QStringLiteral("CT bone"), QStringLiteral("CT bone, modified")}));
 }
 
-TEST_F(Looks, theHistorySaysWhatChangedAndUndoneStepsStepBack) {
+TEST_F(Looks, theHistorySaysWhatChanged) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   TransferFunction function = scene().transferFunction;
   ASSERT_GE(function.points.size(), 3u);
@@ -439,6 +439,10 @@ TEST_F(Looks, theHistorySaysWhatChangedAndUndoneStepsStepBack) {
   shading.exponent = 12.0;
   session().setShading(shading, {nextGestureId(), QStringLiteral("change sharpness")});
   EXPECT_TRUE(undo().undoText().endsWith(QStringLiteral("→ 12"))) << undo().undoText().toStdString();
+  point.color = glm::dvec3(1.0) - point.color;
+  session().setTransferFunction(function, {nextGestureId(), QStringLiteral("change colour of point")});
+  EXPECT_TRUE(undo().undoText().startsWith(QStringLiteral("change colour at ")))
+      << undo().undoText().toStdString();
 }
 
 TEST_F(Looks, thePapersNumbersAreOneClickAway) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 
+#include <QPushButton>
+
+#include <algorithm>
+
 // That work which was kept aside is found again with its volume.
 
 namespace limn {
@@ -13,7 +17,12 @@ protected:
     window->keepSessions();
   }
 
-  MessageBar& bar() const { return *window->findChild<MessageBar*>(QStringLiteral("keptBar")); }
+  MessageBar& bar(const char* name = "keptBar") const {
+    return *window->findChild<MessageBar*>(QLatin1String(name));
+  }
+  const QPushButton& ofTheEmptyPage() const {
+    return *window->findChild<QPushButton*>(QStringLiteral("continue"));
+  }
 
   QStringList offered() const {
     QStringList texts;
@@ -23,11 +32,27 @@ protected:
     return texts;
   }
 
-  void choose(const QString& text) {
-    for (QToolButton* button : bar().findChildren<QToolButton*>())
+  static void choose(const MessageBar& in, const QString& text) {
+    for (QToolButton* button : in.findChildren<QToolButton*>())
       if (button->isVisible() && button->text() == text)
         return QTest::mouseClick(button, Qt::LeftButton);
     FAIL() << "no button " << text.toStdString();
+  }
+  void choose(const QString& text) { choose(bar(), text); }
+
+  void openWindowAgain() {
+    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    window->view().setRefinesAtRest(false);
+    window->resize(900, 640);
+    window->show();
+    window->keepSessions();
+  }
+
+  bool isAutosaved() const {
+    namespace fs = std::filesystem;
+    const fs::directory_iterator places(folder.path() / "sessions" / "windows");
+    return std::any_of(begin(places), end(places),
+                       [](const auto& place) { return fs::exists(place.path() / "session.json"); });
   }
 
   // Opens a volume and changes its curve.
@@ -88,17 +113,28 @@ TEST_F(KeptWork, isToldOnceWhereTheSameVolumeOpensOverIt) {
 TEST_F(KeptWork, isFoundByAnotherWindow) {
   const TransferFunction earlier = workOn(QStringLiteral("phantom:4"));
   window->close();
-  window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
-  window->view().setRefinesAtRest(false);
-  window->resize(900, 640);
-  window->show();
-  window->keepSessions();
+  openWindowAgain();
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   EXPECT_FALSE(bar().isWanted()) << "it is of another volume";
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   ASSERT_TRUE(bar().isVisible());
   choose(QStringLiteral("Continue"));
   EXPECT_TRUE(opens(earlier));
+}
+
+TEST_F(KeptWork, waitsWhileWhatACrashLeftIsOffered) {
+  workOn(QStringLiteral("phantom:6"));
+  window->close();
+  openWindowAgain();
+  ASSERT_TRUE(ofTheEmptyPage().isVisible());
+  workOn(QStringLiteral("phantom:4"));
+  ASSERT_TRUE(test::waitUntil([this] { return isAutosaved(); }));
+  window.reset(); // dies without closing
+  openWindowAgain();
+  ASSERT_TRUE(bar("recoveryBar").isVisible());
+  EXPECT_FALSE(ofTheEmptyPage().isVisible()) << "one at a time";
+  choose(bar("recoveryBar"), QStringLiteral("Discard"));
+  EXPECT_TRUE(ofTheEmptyPage().isVisible());
 }
 
 } // namespace

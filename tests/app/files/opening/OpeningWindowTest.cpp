@@ -8,6 +8,9 @@
 
 #include <QTreeView>
 
+#include <sys/inotify.h>
+#include <unistd.h>
+
 // What the window remembers of what was opened, and where it looks and asks for it, in the window.
 
 namespace limn {
@@ -269,6 +272,47 @@ TEST_F(OpeningWindow, aFolderOfWhatIsRefusedIsNotWhereTheNextDialogOpens) {
   }
   ASSERT_TRUE(refused("b/damaged.clut", "importLooks"));
   EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "of looks";
+}
+
+// One on a share that does not answer would block the window. Without an ending only its bytes say what it
+// is.
+TEST_F(OpeningWindow, aDialogOpensNoFileThatItLists) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const fs::path listed = folder.path() / "IM0001";
+  test::writeBytes(listed, "DICM");
+  const int watch = ::inotify_init1(IN_NONBLOCK);
+  ASSERT_GE(::inotify_add_watch(watch, listed.c_str(), IN_OPEN), 0);
+  char event[4096];
+  const auto wasOpened = [&] { return ::read(watch, event, sizeof event) > 0; };
+  test::bytesOfFile(listed);
+  ASSERT_TRUE(wasOpened()) << "the watch tells";
+  Settings settings(UserFolders::below(folder.path()).settings);
+  settings.setDialogFolder(QString::fromStdString(folder.path().string()));
+  bool isListed = false;
+  onceAsked<QFileDialog>([&](QFileDialog& dialog) {
+    auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView")); // as Qt calls it
+    const auto rowOfIt = [files] {
+      const QAbstractItemModel& model = *files->model();
+      for (int row = 0; row < model.rowCount(files->rootIndex()); ++row)
+        if (const QModelIndex one = model.index(row, 0, files->rootIndex());
+            one.data().toString() == QStringLiteral("IM0001"))
+          return one;
+      return QModelIndex();
+    };
+    isListed = test::waitUntil([&] { return rowOfIt().isValid(); });
+    // All that is shown of it: icon, size, kind and date.
+    for (int column = 0; isListed && column < files->model()->columnCount(files->rootIndex()); ++column) {
+      const QModelIndex shown = rowOfIt().siblingAtColumn(column);
+      shown.data(Qt::DecorationRole);
+      shown.data();
+    }
+    files->grab();
+    dialog.reject();
+  });
+  askForPaths(window.get(), {.title = QStringLiteral("Open")}, settings);
+  EXPECT_TRUE(isListed);
+  EXPECT_FALSE(wasOpened());
+  ::close(watch);
 }
 
 // Somebody who drops a volume into the window looks for its labels beside it.

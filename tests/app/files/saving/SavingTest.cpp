@@ -164,6 +164,25 @@ TEST_F(Saving, whatCannotBeWrittenIsRefusedBeforeItIsDrawn) {
   }
 }
 
+// /proc takes no files of anybody, whatever its rights say.
+TEST_F(Saving, aFolderThatRefusesIsNotWhereTheNextDialogBegins) {
+  Settings settings(UserFolders::below(folder.path()).settings);
+  const SaveQuestion question{.title = QStringLiteral("Save"),
+                              .suggested = QStringLiteral("mine"),
+                              .filters = {QStringLiteral("Table (*.csv)")}};
+  for (const QString& chosen : {pathTo("mine"), QStringLiteral("/proc/mine")}) {
+    typeName(chosen);
+    EXPECT_EQ(askWhereToSave(window.get(), question, settings), chosen + QStringLiteral(".csv"));
+  }
+  QString begins;
+  onceAsked<QFileDialog>([&begins](QFileDialog& dialog) {
+    begins = dialog.directory().absolutePath();
+    dialog.reject();
+  });
+  askWhereToSave(window.get(), question, settings);
+  EXPECT_EQ(begins, QString::fromStdString(folder.path().string()));
+}
+
 TEST_F(Saving, aFailureIsForgottenOnceSomethingIsSaved) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   saving().writeSession(pathTo("none/mine.json"));
