@@ -129,9 +129,15 @@ void EffectRowWidget::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const double top = m_title->y() + 0.5 * (m_title->fontMetrics().height() - markSize);
   const QRectF mark(12.0, top, markSize, markSize);
-  painter.setPen(QPen(m_row.isOn ? colors.accent : colors.secondaryText, 1.5));
-  painter.setBrush(m_row.isOn ? QBrush(colors.accent) : QBrush(Qt::NoBrush));
-  painter.drawEllipse(mark.adjusted(0.75, 0.75, -0.75, -0.75));
+  painter.setPen(QPen(m_row.isOn ? colors.accent : colors.secondaryText, 2.0, Qt::SolidLine, Qt::RoundCap,
+                      Qt::RoundJoin));
+  // A bare tick or dash: in a box or a circle it would look as if it could be clicked.
+  const auto at = [&mark](double x, double y) {
+    return mark.topLeft() + QPointF(x * mark.width(), y * mark.height());
+  };
+  const QPolygonF tick{at(0.05, 0.55), at(0.38, 0.88), at(0.95, 0.18)};
+  const QPolygonF dash{at(0.2, 0.5), at(0.8, 0.5)};
+  painter.drawPolyline(m_row.isOn ? tick : dash);
 }
 
 void EffectRowWidget::changeEvent(QEvent* event) {
