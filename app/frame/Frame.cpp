@@ -223,7 +223,7 @@ TitleController::TitleController(WindowContext& context)
   context.actions.addSetting({.row = 5, .action = m_patientInTitle});
   m_patientInTitle->setChecked(context.settings.patientIsShown().value_or(false));
   connect(m_patientInTitle, &QAction::toggled, this, &TitleController::choose);
-  connect(&context.session.undoStack(), &QUndoStack::cleanChanged, &context.window,
+  connect(&context.session.undoStack(), &QUndoStack::cleanChanged, this,
           [this](bool isClean) { m_context.window.setWindowModified(!isClean); });
 }
 

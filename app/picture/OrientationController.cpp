@@ -182,7 +182,7 @@ void OrientationController::addViews(QMenu& menu) {
   add(StandardView::superior, "superior", tr("Superior (above)"), Qt::Key_S);
   add(StandardView::inferior, "inferior", tr("Inferior (below)"), Qt::Key_I);
   menu.addActions(m_views->actions());
-  connect(m_views, &QActionGroup::triggered, &m_context.view, [this](const QAction* chosen) {
+  connect(m_views, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     m_context.view.lookFrom(static_cast<StandardView>(chosen->data().toInt()));
   });
 }

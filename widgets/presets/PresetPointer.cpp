@@ -17,7 +17,8 @@ constexpr int nextMs = 60;
 
 } // namespace
 
-PresetPointer::PresetPointer(QAbstractItemView& list) : QObject(&list), m_list(list) {
+PresetPointer::PresetPointer(QAbstractItemView& list)
+    : QObject(&list), m_list(list), m_viewport(list.viewport()) {
   m_wait.setSingleShot(true);
   connect(&m_wait, &QTimer::timeout, this, [this] { point(m_next); });
   list.installEventFilter(this);
@@ -25,7 +26,7 @@ PresetPointer::PresetPointer(QAbstractItemView& list) : QObject(&list), m_list(l
 }
 
 bool PresetPointer::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_list.viewport()) {
+  if (watched == m_viewport) {
     if (event->type() == QEvent::MouseMove) {
       const auto& moved = static_cast<const QMouseEvent&>(*event);
       pointSoon(moved.buttons() ? QModelIndex() : m_list.indexAt(moved.position().toPoint()));

@@ -32,7 +32,8 @@ private:
   void noteKey(int key);
 
   QAbstractItemView& m_list;
-  QString m_next; ///< what the pointer is on
+  const QWidget* m_viewport; ///< of the list, which is asked for it no more once it goes
+  QString m_next;            ///< what the pointer is on
   QString m_pointedAt;
   QTimer m_wait;
 };

@@ -127,7 +127,7 @@ void PresetController::connectBrowser() {
       m_own.duplicate(*preset);
   });
   connect(browser, &PresetBrowser::exportRequested, this, &PresetController::exportRequested);
-  connect(browser, &PresetBrowser::searchEnded, &m_context.view,
+  connect(browser, &PresetBrowser::searchEnded, this,
           [this] { m_context.view.setFocus(Qt::TabFocusReason); }); // by a key, too, so that it shows
   connect(browser, &PresetBrowser::galleryChosen, this,
           [this](bool isGallery) { m_context.settings.setPresetsAreGallery(isGallery); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "support/Heart.h"
+#include "support/Sanitizers.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/LabelledRow.h"
 #include "widgets/controls/NumberSliders.h"
@@ -102,6 +103,7 @@ protected:
     std::printf("%s: %d programs compiled, median frame %.1f ms\n", what.c_str(), figures.compiled,
                 figures.clock.medianMs);
     EXPECT_EQ(figures.compiled, 0);
+    LIMN_NEEDS_ITS_OWN_TIME;
     EXPECT_LE(figures.own.longestMs, figures.own.mostMs());
     test::judgeMs("longest frame of the drag of " + what, figures.clock.longestMs, figures.clock.mostMs());
   }
