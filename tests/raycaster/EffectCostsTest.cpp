@@ -122,7 +122,7 @@ TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i].isOn)
       continue;
-    const std::optional<PictureChange>& brought = costs.costs()[i]->brought;
+    const std::optional<PictureChange> brought = costs.costs()[i]->brought;
     const bool isLight = rows[i].effects.hasAny(travellingLight);
     EXPECT_EQ(brought.has_value(), isLight) << rows[i].name;
     if (isLight) {
