@@ -147,7 +147,11 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
   refill();
 }
 
-PresetBrowser::~PresetBrowser() = default;
+// A list that loses the keyboard as it goes must not tell it to one half gone.
+PresetBrowser::~PresetBrowser() {
+  for (PresetPointer* pointer : findChildren<PresetPointer*>())
+    pointer->disconnect(this);
+}
 
 void PresetBrowser::setPicture(const QString& name, const QImage& picture, bool showsNothing) {
   m_pictures[name] = {picture, showsNothing};
