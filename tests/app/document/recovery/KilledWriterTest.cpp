@@ -10,6 +10,8 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -44,8 +46,11 @@ std::size_t temporariesBelow(const fs::path& folder) {
   return count;
 }
 
-// Saves first, first + 1, … until killed after `microseconds`; returns the number of the last one completed.
-int saveUntilKilled(const Save& save, int first, int microseconds) {
+// Saves first, first + 1, … until killed; returns the number of the last one completed. It dies after `share`
+// (0 to 1) of some milliseconds, which is what a write takes, so that each of its parts is met; where making
+// the text takes longer, of as much time as two take.
+int saveUntilKilled(const Save& save, int first, double share) {
+  using std::chrono::steady_clock;
   int completed[2];
   EXPECT_EQ(::pipe(completed), 0);
   const pid_t child = ::fork();
@@ -57,10 +62,13 @@ int saveUntilKilled(const Save& save, int first, int microseconds) {
     }
   }
   ::close(completed[1]);
-  // The time of death is what the test is about; it counts from the first completed state.
+  // The time of death is what the test is about; it counts from the second completed state.
   int last = first - 1;
   EXPECT_EQ(::read(completed[0], &last, sizeof last), static_cast<ssize_t>(sizeof last));
-  std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+  const steady_clock::time_point before = steady_clock::now();
+  EXPECT_EQ(::read(completed[0], &last, sizeof last), static_cast<ssize_t>(sizeof last));
+  const steady_clock::duration two = 2 * (steady_clock::now() - before);
+  std::this_thread::sleep_for(share * std::max<steady_clock::duration>(two, std::chrono::milliseconds(12)));
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   while (::read(completed[0], &last, sizeof last) == sizeof last) {
@@ -74,8 +82,8 @@ Deaths killOften(int kills, unsigned seed, const Saver& saver, const Read& read)
   std::mt19937 random(seed);
   Deaths deaths;
   for (int number = 1; deaths.kills < kills && !testing::Test::HasFatalFailure(); ++deaths.kills) {
-    // A write takes some milliseconds, so that each of its parts is met.
-    const int completed = saveUntilKilled(saver(folder.path()), number, static_cast<int>(random() % 12000));
+    const double share = static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    const int completed = saveUntilKilled(saver(folder.path()), number, share);
     deaths.inTheMiddle += temporariesBelow(folder.path()) > 0;
     const std::optional<int> found = read(folder.path());
     EXPECT_TRUE(found) << "after kill " << deaths.kills;
