@@ -215,7 +215,9 @@ TEST_F(PhysicalWindow, accuracyIsMeasuredByPathsWithTheirLawAndAMap) {
   ASSERT_TRUE(workEnds());
   EXPECT_TRUE(window->findChild<ErrorMapOverlay*>()->isVisible());
   const QString sentence = textOf(*accuracy().findChild<MapSection*>(), "sentence");
-  EXPECT_TRUE(sentence.contains(QStringLiteral("paths a pixel"))) << sentence.toStdString();
+  const bool isOne = lastSide().paths->paths == 1; // on a slow machine
+  EXPECT_TRUE(sentence.contains(isOne ? QStringLiteral("1 path a pixel") : QStringLiteral("paths a pixel")))
+      << sentence.toStdString();
 }
 
 // Of what is saved it is promised how far it is drawn, whatever the screen had by then.
