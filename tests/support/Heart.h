@@ -41,13 +41,12 @@ private:
   int m_beats = 0;
 };
 
-/// The loop turned, and no turn took more of a processor than `mostMs`, but for what a sanitizer adds, nor of
-/// the clock where that is judged.
+/// The loop turned, and no turn took more of a processor than `mostMs`, nor of the clock where that is
+/// judged.
 inline void expectShortTurns(const Heart& heart, const std::string& what, double mostMs) {
   EXPECT_GT(heart.beats(), 10) << what;
-  if (!isSanitised) {
-    EXPECT_LE(heart.longestOwnMs(), mostMs) << what;
-  }
+  LIMN_NEEDS_ITS_OWN_TIME;
+  EXPECT_LE(heart.longestOwnMs(), mostMs) << what;
   judgeMs("longest turn of the event loop, " + what, heart.longestMs(), mostMs);
 }
 

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/WindowHarness.h"
+#include "app/document/recovery/KeepingWindow.h"
 
 #include <QPushButton>
-
-#include <algorithm>
 
 // That work which was kept aside is found again with its volume.
 
 namespace limn {
 namespace {
 
-class KeptWork : public test::WindowHarness {
+class KeptWork : public test::KeepingWindow {
 protected:
   void SetUp() override {
-    test::WindowHarness::SetUp();
+    KeepingWindow::SetUp();
     window->keepSessions();
   }
 
@@ -41,18 +39,8 @@ protected:
   void choose(const QString& text) { choose(bar(), text); }
 
   void openWindowAgain() {
-    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
-    window->view().setRefinesAtRest(false);
-    window->resize(900, 640);
-    window->show();
+    window = newWindow();
     window->keepSessions();
-  }
-
-  bool isAutosaved() const {
-    namespace fs = std::filesystem;
-    const fs::directory_iterator places(folder.path() / "sessions" / "windows");
-    return std::any_of(begin(places), end(places),
-                       [](const auto& place) { return fs::exists(place.path() / "session.json"); });
   }
 
   // Opens a volume and changes its curve.
@@ -128,8 +116,8 @@ TEST_F(KeptWork, waitsWhileWhatACrashLeftIsOffered) {
   openWindowAgain();
   ASSERT_TRUE(ofTheEmptyPage().isVisible());
   workOn(QStringLiteral("phantom:4"));
-  ASSERT_TRUE(test::waitUntil([this] { return isAutosaved(); }));
-  window.reset(); // dies without closing
+  ASSERT_TRUE(waitForAutosave());
+  die();
   openWindowAgain();
   ASSERT_TRUE(bar("recoveryBar").isVisible());
   EXPECT_FALSE(ofTheEmptyPage().isVisible()) << "one at a time";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/EndSignals.h"
-#include "app/WindowHarness.h"
 #include "app/asking/FileDialogs.h"
+#include "app/document/recovery/KeepingWindow.h"
 #include "support/FileBytes.h"
 #include "support/ShortVolume.h"
 #include "widgets/curve/CurvePanel.h"
@@ -25,35 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class SessionWindow : public test::WindowHarness {
+class SessionWindow : public test::KeepingWindow {
 protected:
-  fs::path sessions() const { return folder.path() / "sessions"; }
-
-  // The autosaved sessions on the disk.
-  std::vector<fs::path> autosaved() const {
-    std::vector<fs::path> files;
-    if (fs::exists(sessions() / "windows"))
-      for (const auto& entry : fs::directory_iterator(sessions() / "windows"))
-        if (fs::exists(entry.path() / "session.json"))
-          files.push_back(entry.path() / "session.json");
-    return files;
-  }
-
-  [[nodiscard]] bool waitForAutosave() {
-    return test::waitUntil([this] { return !autosaved().empty(); });
-  }
-
-  // A window dies without closing: what a killed process leaves.
-  void die() { window.reset(); }
-
-  std::unique_ptr<MainWindow> newWindow() {
-    auto made = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
-    made->view().setRefinesAtRest(false);
-    made->resize(900, 640);
-    made->show();
-    return made;
-  }
-
   // The button of the bar that offers a lost session; null where none is offered.
   static QToolButton* offer(const MainWindow& of, const QString& text) {
     for (const MessageBar* bar : of.findChildren<MessageBar*>())
