@@ -42,4 +42,19 @@ private:
   int m_count = 0;
 };
 
+/// The wait that `work(wait)` leaves, or the least of three where it takes more than `mostMs` of the
+/// processor: what a system takes to hand out memory or withholds from a machine counts in a thread's time
+/// and comes once; what the work itself takes comes each time.
+template <typename Work>
+LongestWait waitOf(double mostMs, const Work& work) {
+  LongestWait least;
+  for (int tries = 0; tries < 3 && (tries == 0 || least.cpuMs() > mostMs); ++tries) {
+    LongestWait wait;
+    work(wait);
+    if (tries == 0 || wait.cpuMs() < least.cpuMs())
+      least = wait;
+  }
+  return least;
+}
+
 } // namespace limn::test
