@@ -34,12 +34,13 @@ StripSize stripSize(const cpu::PictureTerms& terms) {
   return terms.fineness || terms.isExact ? StripSize{8, 8} : StripSize{};
 }
 
-// Nothing to be seen. To fill a picture of 3,000² takes longer than whoever cancels may wait: the system
-// hands memory out page by page, on a busy virtual machine a tenth of a millisecond each.
+// Nothing to be seen. To fill a picture of 3,000² takes longer than whoever cancels may wait, and a piece of
+// it as long as the system takes to hand out its pages.
 Image blank(const glm::ivec2& size, const std::function<bool()>& isCancelled) {
-  constexpr std::size_t piece = 1 << 14; // 64 pages
+  constexpr std::size_t atOnce = 1 << 18; // goes faster, and takes moments
+  constexpr std::size_t piece = 1 << 14;
   const auto count = static_cast<std::size_t>(size.x) * size.y;
-  if (count <= piece)
+  if (count <= atOnce)
     return Image(size);
   Image image;
   image.size = size;
