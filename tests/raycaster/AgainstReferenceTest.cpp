@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{256, 256};
+constexpr glm::ivec2 comparedSize{256, 256};
 constexpr double largestLevels = 0.5;
 constexpr double meanLevels = 0.01;
 constexpr double unequalShare = 0.001;
@@ -24,9 +24,9 @@ class AgainstReference : public test::GlTest {
 protected:
   void compare(const Scene& scene, const std::string& what) {
     RayCaster caster;
-    const Image image = caster.render(scene, pictureSize);
-    const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
-    const ReferencePicture reference = renderReference(scene, pictureSize);
+    const Image image = caster.render(scene, comparedSize);
+    const std::vector<int> counts = caster.sampleCounts(scene, comparedSize);
+    const ReferencePicture reference = renderReference(scene, comparedSize);
     const auto isEqual = [&](std::size_t i) { return counts[i] == reference.samples[i]; };
     const auto isUnequal = [&](std::size_t i) { return counts[i] != reference.samples[i]; };
     const test::Difference equal = test::differenceOf(image, reference, isEqual);

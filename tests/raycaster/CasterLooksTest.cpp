@@ -27,7 +27,7 @@ using test::rampOfTwoLooks;
 using test::sceneToTime;
 using test::withEightLooks;
 
-constexpr glm::ivec2 pictureSize{96, 80};
+constexpr glm::ivec2 looksSize{96, 80};
 
 class CasterLooks : public test::GlTest {
 protected:
@@ -40,8 +40,8 @@ protected:
   void expectAsTheReference(const Scene& scene, const std::string& what, double mostMean = usualMean) {
     RayCaster caster;
     const ReferencePicture exact =
-        renderReference(scene, pictureSize, 0, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
-    const ImageError error = imageError(caster.render(scene, pictureSize), toImage(exact));
+        renderReference(scene, looksSize, 0, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
+    const ImageError error = imageError(caster.render(scene, looksSize), toImage(exact));
     std::cout << what << ": 99.9th percentile " << error.p99_9 << ", mean " << error.mean << " levels\n";
     EXPECT_LE(error.p99_9, 1.0) << what;
     EXPECT_LE(error.mean, mostMean) << what;
@@ -88,13 +88,13 @@ TEST_F(CasterLooks, aStepIsPreintegratedWithinOneLook) {
 }
 
 TEST_F(CasterLooks, coarseStepsWithinOneLookLeaveNoBands) {
-  const Image exact = exactRamp(pictureSize);
+  const Image exact = exactRamp(looksSize);
   Scene scene = rampOfTwoLooks();
   RayCaster caster;
   scene.quality.preintegrated = Preintegration::never;
-  const double sampled = imageError(caster.render(scene, pictureSize), exact).largest;
+  const double sampled = imageError(caster.render(scene, looksSize), exact).largest;
   scene.quality.preintegrated = Preintegration::always;
-  const double integrated = imageError(caster.render(scene, pictureSize), exact).largest;
+  const double integrated = imageError(caster.render(scene, looksSize), exact).largest;
   std::cout << "largest of a step of 4 voxels: " << sampled << " levels by samples, " << integrated
             << " pre-integrated\n";
   EXPECT_GT(sampled, 50.0 * integrated);
@@ -131,12 +131,12 @@ TEST_F(CasterLooks, stepsThatAnErrorControlsKeepToTheTolerance) {
     scene.quality.toleranceLevels = 1.0;
     RayCaster caster;
     const WithinTolerance found =
-        withinTolerance(scene, pictureSize, [&caster](const Scene& candidate, const glm::ivec2& size) {
+        withinTolerance(scene, looksSize, [&caster](const Scene& candidate, const glm::ivec2& size) {
           return caster.render(candidate, size);
         });
     EXPECT_TRUE(found.holds) << found.sentence.english();
     const ImageError error =
-        imageError(caster.render(found.scene, pictureSize), toImage(renderReference(fine, pictureSize)));
+        imageError(caster.render(found.scene, looksSize), toImage(renderReference(fine, looksSize)));
     std::cout << nameOf(projection) << ": 99.9th percentile " << error.p99_9 << " levels, fineness "
               << found.scene.quality.fineness.value_or(0.0) << "\n";
     EXPECT_LE(error.p99_9, 1.0);
@@ -174,7 +174,7 @@ TEST_F(CasterLooks, equalLooksInAllLabelsAreOneLook) {
   RayCaster caster;
   for (const Preintegration choice : {Preintegration::never, Preintegration::always}) {
     one.quality.preintegrated = scene.quality.preintegrated = choice;
-    const ImageError error = imageError(caster.render(scene, pictureSize), caster.render(one, pictureSize));
+    const ImageError error = imageError(caster.render(scene, looksSize), caster.render(one, looksSize));
     EXPECT_LE(error.largest, 0.05);
   }
 }
@@ -186,7 +186,7 @@ TEST_F(CasterLooks, emptySpaceChangesNoBit) {
     for (const Preintegration choice : {Preintegration::never, Preintegration::always}) {
       scene.projection = projection;
       scene.quality.preintegrated = choice;
-      EXPECT_EQ(skipping.render(scene, pictureSize).pixels, sampling.render(scene, pictureSize).pixels);
+      EXPECT_EQ(skipping.render(scene, looksSize).pixels, sampling.render(scene, looksSize).pixels);
     }
 }
 
@@ -214,7 +214,7 @@ TEST_F(CasterLooks, aUsedCasterDrawsAsAFreshOneWhateverChanged) {
   scenes.push_back(scene);
   for (const Scene& each : scenes) {
     RayCaster fresh;
-    EXPECT_EQ(used.render(each, pictureSize).pixels, fresh.render(each, pictureSize).pixels);
+    EXPECT_EQ(used.render(each, looksSize).pixels, fresh.render(each, looksSize).pixels);
   }
 }
 

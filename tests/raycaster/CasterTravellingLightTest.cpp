@@ -26,7 +26,7 @@ using test::TravelCase;
 using test::travelCases;
 using test::withoutTravel;
 
-constexpr glm::ivec2 pictureSize{96, 80};
+constexpr glm::ivec2 travellingSize{96, 80};
 
 class CasterTravellingLight : public test::GlTest {};
 
@@ -40,9 +40,9 @@ TEST_F(CasterTravellingLight, everyPictureIsTheProcessors) {
       scene.quality.light = detail;
       RayCaster caster;
       CpuRenderer processor;
-      const Image drawn = caster.render(scene, pictureSize);
-      const ImageError error = imageError(drawn, processor.render(scene, pictureSize));
-      const double travel = imageError(drawn, caster.render(withoutTravel(scene), pictureSize)).p99_9;
+      const Image drawn = caster.render(scene, travellingSize);
+      const ImageError error = imageError(drawn, processor.render(scene, travellingSize));
+      const double travel = imageError(drawn, caster.render(withoutTravel(scene), travellingSize)).p99_9;
       std::cout << one.what << (detail == LightDetail::fine ? ", fine" : ", coarse") << ": 99.9th percentile "
                 << error.p99_9 << ", mean " << error.mean << " levels, of " << travel
                 << " that light on its way makes\n";
@@ -58,10 +58,10 @@ TEST_F(CasterTravellingLight, changesNoBitAndCompilesNothingWhereItIsNeutral) {
   Scene headlight = plain;
   headlight.shading.shadow = {1.0, 20.0};
   RayCaster caster;
-  const Image expected = caster.render(plain, pictureSize);
+  const Image expected = caster.render(plain, travellingSize);
   const int programs = caster.compiledPrograms();
   const double mb = caster.volumeMb();
-  EXPECT_EQ(caster.render(headlight, pictureSize), expected);
+  EXPECT_EQ(caster.render(headlight, travellingSize), expected);
   EXPECT_EQ(caster.compiledPrograms(), programs);
   EXPECT_EQ(caster.volumeMb(), mb);
 }
@@ -70,8 +70,8 @@ TEST_F(CasterTravellingLight, leavesAToleranceToTheProcessor) {
   Scene scene = shadowedHead(8.0);
   scene.quality.toleranceLevels = 1.0;
   RayCaster caster;
-  EXPECT_THROW(caster.render(scene, pictureSize), BeyondDriver);
-  EXPECT_NO_THROW(caster.render(withoutTravel(scene), pictureSize));
+  EXPECT_THROW(caster.render(scene, travellingSize), BeyondDriver);
+  EXPECT_NO_THROW(caster.render(withoutTravel(scene), travellingSize));
 }
 
 // Waits for the light of a scene as a view does, between its turns.
@@ -141,7 +141,7 @@ TEST_F(CasterTravellingLight, whatMovesHasAProgramOfItsOwnThatDrawsTheSame) {
     Scene scene = shadowedHead(4.0);
     one.apply(scene);
     RayCaster caster;
-    const Image fine = caster.render(scene, pictureSize);
+    const Image fine = caster.render(scene, travellingSize);
     Scene moving = scene;
     moving.quality.light = LightDetail::coarse;
     const auto looksAtNodesAlone = [](RayCaster& of, const Scene& drawn) {
@@ -151,22 +151,22 @@ TEST_F(CasterTravellingLight, whatMovesHasAProgramOfItsOwnThatDrawsTheSame) {
     EXPECT_FALSE(looksAtNodesAlone(caster, scene)) << one.what;
     EXPECT_TRUE(looksAtNodesAlone(caster, moving)) << one.what;
     caster.leaveOut(EffectSet()); // nothing, with programs that are compiled for that
-    const Image before = caster.render(moving, pictureSize);
+    const Image before = caster.render(moving, travellingSize);
     caster.leaveOut({});
     EXPECT_EQ(caster.compiledPrograms(), 1) << one.what;
     const FloatTarget sheet({16, 16});
     caster.warmUp(scene, {16, 16});
     EXPECT_EQ(caster.compiledPrograms(), 2) << one.what;
-    const Image after = caster.render(moving, pictureSize);
+    const Image after = caster.render(moving, travellingSize);
     EXPECT_EQ(caster.compiledPrograms(), 2) << one.what;
     RayCaster other; // without that time
     other.holdLight(caster.lightOf(moving));
     EXPECT_FALSE(other.facts(moving).isReady) << one.what;
-    EXPECT_EQ(other.render(moving, pictureSize), after) << one.what;
+    EXPECT_EQ(other.render(moving, travellingSize), after) << one.what;
     EXPECT_EQ(other.compiledPrograms(), 1) << one.what;
     // Compilers reorder sums: floats, not levels.
     EXPECT_LE(imageError(after, before).largest, 0.01) << one.what;
-    EXPECT_EQ(caster.render(scene, pictureSize), fine) << one.what;
+    EXPECT_EQ(caster.render(scene, travellingSize), fine) << one.what;
   }
 }
 

@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 size(48, 31);
+constexpr glm::ivec2 coveredSize(48, 31);
 
 Grid grid() {
   Grid grid;
@@ -27,12 +27,12 @@ bool contains(const PixelRect& rect, const glm::ivec2& pixel) {
 
 // The pixels whose rays meet the box; fails where the rectangle lacks one.
 int expectAllCovered(const Camera& camera, const IndexBox& box) {
-  const PixelRect rect = coveredPixels(camera, grid(), box, size);
-  const RayFrame frame = rayFrame(camera, grid(), size);
+  const PixelRect rect = coveredPixels(camera, grid(), box, coveredSize);
+  const RayFrame frame = rayFrame(camera, grid(), coveredSize);
   int covered = 0;
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      if (!spanInBox(framedRay(frame, x, y, size), box).isEmpty()) {
+  for (int y = 0; y < coveredSize.y; ++y)
+    for (int x = 0; x < coveredSize.x; ++x)
+      if (!spanInBox(framedRay(frame, x, y, coveredSize), box).isEmpty()) {
         EXPECT_TRUE(contains(rect, {x, y})) << x << ", " << y;
         ++covered;
       }
@@ -64,13 +64,13 @@ TEST(CoveredPixels, holdEveryPixelWhoseRayMeetsTheBoxFromAnywhere) {
 TEST(CoveredPixels, areFewMoreThanTheBoxTakes) {
   const IndexBox box = croppedBox(grid(), {});
   // The default camera leaves a wide margin around the box.
-  const PixelRect rect = coveredPixels(defaultCamera(grid()), grid(), box, size);
-  EXPECT_LT(rect.size.x * rect.size.y, size.x * size.y / 2);
+  const PixelRect rect = coveredPixels(defaultCamera(grid()), grid(), box, coveredSize);
+  EXPECT_LT(rect.size.x * rect.size.y, coveredSize.x * coveredSize.y / 2);
 }
 
 TEST(CoveredPixels, ofAnEmptyBoxThereAreNone) {
   const PixelRect rect =
-      coveredPixels(defaultCamera(grid()), grid(), {glm::dvec3(1.0), glm::dvec3(1.0)}, size);
+      coveredPixels(defaultCamera(grid()), grid(), {glm::dvec3(1.0), glm::dvec3(1.0)}, coveredSize);
   EXPECT_EQ(rect.size, glm::ivec2(0));
 }
 

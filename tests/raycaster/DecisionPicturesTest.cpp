@@ -21,7 +21,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{96, 96};
+constexpr glm::ivec2 decisionsSize{96, 96};
 
 const EffectSet lit{Effect::lighting,    Effect::diffuse,          Effect::specular,
                     Effect::exponentMap, Effect::opacityMap,       Effect::emptySpaceSkipping,
@@ -57,7 +57,7 @@ RayCaster casterWith(const Decisions& decisions,
   return RayCaster(emptySpace, RayCaster::Programs::specialised, decisions);
 }
 
-Scene phantomScene(ShadingModel model) {
+Scene unintegratedPhantom(ShadingModel model) {
   Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0, .noiseHu = 15.0}), model);
   scene.quality.preintegrated = Preintegration::never;
   return scene;
@@ -133,10 +133,10 @@ TEST(DecisionLists, aPictureIsMeasuredOnlyByWhatCanShowInIt) {
 }
 
 TEST_F(DecisionPictures, theDefaultsDrawThePictureOfToday) {
-  const Scene scene = phantomScene(ShadingModel::enhanced);
+  const Scene scene = unintegratedPhantom(ShadingModel::enhanced);
   RayCaster own;
   RayCaster stated = casterWith({});
-  EXPECT_EQ(own.render(scene, pictureSize), stated.render(scene, pictureSize));
+  EXPECT_EQ(own.render(scene, decisionsSize), stated.render(scene, decisionsSize));
   EXPECT_EQ(own.fragmentShader(scene), stated.fragmentShader(scene));
   // Volume texels alone, 4 bytes each, the apron included.
   const glm::dvec3 size(scene.volume->grid().dims + 2);
@@ -144,23 +144,23 @@ TEST_F(DecisionPictures, theDefaultsDrawThePictureOfToday) {
 }
 
 TEST_F(DecisionPictures, everyOtherDecisionShowsAndSkippingEmptySpaceChangesNone) {
-  const Scene scene = phantomScene(ShadingModel::enhanced);
+  const Scene scene = unintegratedPhantom(ShadingModel::enhanced);
   RayCaster own;
-  const Image picture = own.render(scene, pictureSize);
+  const Image picture = own.render(scene, decisionsSize);
   for (const DecisionVariant& variant : decisionVariants()) {
     if (variant.decisions == Decisions{})
       continue;
     SCOPED_TRACE(variant.group + ", " + variant.name);
     RayCaster skipping = casterWith(variant.decisions);
     RayCaster sampling = casterWith(variant.decisions, RayCaster::EmptySpace::sampled);
-    const Image other = skipping.render(scene, pictureSize);
+    const Image other = skipping.render(scene, decisionsSize);
     EXPECT_NE(other, picture);
-    EXPECT_EQ(other, sampling.render(scene, pictureSize)) << "skipping empty space changes the picture";
+    EXPECT_EQ(other, sampling.render(scene, decisionsSize)) << "skipping empty space changes the picture";
   }
 }
 
 TEST_F(DecisionPictures, whatIsStoredFollowsTheScene) {
-  const Scene first = phantomScene(ShadingModel::enhanced);
+  const Scene first = unintegratedPhantom(ShadingModel::enhanced);
   Scene edited = first;
   edited.transferFunction = test::boneOnly();
   Scene stepped = edited;
@@ -170,7 +170,7 @@ TEST_F(DecisionPictures, whatIsStoredFollowsTheScene) {
   for (const Decisions& decisions : otherDecisions()) {
     RayCaster caster = casterWith(decisions);
     for (const Scene& scene : {first, edited, stepped, other})
-      EXPECT_EQ(caster.render(scene, pictureSize), casterWith(decisions).render(scene, pictureSize));
+      EXPECT_EQ(caster.render(scene, decisionsSize), casterWith(decisions).render(scene, decisionsSize));
   }
 }
 
@@ -205,8 +205,8 @@ void compareStoredGradients(const Scene& scene, const glm::ivec2& size) {
 }
 
 TEST_F(DecisionPictures, gradientsStoredInHalvesEqualThoseOnTheFly) {
-  compareStoredGradients(phantomScene(ShadingModel::classic), pictureSize);
-  compareStoredGradients(phantomScene(ShadingModel::enhanced), pictureSize);
+  compareStoredGradients(unintegratedPhantom(ShadingModel::classic), decisionsSize);
+  compareStoredGradients(unintegratedPhantom(ShadingModel::enhanced), decisionsSize);
 }
 
 TEST_F(DecisionPictures, gradientsStoredInHalvesEqualThoseOnTheFlyOnTheCtHead) {

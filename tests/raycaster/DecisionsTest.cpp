@@ -21,12 +21,12 @@ using DecisionPixels = test::GlTest;
 // What rounding in float costs one pixel (the cases' own tolerance).
 constexpr double rounding = 2e-6;
 
-RayCaster casterWith(const Decisions& decisions) {
+RayCaster pixelCaster(const Decisions& decisions) {
   return RayCaster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, decisions);
 }
 
 glm::dvec4 pixelOf(const Scene& scene, const Decisions& decisions) {
-  return glm::dvec4(casterWith(decisions).render(scene, {1, 1}).pixels[0]);
+  return glm::dvec4(pixelCaster(decisions).render(scene, {1, 1}).pixels[0]);
 }
 
 // Two voxels of 0 and 1 side by side: a ray between them sees 1/2 on its way of 1 mm, the unit distance.
@@ -105,7 +105,7 @@ TEST_F(DecisionPixels, voxelsClassifiedBeforeInterpolationMissWhatLiesBetweenThe
 TEST_F(DecisionPixels, samplesAtTheFrontOfTheirStepsAreOfOrderOne) {
   constexpr double floor = 20.0 * 1e-6; // where rounding hides the order
   RayCaster middle;
-  RayCaster front = casterWith({.place = SamplePlace::front});
+  RayCaster front = pixelCaster({.place = SamplePlace::front});
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases()) {
     // Behind an extinction of 40 s nothing shines out, nor does anything at its begin: where the integrand
@@ -139,7 +139,7 @@ std::vector<float> interpolated(VolumeFormat format, int pixels) {
   // The camera sees from -1/2 to 1/2, from one voxel's centre to the other's.
   scene.camera.heightMm = 1.0 / pixels;
   std::vector<float> row;
-  for (const glm::vec4& pixel : casterWith({.volume = format}).render(scene, {pixels, 1}).pixels)
+  for (const glm::vec4& pixel : pixelCaster({.volume = format}).render(scene, {pixels, 1}).pixels)
     row.push_back(pixel.r);
   return row;
 }
@@ -184,7 +184,7 @@ std::vector<double> gradientsAlong(int axis, GradientFormat format) {
   scene.gradientOpacity = GradientOpacity{{{0.0, 0.0}, {16.0, 1.0}}};
   const glm::ivec2 size = axis == 2 ? glm::ivec2(1, squareCount) : glm::ivec2(squareCount, 1);
   std::vector<double> alphas;
-  for (const glm::vec4& pixel : casterWith({.gradients = format}).render(scene, size).pixels)
+  for (const glm::vec4& pixel : pixelCaster({.gradients = format}).render(scene, size).pixels)
     alphas.push_back(pixel.a);
   if (axis == 2)
     std::reverse(alphas.begin(), alphas.end());

@@ -16,7 +16,7 @@ namespace {
 
 using EffectCostsOnADriver = test::GlTest;
 
-constexpr glm::ivec2 size{96, 96};
+constexpr glm::ivec2 costsSize{96, 96};
 
 Scene croppedScene() {
   Scene scene = test::headScene(phantomVolume({4.0, 0.0, 1}), ShadingModel::enhanced);
@@ -40,11 +40,11 @@ TEST(EffectCostFigures, areDifferencesOfMediansWithTheSpreadOfTheirRounds) {
 TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
   const Scene scene = croppedScene();
   RayCaster caster;
-  const Image before = caster.render(scene, size);
-  const FloatTarget target(size);
+  const Image before = caster.render(scene, costsSize);
+  const FloatTarget target(costsSize);
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
   CasterCosts drawing(caster);
-  EffectCosts costs(scene, size, rows, 5);
+  EffectCosts costs(scene, costsSize, rows, 5);
   EXPECT_EQ(costs.fraction(), 0.0);
   int steps = 1;
   while (costs.step(drawing)) {
@@ -63,16 +63,16 @@ TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
   EXPECT_EQ(steps, measured + 1 + 5 * 2 * measured);
   EXPECT_GT(costs.wholeMs(), 0.0);
   EXPECT_FALSE(drawing.method().empty());
-  EXPECT_EQ(caster.render(scene, size), before);
+  EXPECT_EQ(caster.render(scene, costsSize), before);
 }
 
 TEST_F(EffectCostsOnADriver, timeTheWholePictureWhereNothingIsOn) {
   Scene scene = croppedScene();
   scene.transferFunction.points.clear();
   RayCaster caster;
-  const FloatTarget target(size);
+  const FloatTarget target(costsSize);
   CasterCosts drawing(caster);
-  EffectCosts costs(scene, size, effectRows(scene, caster.plan(scene)), 5);
+  EffectCosts costs(scene, costsSize, effectRows(scene, caster.plan(scene)), 5);
   int steps = 1;
   while (costs.step(drawing))
     ++steps;
@@ -86,12 +86,12 @@ TEST_F(EffectCostsOnADriver, areBelowZeroWhereAnEffectSavesTime) {
   scene.fog = {};
   scene.quality.earlyTermination = 1.0;
   RayCaster caster;
-  const FloatTarget target(size);
+  const FloatTarget target(costsSize);
   std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
   for (EffectRow& row : rows)
     row.isOn = row.name == "crop";
   CasterCosts drawing(caster);
-  EffectCosts costs(scene, size, rows, 9);
+  EffectCosts costs(scene, costsSize, rows, 9);
   while (costs.step(drawing)) {
   }
   const auto crop = std::find_if(rows.begin(), rows.end(), [](const EffectRow& row) { return row.isOn; });
@@ -110,12 +110,12 @@ TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
     ++asked;
     return finder.find(of);
   });
-  const Image before = caster.render(scene, size);
-  const FloatTarget target(size);
+  const Image before = caster.render(scene, costsSize);
+  const FloatTarget target(costsSize);
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
   asked = 0;
   CasterCosts drawing(caster);
-  EffectCosts costs(scene, size, rows, 5);
+  EffectCosts costs(scene, costsSize, rows, 5);
   while (costs.step(drawing)) {
   }
   EXPECT_EQ(asked, 1);
@@ -130,7 +130,7 @@ TEST_F(EffectCostsOnADriver, areDrawnInOneLightThatTellsWhatItBrought) {
       EXPECT_GE(brought->mostLevels, 5.0) << rows[i].name;
     }
   }
-  EXPECT_EQ(caster.render(scene, size), before);
+  EXPECT_EQ(caster.render(scene, costsSize), before);
 }
 
 // In a light of its own, found on a thread, which the picture itself is then drawn without.
@@ -139,12 +139,12 @@ TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
   scene.shading.shadow.strength = 0.0;
   scene.shading.occlusion.strength = 0.0;
   RayCaster caster;
-  const Image before = caster.render(scene, size);
-  const FloatTarget target(size);
+  const Image before = caster.render(scene, costsSize);
+  const FloatTarget target(costsSize);
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
   const SceneFacts facts = caster.sceneFacts(scene);
   CasterCosts drawing(caster);
-  EffectCosts costs(scene, size, rows, 5);
+  EffectCosts costs(scene, costsSize, rows, 5);
   costs.addWhatIsOff(drawing);
   while (costs.step(drawing)) {
   }
@@ -157,7 +157,7 @@ TEST_F(EffectCostsOnADriver, ofWhatIsOffAreWhatItWouldAdd) {
       EXPECT_GT(wouldCost->brought.value().mostLevels, 0.5) << rows[i].name;
     }
   }
-  EXPECT_EQ(caster.render(scene, size), before);
+  EXPECT_EQ(caster.render(scene, costsSize), before);
 }
 
 } // namespace

@@ -14,9 +14,9 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{80, 96};
+constexpr glm::ivec2 effectsSize{80, 96};
 
-struct Row {
+struct EffectCase {
   const char* what;
   Effect effect;
   void (*apply)(Scene&);
@@ -26,7 +26,7 @@ Region cubes(const Scene& scene, const std::vector<double>& weights) {
   return cubesRegion(scene.volume->grid().dims, 7, weights);
 }
 
-const Row rows[] = {
+const EffectCase effectCases[] = {
     {"Phong", Effect::phong, [](Scene& s) { s.shading.reflection = Reflection::phong; }},
     {"Phong under a fixed light, two-sided", Effect::fixedLight,
      [](Scene& s) {
@@ -250,13 +250,13 @@ const Row rows[] = {
      }},
 };
 
-Scene baseScene() {
+Scene enhancedScene() {
   static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 4.0});
   return test::headScene(volume, ShadingModel::enhanced);
 }
 
 // Own weights take a driver that weighs in 8 bits, as graphics cards do.
-RayCaster casterFor(const Row& row) {
+RayCaster casterFor(const EffectCase& row) {
   Decisions decisions;
   if (row.effect == Effect::ownWeights)
     decisions.weights = FilterWeights::eightBits;
@@ -266,19 +266,19 @@ RayCaster casterFor(const Row& row) {
 using Effects = test::GlTest;
 
 TEST_F(Effects, everyEffectAgreesWithTheReferenceAndShows) {
-  const Scene base = baseScene();
-  const Image without = RayCaster().render(base, pictureSize);
+  const Scene base = enhancedScene();
+  const Image without = RayCaster().render(base, effectsSize);
   RayCaster usual;
-  for (const Row& row : rows) {
+  for (const EffectCase& row : effectCases) {
     SCOPED_TRACE(row.what);
     RayCaster own = casterFor(row);
     RayCaster& caster = row.effect == Effect::ownWeights ? own : usual;
     Scene scene = base;
     row.apply(scene);
-    const Image image = caster.render(scene, pictureSize);
+    const Image image = caster.render(scene, effectsSize);
     EXPECT_NE(image, without) << "the effect does not show";
-    const ReferencePicture reference = renderReference(scene, pictureSize);
-    const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
+    const ReferencePicture reference = renderReference(scene, effectsSize);
+    const std::vector<int> counts = caster.sampleCounts(scene, effectsSize);
     const test::Difference difference = test::differenceOf(
         image, reference, [&](std::size_t i) { return counts[i] == reference.samples[i]; });
     std::cout << row.what << ": " << difference << "\n";
@@ -291,42 +291,42 @@ TEST_F(Effects, everyEffectAgreesWithTheReferenceAndShows) {
 
 TEST_F(Effects, lightOnItsWayShowsAndLeavesNoTraceWhereItIsOff) {
   RayCaster caster;
-  Scene scene = baseScene();
+  Scene scene = enhancedScene();
   scene.shading.lightDirection = glm::dvec3(1.0, 1.0, -1.0);
-  const Image plain = caster.render(scene, pictureSize);
+  const Image plain = caster.render(scene, effectsSize);
   scene.shading.shadow.strength = 0.5;
-  EXPECT_NE(caster.render(scene, pictureSize), plain);
+  EXPECT_NE(caster.render(scene, effectsSize), plain);
   scene.shading.shadow.strength = 0.0;
   scene.shading.occlusion.strength = 0.5;
-  EXPECT_NE(caster.render(scene, pictureSize), plain);
+  EXPECT_NE(caster.render(scene, effectsSize), plain);
   scene.shading.occlusion.strength = 0.0;
   scene.shading.occlusion.reachMm = 5.0;
-  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  EXPECT_EQ(caster.render(scene, effectsSize), plain);
 }
 
 TEST_F(Effects, smoothNormalsLeaveNoTraceWhereThereAreNone) {
   RayCaster caster;
-  Scene scene = baseScene();
-  const Image plain = caster.render(scene, pictureSize);
+  Scene scene = enhancedScene();
+  const Image plain = caster.render(scene, effectsSize);
   const double volumeMb = caster.volumeMb();
   scene.shading.gradientSmoothing = 1.3; // 3σ is less than a voxel
-  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  EXPECT_EQ(caster.render(scene, effectsSize), plain);
   EXPECT_EQ(caster.volumeMb(), volumeMb);
   scene.shading.gradientSmoothing = 6.0;
-  EXPECT_NE(caster.render(scene, pictureSize), plain);
+  EXPECT_NE(caster.render(scene, effectsSize), plain);
   EXPECT_NEAR(caster.volumeMb(), 2.0 * volumeMb, 1e-9); // both in floats
   scene.shading.gradientSmoothing = 0.0;
-  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  EXPECT_EQ(caster.render(scene, effectsSize), plain);
   // It stays for pictures that take turns, and goes with its volume.
   EXPECT_NEAR(caster.volumeMb(), 2.0 * volumeMb, 1e-9);
   scene.volume = phantomVolume({.spacingMm = 4.0});
-  EXPECT_EQ(caster.render(scene, pictureSize), plain);
+  EXPECT_EQ(caster.render(scene, effectsSize), plain);
   EXPECT_EQ(caster.volumeMb(), volumeMb);
 }
 
 TEST_F(Effects, smoothNormalsAreMadeReadyInPiecesThatAddUp) {
   RayCaster caster;
-  Scene scene = baseScene();
+  Scene scene = enhancedScene();
   scene.shading.gradientSmoothing = 6.0;
   double last = 0.0;
   int pieces = 0;
@@ -341,7 +341,7 @@ TEST_F(Effects, smoothNormalsAreMadeReadyInPiecesThatAddUp) {
 }
 
 TEST_F(Effects, whereTheCardHasNoRoomForASmoothedVolumeItIsRefused) {
-  const Scene plain = baseScene();
+  const Scene plain = enhancedScene();
   const double needed =
       1e-6 * 4.0 *
       static_cast<double>((plain.volume->grid().dims.x + 2) * (plain.volume->grid().dims.y + 2) *
@@ -350,25 +350,25 @@ TEST_F(Effects, whereTheCardHasNoRoomForASmoothedVolumeItIsRefused) {
                    {1.5 * needed, false});
   Scene smooth = plain;
   smooth.shading.gradientSmoothing = 6.0;
-  EXPECT_NO_THROW(caster.render(plain, pictureSize));
-  EXPECT_THROW(caster.render(smooth, pictureSize), VolumeTooLarge);
-  EXPECT_NO_THROW(caster.render(plain, pictureSize));
+  EXPECT_NO_THROW(caster.render(plain, effectsSize));
+  EXPECT_THROW(caster.render(smooth, effectsSize), VolumeTooLarge);
+  EXPECT_NO_THROW(caster.render(plain, effectsSize));
 }
 
 TEST_F(Effects, physicalLightIsRefusedAndNeverLeftOut) {
   RayCaster caster;
-  Scene scene = baseScene();
+  Scene scene = enhancedScene();
   scene.shading.model = ShadingModel::physical;
-  EXPECT_THROW(caster.render(scene, pictureSize), BeyondDriver);
+  EXPECT_THROW(caster.render(scene, effectsSize), BeyondDriver);
   // MIP shows values, whatever the model.
   scene.projection = Projection::mip;
-  const Image mip = caster.render(scene, pictureSize);
+  const Image mip = caster.render(scene, effectsSize);
   scene.shading.model = ShadingModel::none;
-  EXPECT_EQ(caster.render(scene, pictureSize), mip);
+  EXPECT_EQ(caster.render(scene, effectsSize), mip);
 }
 
 TEST(EffectPlans, lightOnItsWayIsAskedForWhereItShows) {
-  Scene scene = baseScene();
+  Scene scene = enhancedScene();
   scene.shading.shadow = {0.5, 4.0};
   scene.shading.occlusion = {0.5, 10.0};
   scene.shading.lightDirection.reset();
@@ -383,8 +383,8 @@ TEST(EffectPlans, lightOnItsWayIsAskedForWhereItShows) {
 }
 
 TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {
-  for (const Row& row : rows) {
-    Scene scene = baseScene();
+  for (const EffectCase& row : effectCases) {
+    Scene scene = enhancedScene();
     row.apply(scene);
     const bool isDense = row.effect == Effect::denseFunctions;
     const EffectPlan plan =
@@ -400,13 +400,13 @@ TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {
 }
 
 TEST(EffectPlans, anUnlitPictureNeedsNothing) {
-  Scene scene = baseScene();
+  Scene scene = enhancedScene();
   scene.shading.model = ShadingModel::none;
   EXPECT_EQ(requiredEffects(scene, {}).effects.without(Effect::earlyTermination), EffectSet());
 }
 
 TEST(EffectPlans, neutralValuesAskForNothing) {
-  Scene scene = baseScene();
+  Scene scene = enhancedScene();
   scene.shading.model = ShadingModel::classic;
   const EffectSet classic = requiredEffects(scene, {}).effects;
   Scene neutral = scene;

@@ -18,16 +18,16 @@ namespace {
 
 using GraphicsMemory = test::GlTest;
 
-constexpr glm::ivec2 pictureSize{48, 48};
+constexpr glm::ivec2 memorySize{48, 48};
 
 TEST_F(GraphicsMemory, aVolumeThatMayTakeLessIsShownDownSampledAndSaysSo) {
   // 48 x 58 x 68 voxels with an apron, 4 bytes each: 0.84 MB.
   const Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0}), ShadingModel::classic);
   RayCaster free;
-  const Image whole = free.render(scene, pictureSize);
+  const Image whole = free.render(scene, memorySize);
   EXPECT_EQ(free.limitation().english(), "");
   RayCaster limited(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {0.25, true});
-  const Image reduced = limited.render(scene, pictureSize);
+  const Image reduced = limited.render(scene, memorySize);
   EXPECT_LE(limited.volumeMb(), 0.25);
   EXPECT_NE(limited.limitation().english().find("48×58×68"), std::string::npos)
       << limited.limitation().english();
@@ -46,7 +46,7 @@ TEST_F(GraphicsMemory, noRoomAtAllIsRefusedInASentence) {
   const Scene scene = test::headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::none);
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {1e-6, true});
   try {
-    caster.render(scene, pictureSize);
+    caster.render(scene, memorySize);
     FAIL() << "a volume fits into a byte";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), Error::Kind::openGl);
@@ -57,14 +57,14 @@ TEST_F(GraphicsMemory, whatMayNotBeReducedIsRefusedWholeAndTheNextVolumeIsDrawn)
   Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0}), ShadingModel::classic);
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {0.25, false});
   try {
-    caster.render(scene, pictureSize);
+    caster.render(scene, memorySize);
     FAIL() << "0.84 MB fit into a quarter of one";
   } catch (const VolumeTooLarge& error) {
     EXPECT_STREQ(error.what(),
                  "The volume of 48×58×68 voxels is too large for the graphics memory that it may take.");
   }
   scene.volume = phantomVolume({.spacingMm = 16.0});
-  EXPECT_EQ(caster.render(scene, pictureSize), RayCaster().render(scene, pictureSize));
+  EXPECT_EQ(caster.render(scene, memorySize), RayCaster().render(scene, memorySize));
   EXPECT_EQ(caster.limitation().english(), "");
 }
 
@@ -75,7 +75,7 @@ TEST_F(GraphicsMemory, aVolumeOnDiskIsLeftToOthers) {
   for (const bool mayReduce : {false, true}) {
     RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {1e3, mayReduce});
     try {
-      caster.render(scene, pictureSize);
+      caster.render(scene, memorySize);
       FAIL() << "all of it would be copied";
     } catch (const VolumeTooLarge& error) {
       EXPECT_STREQ(error.what(),

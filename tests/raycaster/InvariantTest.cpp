@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{40, 32};
+constexpr glm::ivec2 invariantSize{40, 32};
 
 using Pixels = std::vector<glm::dvec4>;
 
@@ -29,10 +29,10 @@ struct Renderer {
 std::vector<Renderer> renderers() {
   const auto caster = std::make_shared<RayCaster>();
   const auto drawn = [caster](const Scene& scene) {
-    const Image image = caster->render(scene, pictureSize);
+    const Image image = caster->render(scene, invariantSize);
     return Pixels(image.pixels.begin(), image.pixels.end());
   };
-  const auto exact = [](const Scene& scene) { return renderReference(scene, pictureSize).pixels; };
+  const auto exact = [](const Scene& scene) { return renderReference(scene, invariantSize).pixels; };
   // GLSL: HARD_CASES section 5 for the whole picture, 4 for the order of colour and alpha.
   return {{"reference", exact, 1e-10, 1e-14}, {"GLSL", drawn, 2e-4, 1e-6}};
 }
@@ -54,7 +54,7 @@ std::shared_ptr<const Volume> turnedPhantom() {
   return onGrid(*phantom, grid);
 }
 
-Scene phantomScene(ShadingModel model) {
+Scene turnedScene(ShadingModel model) {
   static const std::shared_ptr<const Volume> volume = turnedPhantom();
   Scene scene = test::headScene(volume, model);
   scene.camera.projection = Camera::Projection::orthographic;
@@ -69,7 +69,7 @@ const ShadingModel allModels[] = {ShadingModel::none, ShadingModel::classic, Sha
 
 // The pixel beside the picture's vertical middle line.
 std::size_t mirroredPixel(std::size_t pixel) {
-  const std::size_t width = pictureSize.x;
+  const std::size_t width = invariantSize.x;
   return pixel - pixel % width + (width - 1 - pixel % width);
 }
 
@@ -93,7 +93,7 @@ using Invariants = test::GlTest;
 TEST_F(Invariants, alphaIsTheSameFromOppositeSides) {
   for (const Renderer& renderer : renderers())
     for (const ShadingModel model : allModels) {
-      Scene scene = phantomScene(model);
+      Scene scene = turnedScene(model);
       const Pixels front = renderer.render(scene);
       scene.camera.position = 2.0 * scene.camera.target - scene.camera.position;
       expectSame(renderer.render(scene), front, renderer.tolerance,
@@ -105,7 +105,7 @@ TEST_F(Invariants, projectionsOfTheWholeRayAreTheSameFromOppositeSides) {
   for (const Renderer& renderer : renderers())
     for (const Projection projection :
          {Projection::mip, Projection::minip, Projection::average, Projection::xray}) {
-      Scene scene = phantomScene(ShadingModel::none);
+      Scene scene = turnedScene(ShadingModel::none);
       scene.projection = projection;
       // Air, which is the smallest of most rays, shows too.
       scene.transferFunction = {50.0, {{-1100.0, glm::dvec3(1.0), 0.9}, {1500.0, glm::dvec3(0.3), 0.2}}};
@@ -142,7 +142,7 @@ TEST_F(Invariants, aSceneAThousandTimesAsLargeIsTheSamePicture) {
     for (const Camera::Projection projection :
          {Camera::Projection::orthographic, Camera::Projection::perspective})
       for (const ShadingModel model : allModels) {
-        Scene scene = phantomScene(model);
+        Scene scene = turnedScene(model);
         scene.camera.projection = projection;
         scene.fog = {Fog::Mode::exp, glm::dvec3(0.2, 0.4, 0.6), 0.001, 300.0, 0.0};
         scene.gradientOpacity = GradientOpacity{{{0.0, 0.2}, {100.0, 1.0}}};
@@ -190,7 +190,7 @@ std::shared_ptr<const Volume> reversedAlongX(const Volume& volume) {
 TEST_F(Invariants, aMirroredSceneIsTheMirroredPicture) {
   for (const Renderer& renderer : renderers())
     for (const ShadingModel model : allModels) {
-      Scene scene = phantomScene(model);
+      Scene scene = turnedScene(model);
       scene.camera.projection = Camera::Projection::perspective;
       scene.shading.lightDirection = glm::dvec3(1.0, 0.5, -0.4);
       const Pixels expected = renderer.render(scene);
@@ -205,7 +205,7 @@ TEST_F(Invariants, aMirroredSceneIsTheMirroredPicture) {
 
 TEST_F(Invariants, noUnlitColourExceedsAlpha) {
   for (const Renderer& renderer : renderers()) {
-    Scene scene = phantomScene(ShadingModel::none);
+    Scene scene = turnedScene(ShadingModel::none);
     for (ControlPoint& point : scene.transferFunction.points)
       point.color.r = 1.0;
     for (const glm::dvec4& pixel : renderer.render(scene)) {
@@ -231,7 +231,7 @@ TEST_F(Invariants, addingAbsorbingMaterialNeverRaisesTheTransmittance) {
   for (const Renderer& renderer : renderers())
     for (const Preintegration preintegrated : {Preintegration::never, Preintegration::always})
       for (const ShadingModel model : {ShadingModel::none, ShadingModel::enhanced}) {
-        Scene scene = phantomScene(model);
+        Scene scene = turnedScene(model);
         scene.quality.preintegrated = preintegrated;
         const Pixels before = renderer.render(scene);
         for (std::size_t i = 0; i < scene.transferFunction.points.size(); ++i) {

@@ -15,9 +15,9 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{48, 48};
+constexpr glm::ivec2 localSize{48, 48};
 
-Scene baseScene(double fineness = 4.0) {
+Scene finelySteppedScene(double fineness = 4.0) {
   static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 6.0});
   Scene scene = test::headScene(volume, ShadingModel::robust);
   scene.quality.earlyTermination = 0.998;
@@ -37,11 +37,11 @@ TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
   for (const Variation& variation : test::switches())
     for (const double fineness : {2.0, 5.75}) {
       SCOPED_TRACE(std::string(variation.what) + ", fineness " + std::to_string(fineness));
-      Scene scene = baseScene(fineness);
+      Scene scene = finelySteppedScene(fineness);
       variation.apply(scene);
       const ReferencePicture reference =
-          renderReference(scene, pictureSize, 0, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
-      const ImageError error = imageError(caster.render(scene, pictureSize), reference.pixels);
+          renderReference(scene, localSize, 0, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
+      const ImageError error = imageError(caster.render(scene, localSize), reference.pixels);
       // Where float and double fall on different sides of a limit, a ray takes other steps, a few in a
       // thousand rays: that is a picture as good, not the same one. The rest differ by rounding, 1e-4 of a
       // level each.
@@ -50,7 +50,7 @@ TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
       // The reference also ends where less than a double can tell is left of the light.
       if (scene.quality.earlyTermination == 1.0)
         continue;
-      const std::vector<int> samples = caster.sampleCounts(scene, pictureSize);
+      const std::vector<int> samples = caster.sampleCounts(scene, localSize);
       EXPECT_NEAR(sumOf(samples), sumOf(reference.samples), 1e-3 * sumOf(reference.samples));
     }
 }
@@ -61,41 +61,41 @@ TEST_F(LocalSteps, neitherLeapsNorAStandInShow) {
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
   for (const Variation& variation : test::switches()) {
     SCOPED_TRACE(variation.what);
-    Scene scene = baseScene();
+    Scene scene = finelySteppedScene();
     variation.apply(scene);
-    const Image image = caster.render(scene, pictureSize);
-    EXPECT_EQ(image, walking.render(scene, pictureSize));
-    EXPECT_EQ(image, all.render(scene, pictureSize));
+    const Image image = caster.render(scene, localSize);
+    EXPECT_EQ(image, walking.render(scene, localSize));
+    EXPECT_EQ(image, all.render(scene, localSize));
   }
 }
 
 TEST_F(LocalSteps, theyChangeWithTheFinenessWithoutANewProgram) {
   RayCaster caster;
-  const Image coarse = caster.render(baseScene(2), pictureSize);
-  EXPECT_NE(coarse, caster.render(baseScene(5), pictureSize));
-  EXPECT_EQ(coarse, caster.render(baseScene(2), pictureSize));
+  const Image coarse = caster.render(finelySteppedScene(2), localSize);
+  EXPECT_NE(coarse, caster.render(finelySteppedScene(5), localSize));
+  EXPECT_EQ(coarse, caster.render(finelySteppedScene(2), localSize));
   EXPECT_EQ(caster.compiledPrograms(), 1);
 }
 
 TEST_F(LocalSteps, aNewFunctionGetsANewMapOfSteps) {
   RayCaster used;
-  used.render(baseScene(), pictureSize);
-  Scene scene = baseScene();
+  used.render(finelySteppedScene(), localSize);
+  Scene scene = finelySteppedScene();
   scene.transferFunction = test::boneOnly();
   RayCaster fresh;
-  EXPECT_EQ(used.render(scene, pictureSize), fresh.render(scene, pictureSize));
+  EXPECT_EQ(used.render(scene, localSize), fresh.render(scene, localSize));
 }
 
 TEST_F(LocalSteps, aProjectionThatDoesNotIntegrateKeepsItsEqualSteps) {
   RayCaster caster;
   for (const Projection projection :
        {Projection::mip, Projection::minip, Projection::average, Projection::isosurface}) {
-    Scene scene = baseScene();
+    Scene scene = finelySteppedScene();
     scene.projection = projection;
     Scene equal = scene;
     equal.quality.toleranceLevels.reset();
-    EXPECT_EQ(caster.render(scene, pictureSize), caster.render(equal, pictureSize));
-    EXPECT_EQ(caster.sampleCounts(scene, pictureSize), caster.sampleCounts(equal, pictureSize));
+    EXPECT_EQ(caster.render(scene, localSize), caster.render(equal, localSize));
+    EXPECT_EQ(caster.sampleCounts(scene, localSize), caster.sampleCounts(equal, localSize));
   }
 }
 

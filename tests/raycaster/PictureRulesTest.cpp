@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{96, 80};
+constexpr glm::ivec2 rulesSize{96, 80};
 
 bool isSound(const Image& image) {
   for (const glm::vec4& pixel : image.pixels) {
@@ -36,12 +36,12 @@ TEST_F(PictureRules, enhancedWithEqualRangesIsClassicToTheBitAndTheSameProgram) 
   RayCaster caster;
   Scene classic = test::noisyPhantom(ShadingModel::classic);
   classic.shading.exponent = 20.0;
-  const Image expected = caster.render(classic, pictureSize);
+  const Image expected = caster.render(classic, rulesSize);
   Scene enhanced = classic;
   enhanced.shading.model = ShadingModel::enhanced;
   enhanced.shading.exponentRange = {20.0, 20.0};
   enhanced.shading.opacityRange = {1.0, 1.0};
-  EXPECT_EQ(caster.render(enhanced, pictureSize), expected);
+  EXPECT_EQ(caster.render(enhanced, rulesSize), expected);
   EXPECT_EQ(caster.compiledPrograms(), 1);
   EXPECT_EQ(lightingTerms(enhanced.shading), lightingTerms(classic.shading));
   EXPECT_FALSE(isEmpty(expected));
@@ -51,13 +51,13 @@ TEST_F(PictureRules, robustWithEveryExtraNeutralIsEnhancedToTheBit) {
   RayCaster caster;
   Scene enhanced = test::noisyPhantom(ShadingModel::enhanced);
   enhanced.shading.gradientReference = LargestReference{};
-  const Image expected = caster.render(enhanced, pictureSize);
+  const Image expected = caster.render(enhanced, rulesSize);
   Scene robust = enhanced;
   robust.shading.model = ShadingModel::robust;
   robust.shading.energyFactor = false;
   robust.shading.significance.reset();
   robust.shading.knee.reset();
-  EXPECT_EQ(caster.render(robust, pictureSize), expected);
+  EXPECT_EQ(caster.render(robust, rulesSize), expected);
   EXPECT_EQ(caster.compiledPrograms(), 1);
 }
 
@@ -65,38 +65,38 @@ TEST_F(PictureRules, everyExtraOfRobustChangesThePicture) {
   RayCaster caster;
   Scene scene = test::noisyPhantom(ShadingModel::robust);
   scene.shading.specular = 2.0;
-  const Image all = caster.render(scene, pictureSize);
+  const Image all = caster.render(scene, rulesSize);
   Scene without = scene;
   without.shading.energyFactor = false;
-  EXPECT_NE(caster.render(without, pictureSize), all) << "energy factor";
+  EXPECT_NE(caster.render(without, rulesSize), all) << "energy factor";
   without = scene;
   without.shading.significance.reset();
-  EXPECT_NE(caster.render(without, pictureSize), all) << "significance";
+  EXPECT_NE(caster.render(without, rulesSize), all) << "significance";
   without = scene;
   without.shading.knee.reset();
-  EXPECT_NE(caster.render(without, pictureSize), all) << "knee";
+  EXPECT_NE(caster.render(without, rulesSize), all) << "knee";
 }
 
 TEST_F(PictureRules, editingAControlPointCompilesNoProgram) {
   RayCaster caster;
   Scene scene = test::noisyPhantom(ShadingModel::enhanced);
-  Image before = caster.render(scene, pictureSize);
+  Image before = caster.render(scene, rulesSize);
   // Points that close up on each other ask for pre-integrated steps: a resting view has that program at hand.
-  while (caster.warmUp(scene, pictureSize)) {
+  while (caster.warmUp(scene, rulesSize)) {
   }
   const int programs = caster.compiledPrograms();
   for (int i = 0; i < 12; ++i) {
     scene.transferFunction = withPointMoved(scene.transferFunction, 3, -20.0 + 10.0 * i, 0.1 + 0.05 * i);
-    const Image after = caster.render(scene, pictureSize);
+    const Image after = caster.render(scene, rulesSize);
     EXPECT_NE(after, before) << "the edit did not show";
     before = after;
   }
   scene.transferFunction = withPointAdded(scene.transferFunction, 700.0, 0.1);
-  caster.render(scene, pictureSize);
+  caster.render(scene, rulesSize);
   scene.transferFunction = withoutPoints(scene.transferFunction, {0, 2});
-  caster.render(scene, pictureSize);
+  caster.render(scene, rulesSize);
   scene.camera = orbited(scene.camera, 0.3, 0.2);
-  caster.render(scene, pictureSize);
+  caster.render(scene, rulesSize);
   EXPECT_EQ(caster.compiledPrograms(), programs);
 }
 
@@ -105,8 +105,8 @@ TEST_F(PictureRules, allPicturesAreFiniteAndOutsideTheBoxIsExactlyNothing) {
   for (const ShadingModel model :
        {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
     const Scene scene = test::noisyPhantom(model);
-    const Image image = caster.render(scene, pictureSize);
-    const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
+    const Image image = caster.render(scene, rulesSize);
+    const std::vector<int> counts = caster.sampleCounts(scene, rulesSize);
     EXPECT_TRUE(isSound(image));
     int missed = 0;
     for (std::size_t i = 0; i < counts.size(); ++i)
@@ -184,11 +184,11 @@ TEST_F(PictureRules, aFarCameraWithATinyFieldOfViewSeesTheOrthographicPicture) {
   const double diagonal = boxDiagonalMm(scene.volume->grid());
   scene.camera.projection = Camera::Projection::orthographic;
   scene.camera.heightMm = diagonal;
-  const Image orthographic = caster.render(scene, pictureSize);
+  const Image orthographic = caster.render(scene, rulesSize);
   scene.camera.projection = Camera::Projection::perspective;
   scene.camera.position.y = -1e6 * diagonal;
   scene.camera.fovYDeg = 2.0 * std::atan(0.5e-6) * 180.0 / 3.14159265358979323846;
-  const Image far = caster.render(scene, pictureSize);
+  const Image far = caster.render(scene, rulesSize);
   EXPECT_LE(test::largestDifference(far, orthographic) * 255.0, 1.0);
 }
 

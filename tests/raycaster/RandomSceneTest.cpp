@@ -13,7 +13,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{12, 10};
+constexpr glm::ivec2 randomSize{12, 10};
 
 class Dice {
 public:
@@ -143,9 +143,9 @@ TEST_F(RandomScenes, theReferenceAndGlslAgree) {
       Dice dice(seed);
       Scene scene = randomScene(dice, kind.model);
       kind.apply(scene, dice, boxDiagonalMm(scene.volume->grid()));
-      const ReferencePicture reference = renderReference(scene, pictureSize);
-      const Image image = caster.render(scene, pictureSize);
-      EXPECT_EQ(caster.render(scene, pictureSize), image) << kind.what << ", seed " << seed;
+      const ReferencePicture reference = renderReference(scene, randomSize);
+      const Image image = caster.render(scene, randomSize);
+      EXPECT_EQ(caster.render(scene, randomSize), image) << kind.what << ", seed " << seed;
       for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const glm::dvec4 pixel(image.pixels[i]);
         const glm::dvec4 error = glm::abs(pixel - reference.pixels[i]);

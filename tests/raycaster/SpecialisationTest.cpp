@@ -14,9 +14,9 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{48, 48};
+constexpr glm::ivec2 specialisedSize{48, 48};
 
-Scene baseScene() {
+Scene robustScene() {
   static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 6.0});
   Scene scene = test::headScene(volume, ShadingModel::robust);
   scene.quality.stepVoxels = 0.5;
@@ -36,12 +36,12 @@ TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
   for (std::size_t i = 0; i < switches.size(); ++i)
     for (const std::size_t distance : {std::size_t{0}, std::size_t{5}, std::size_t{12}}) {
       const Variation& second = switches[(i + distance) % switches.size()];
-      Scene scene = baseScene();
+      Scene scene = robustScene();
       switches[i].apply(scene);
       second.apply(scene);
       // A caster of its own, or a program compiled before might stand in.
       RayCaster specialised;
-      EXPECT_EQ(specialised.render(scene, pictureSize), all.render(scene, pictureSize))
+      EXPECT_EQ(specialised.render(scene, specialisedSize), all.render(scene, specialisedSize))
           << switches[i].what << ", " << second.what;
       shaders.insert(specialised.fragmentShader(scene));
       ++compared;
@@ -54,17 +54,17 @@ TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
 TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
   for (const test::Neutral& neutral : test::neutralValues()) {
     SCOPED_TRACE(neutral.what);
-    Scene on = baseScene();
-    Scene off = baseScene();
+    Scene on = robustScene();
+    Scene off = robustScene();
     neutral.setJustOff(on);
     neutral.setNeutral(off);
     // The program that was compiled for the effect goes on drawing without it.
     RayCaster caster;
-    caster.render(on, pictureSize);
-    const Image standIn = caster.render(off, pictureSize);
+    caster.render(on, specialisedSize);
+    const Image standIn = caster.render(off, specialisedSize);
     EXPECT_EQ(caster.compiledPrograms(), 1) << "no stand-in was used";
     RayCaster fresh;
-    EXPECT_EQ(standIn, fresh.render(off, pictureSize));
+    EXPECT_EQ(standIn, fresh.render(off, specialisedSize));
     EXPECT_NE(caster.fragmentShader(on), fresh.fragmentShader(off))
         << "the plan does not leave the effect out";
   }
@@ -74,22 +74,24 @@ TEST_F(Specialisation, anEffectJustOffItsNeutralValueShows) {
   RayCaster caster;
   for (const test::Neutral& neutral : test::neutralValues()) {
     SCOPED_TRACE(neutral.what);
-    Scene on = baseScene();
-    Scene off = baseScene();
+    Scene on = robustScene();
+    Scene off = robustScene();
     neutral.setJustOff(on);
     neutral.setNeutral(off);
     EXPECT_NE(caster.plan(on).effects, caster.plan(off).effects);
-    EXPECT_GT(test::largestDifference(caster.render(on, pictureSize), caster.render(off, pictureSize)), 1e-6);
+    EXPECT_GT(
+        test::largestDifference(caster.render(on, specialisedSize), caster.render(off, specialisedSize)),
+        1e-6);
   }
 }
 
 TEST_F(Specialisation, warmingUpLeavesNothingToCompileWhenASliderLeavesItsNeutralValue) {
   RayCaster caster;
-  Scene scene = baseScene();
+  Scene scene = robustScene();
   scene.shading.model = ShadingModel::classic;
-  caster.render(scene, pictureSize);
+  caster.render(scene, specialisedSize);
   int rounds = 0;
-  while (caster.warmUp(scene, pictureSize))
+  while (caster.warmUp(scene, specialisedSize))
     ASSERT_LT(++rounds, 5);
   const int programs = caster.compiledPrograms();
   for (const double density : {0.0, 0.001, 0.002, 0.0})
@@ -98,40 +100,40 @@ TEST_F(Specialisation, warmingUpLeavesNothingToCompileWhenASliderLeavesItsNeutra
       scene.shading.exponentRange = {32.0, sharpest};
       scene.shading.opacityRange = {1.0, 1.0};
       scene.fog = {Fog::Mode::exp, glm::dvec3(0.5), density, 0.0, 0.0};
-      const Image image = caster.render(scene, pictureSize);
+      const Image image = caster.render(scene, specialisedSize);
       RayCaster fresh;
-      EXPECT_EQ(image, fresh.render(scene, pictureSize)) << density << ", " << sharpest;
+      EXPECT_EQ(image, fresh.render(scene, specialisedSize)) << density << ", " << sharpest;
     }
   EXPECT_EQ(caster.compiledPrograms(), programs);
 }
 
 TEST_F(Specialisation, everyParameterShowsInAUsedCasterAsInAFreshOne) {
-  const Scene base = baseScene();
+  const Scene base = robustScene();
   RayCaster used;
-  const Image before = used.render(base, pictureSize);
+  const Image before = used.render(base, specialisedSize);
   for (const Variation& variation : everyParameter()) {
     SCOPED_TRACE(variation.what);
     Scene scene = base;
     variation.apply(scene);
-    const Image shown = used.render(scene, pictureSize);
+    const Image shown = used.render(scene, specialisedSize);
     EXPECT_NE(shown, before) << "does not show";
     RayCaster fresh;
-    EXPECT_EQ(shown, fresh.render(scene, pictureSize));
-    EXPECT_EQ(used.render(base, pictureSize), before) << "something of it stays behind";
+    EXPECT_EQ(shown, fresh.render(scene, specialisedSize));
+    EXPECT_EQ(used.render(base, specialisedSize), before) << "something of it stays behind";
   }
 }
 
 TEST_F(Specialisation, whatCannotBeSeenIsNotDrawnAndNothingIsMeasuredForIt) {
   RayCaster caster;
-  Scene scene = baseScene();
+  Scene scene = robustScene();
   const double beyond = scene.volume->range().highest + 1.0;
   scene.transferFunction.points = {{beyond, glm::dvec3(1.0), 0.0}, {beyond + 1.0, glm::dvec3(1.0), 1.0}};
-  EXPECT_EQ(caster.render(scene, pictureSize), Image(pictureSize));
+  EXPECT_EQ(caster.render(scene, specialisedSize), Image(specialisedSize));
   EXPECT_EQ(caster.compiledPrograms(), 0);
   EXPECT_EQ(caster.gradientScale(), GradientScale{});
-  scene = baseScene();
+  scene = robustScene();
   scene.shading.model = ShadingModel::none;
-  EXPECT_NE(caster.render(scene, pictureSize), Image(pictureSize));
+  EXPECT_NE(caster.render(scene, specialisedSize), Image(specialisedSize));
   EXPECT_EQ(caster.gradientScale(), GradientScale{}) << "an unlit picture needs no gradients";
 }
 

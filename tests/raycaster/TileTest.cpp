@@ -11,14 +11,14 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{70, 50};
+constexpr glm::ivec2 tiledSize{70, 50};
 
 // A framebuffer of floats bound for the life of a test, filled with a colour that drawing must replace.
 struct Canvas {
   Canvas() {
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, pictureSize.x, pictureSize.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, tiledSize.x, tiledSize.y, 0, GL_RGBA, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -31,11 +31,11 @@ struct Canvas {
     glDeleteTextures(1, &texture);
   }
   Image read() const {
-    Image flipped(pictureSize), image(pictureSize);
-    glReadPixels(0, 0, pictureSize.x, pictureSize.y, GL_RGBA, GL_FLOAT, flipped.pixels.data());
-    for (int y = 0; y < pictureSize.y; ++y)
-      for (int x = 0; x < pictureSize.x; ++x)
-        image.at(x, y) = flipped.at(x, pictureSize.y - 1 - y);
+    Image flipped(tiledSize), image(tiledSize);
+    glReadPixels(0, 0, tiledSize.x, tiledSize.y, GL_RGBA, GL_FLOAT, flipped.pixels.data());
+    for (int y = 0; y < tiledSize.y; ++y)
+      for (int x = 0; x < tiledSize.x; ++x)
+        image.at(x, y) = flipped.at(x, tiledSize.y - 1 - y);
     return image;
   }
   GLuint texture = 0, framebuffer = 0;
@@ -53,14 +53,14 @@ using Tiles = test::GlTest;
 
 void expectTilingChangesNothing(const Scene& scene) {
   RayCaster caster;
-  const Image whole = caster.render(scene, pictureSize);
-  EXPECT_EQ(caster.render(scene, pictureSize), whole) << "the second time";
+  const Image whole = caster.render(scene, tiledSize);
+  EXPECT_EQ(caster.render(scene, tiledSize), whole) << "the second time";
   for (const glm::ivec2& tile :
        {glm::ivec2(70, 50), glm::ivec2(7, 50), glm::ivec2(64, 64), glm::ivec2(13, 11), glm::ivec2(70, 1)}) {
     const Canvas canvas;
-    for (int y = 0; y < pictureSize.y; y += tile.y)
-      for (int x = 0; x < pictureSize.x; x += tile.x)
-        caster.draw(scene, pictureSize, {{x, y}, glm::min(tile, pictureSize - glm::ivec2(x, y))});
+    for (int y = 0; y < tiledSize.y; y += tile.y)
+      for (int x = 0; x < tiledSize.x; x += tile.x)
+        caster.draw(scene, tiledSize, {{x, y}, glm::min(tile, tiledSize - glm::ivec2(x, y))});
     EXPECT_EQ(canvas.read(), whole) << "tiles of " << tile.x << " x " << tile.y;
   }
 }
@@ -79,10 +79,10 @@ TEST_F(Tiles, anyTilingOfErrorControlledStepsGivesTheWholePictureToTheBit) {
 TEST_F(Tiles, aTileChangesNothingBesideItself) {
   RayCaster caster;
   const Canvas canvas;
-  caster.draw(robustPhantom(), pictureSize, {{20, 10}, {8, 9}});
+  caster.draw(robustPhantom(), tiledSize, {{20, 10}, {8, 9}});
   const Image image = canvas.read();
-  for (int y = 0; y < pictureSize.y; ++y)
-    for (int x = 0; x < pictureSize.x; ++x) {
+  for (int y = 0; y < tiledSize.y; ++y)
+    for (int x = 0; x < tiledSize.x; ++x) {
       const bool isInside = x >= 20 && x < 28 && y >= 10 && y < 19;
       EXPECT_EQ(image.at(x, y) == glm::vec4(0.25f, 0.5f, 0.75f, 1.0f), !isInside) << x << ", " << y;
     }
@@ -99,7 +99,7 @@ TEST_F(Tiles, drawingLeavesTheStateOfTheContextAsItWas) {
   glScissor(5, 6, 7, 8);
   glActiveTexture(GL_TEXTURE2);
   glBindTexture(GL_TEXTURE_2D, canvas.texture);
-  caster.draw(robustPhantom(), pictureSize, {{0, 0}, pictureSize});
+  caster.draw(robustPhantom(), tiledSize, {{0, 0}, tiledSize});
   EXPECT_TRUE(glIsEnabled(GL_BLEND));
   EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
   EXPECT_TRUE(glIsEnabled(GL_CULL_FACE));

@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{37, 29};
+constexpr glm::ivec2 slabsSize{37, 29};
 
 Scene boxScene(const glm::dvec3& spacing = {1.0, 1.5, 0.7}) {
   Grid grid;
@@ -65,12 +65,12 @@ struct Lengths {
 
 Lengths lengthsAt(const Scene& scene, const std::vector<ProxySlab>& slabs, int x, int y) {
   const Grid& grid = scene.volume->grid();
-  const RayFrame frame = rayFrame(scene.camera, grid, pictureSize);
-  const FramedRay ray = framedRay(frame, x, y, pictureSize);
+  const RayFrame frame = rayFrame(scene.camera, grid, slabsSize);
+  const FramedRay ray = framedRay(frame, x, y, slabsSize);
   const RaySpan span = spanInBox(ray, croppedBox(grid, scene.crop));
   if (span.isEmpty())
     return {};
-  const glm::dvec2 centre(x + 0.5 - pictureSize.x / 2.0, pictureSize.y / 2.0 - (y + 0.5));
+  const glm::dvec2 centre(x + 0.5 - slabsSize.x / 2.0, slabsSize.y / 2.0 - (y + 0.5));
   const double mmPerDepth =
       std::sqrt(1.0 + glm::dot(centre, centre) * frame.tangentPerPixel * frame.tangentPerPixel);
   Lengths lengths{span.end - span.begin, 0.0};
@@ -82,10 +82,10 @@ Lengths lengthsAt(const Scene& scene, const std::vector<ProxySlab>& slabs, int x
 }
 
 int expectEveryRayCovered(const Scene& scene) {
-  const std::vector<ProxySlab> slabs = proxySlabs(scene, pictureSize);
+  const std::vector<ProxySlab> slabs = proxySlabs(scene, slabsSize);
   int hits = 0;
-  for (int y = 0; y < pictureSize.y; ++y)
-    for (int x = 0; x < pictureSize.x; ++x) {
+  for (int y = 0; y < slabsSize.y; ++y)
+    for (int x = 0; x < slabsSize.x; ++x) {
       const Lengths lengths = lengthsAt(scene, slabs, x, y);
       EXPECT_NEAR(lengths.inSlabs, lengths.inBox, 1e-9) << x << ", " << y;
       hits += lengths.inBox > 0.0;
@@ -143,7 +143,7 @@ TEST(ProxySlabs, camerasAlongTheAxesAndInFacesAreCoveredToo) {
 TEST(ProxySlabs, slabsAreSortedAdjacentAndNoThickerThanAStep) {
   Scene scene = boxScene();
   scene.camera = orbited(scene.camera, 0.7, 0.3);
-  const std::vector<ProxySlab> slabs = proxySlabs(scene, pictureSize);
+  const std::vector<ProxySlab> slabs = proxySlabs(scene, slabsSize);
   ASSERT_GT(slabs.size(), 8u);
   for (std::size_t i = 1; i < slabs.size(); ++i)
     EXPECT_EQ(slabs[i].nearMm, slabs[i - 1].farMm);
@@ -154,39 +154,39 @@ TEST(ProxySlabs, slabsAreSortedAdjacentAndNoThickerThanAStep) {
   // The box's own faces end the outermost slabs.
   EXPECT_LT(slabs.front().nearMm, -1e20);
   EXPECT_GT(slabs.back().farMm, 1e20);
-  EXPECT_EQ(slabs.size(), static_cast<std::size_t>(std::ceil(slabsWanted(scene, pictureSize))));
+  EXPECT_EQ(slabs.size(), static_cast<std::size_t>(std::ceil(slabsWanted(scene, slabsSize))));
 }
 
 TEST(ProxySlabs, aBoxOfAWholeNumberOfStepsSeenAlongAnAxisHasThatManySlabs) {
   Scene scene = boxScene(glm::dvec3(1.0));
   scene.quality.stepVoxels = 0.5;
   // Along y the box is 4 voxels deep.
-  EXPECT_EQ(proxySlabs(scene, pictureSize).size(), 8u);
+  EXPECT_EQ(proxySlabs(scene, slabsSize).size(), 8u);
 }
 
 TEST(ProxySlabs, polygonsHugTheBoxInsteadOfFillingThePicture) {
   const Scene scene = boxScene();
-  for (const ProxySlab& slab : proxySlabs(scene, pictureSize))
-    EXPECT_LT(signedArea(slab.polygon), 0.5 * pictureSize.x * pictureSize.y);
+  for (const ProxySlab& slab : proxySlabs(scene, slabsSize))
+    EXPECT_LT(signedArea(slab.polygon), 0.5 * slabsSize.x * slabsSize.y);
 }
 
 TEST(ProxySlabs, thereAreNoneBehindTheEyeOrBesideThePicture) {
   Scene scene = boxScene();
   scene.camera.target = scene.camera.position + (scene.camera.position - scene.camera.target);
-  EXPECT_TRUE(proxySlabs(scene, pictureSize).empty()) << "behind";
+  EXPECT_TRUE(proxySlabs(scene, slabsSize).empty()) << "behind";
   scene = boxScene();
   scene.camera.position.x += 1000.0;
   scene.camera.target.x += 1000.0;
-  EXPECT_TRUE(proxySlabs(scene, pictureSize).empty()) << "beside";
+  EXPECT_TRUE(proxySlabs(scene, slabsSize).empty()) << "beside";
 }
 
 TEST(ProxySlabs, aTinyStepIsLimitedToTheMostSamplesOfTheDefinition) {
   Scene scene = boxScene();
   scene.quality.stepVoxels = 1e-4;
-  EXPECT_LE(proxySlabs(scene, pictureSize).size(), static_cast<std::size_t>(mostSamples));
+  EXPECT_LE(proxySlabs(scene, slabsSize).size(), static_cast<std::size_t>(mostSamples));
   scene.quality.stepVoxels = 1e-5;
-  EXPECT_GT(slabsWanted(scene, pictureSize), mostSamples);
-  EXPECT_EQ(proxySlabs(scene, pictureSize).size(), static_cast<std::size_t>(mostSamples));
+  EXPECT_GT(slabsWanted(scene, slabsSize), mostSamples);
+  EXPECT_EQ(proxySlabs(scene, slabsSize).size(), static_cast<std::size_t>(mostSamples));
 }
 
 TEST(ConvexPolygon, aHullHasNoCornerOnItsEdges) {

@@ -19,15 +19,15 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{48, 48};
+constexpr glm::ivec2 agreementSize{48, 48};
 
-struct Row {
+struct AgreementRow {
   const char* what;
   double order; ///< at least, over all halvings together; the first, from a whole voxel, is not asymptotic
   void (*apply)(Scene&);
 };
 
-const Row rows[] = {
+const AgreementRow agreementRows[] = {
     {"classic", 1.0, [](Scene& s) { s.shading.model = ShadingModel::classic; }},
     {"enhanced", 1.7, [](Scene&) {}},
     {"enhanced, orthographic", 1.7,
@@ -61,12 +61,12 @@ double orderOf(double coarse, double fine) {
 
 class SliceAgreement : public test::GlTest {
 protected:
-  void compare(const std::shared_ptr<const Volume>& volume, const Row& row) {
+  void compare(const std::shared_ptr<const Volume>& volume, const AgreementRow& row) {
     Scene scene = test::headScene(volume, ShadingModel::enhanced);
     row.apply(scene);
     scene.quality.preintegrated = Preintegration::never; // one method for all steps
     scene.quality.stepVoxels = 1.0 / 128.0;
-    const ReferencePicture reference = renderReference(scene, pictureSize);
+    const ReferencePicture reference = renderReference(scene, agreementSize);
     SliceRenderer renderer;
     RayCaster caster;
     std::printf("%s\n  %8s | to the reference: mean, p99.9, order | to the ray caster: mean, p99.9, order\n",
@@ -74,9 +74,9 @@ protected:
     std::vector<ImageError> toReference, toCaster;
     for (const double step : {1.0, 0.5, 0.25, 0.125, 0.0625}) {
       scene.quality.stepVoxels = step;
-      const Image slices = renderer.render(scene, pictureSize);
+      const Image slices = renderer.render(scene, agreementSize);
       toReference.push_back(imageError(slices, reference.pixels));
-      toCaster.push_back(imageError(slices, caster.render(scene, pictureSize)));
+      toCaster.push_back(imageError(slices, caster.render(scene, agreementSize)));
       print(step, toReference, toCaster);
     }
     expectShrinking(toReference, row);
@@ -96,7 +96,7 @@ private:
     std::printf("\n");
   }
 
-  static void expectShrinking(const std::vector<ImageError>& errors, const Row& row) {
+  static void expectShrinking(const std::vector<ImageError>& errors, const AgreementRow& row) {
     for (std::size_t i = 1; i < errors.size(); ++i) {
       EXPECT_LT(errors[i].mean, errors[i - 1].mean) << row.what << ", halving " << i;
       EXPECT_LT(errors[i].p99_9, errors[i - 1].p99_9) << row.what << ", halving " << i;
@@ -108,14 +108,14 @@ private:
 
 TEST_F(SliceAgreement, slicesApproachReferenceAndRayCasterOnThePhantom) {
   const auto volume = phantomVolume({.spacingMm = 3.0});
-  for (const Row& row : rows)
+  for (const AgreementRow& row : agreementRows)
     compare(volume, row);
 }
 
 TEST_F(SliceAgreement, slicesApproachReferenceAndRayCasterOnTheCtHead) {
   LIMN_NEEDS_SHARED(test::ctHeadFile);
   const auto volume = test::ctHead();
-  for (const Row& row : rows)
+  for (const AgreementRow& row : agreementRows)
     compare(volume, row);
 }
 

@@ -90,12 +90,12 @@ Scene waveScene() {
   return scene;
 }
 
-struct Row {
+struct OrderRow {
   const char* what;
   void (*apply)(Scene&);
 };
 
-const Row rows[] = {
+const OrderRow orderRows[] = {
     {"unlit, perspective", [](Scene& s) { s.shading.model = ShadingModel::none; }},
     {"unlit, orthographic",
      [](Scene& s) {
@@ -136,7 +136,7 @@ TEST_F(SliceOrder, picturesOfASmoothFieldConvergeWithTheSquareOfTheStep) {
   constexpr glm::ivec2 size{48, 40};
   SliceRenderer renderer;
   std::printf("%-26s %8s %9s %9s %6s\n", "scene", "step", "mean", "p99.9", "order");
-  for (const Row& row : rows) {
+  for (const OrderRow& row : orderRows) {
     Scene scene = waveScene();
     row.apply(scene);
     scene.quality.stepVoxels = 1.0 / 64.0;

@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 pictureSize{96, 80};
+constexpr glm::ivec2 rulesSize{96, 80};
 
 Scene phantomScene(ShadingModel model) {
   Scene scene = test::noisyPhantom(model);
@@ -27,8 +27,8 @@ Scene phantomScene(ShadingModel model) {
 // A layer rounds 1 - a (at most 2⁻²⁵ of values below 1), a product and a sum: 3·2⁻²⁵ in one channel, which
 // later layers only shrink. Front to back, the error of alpha weighs the layers behind and counts once more.
 // Both pictures together: 9·2⁻²⁵ per layer.
-double roundingOf(const Scene& scene) {
-  return 9.0 * 0x1p-25 * static_cast<double>(proxySlabs(scene, pictureSize).size());
+double roundingOfTwo(const Scene& scene) {
+  return 9.0 * 0x1p-25 * static_cast<double>(proxySlabs(scene, rulesSize).size());
 }
 
 using SliceRules = test::GlTest;
@@ -40,20 +40,20 @@ TEST_F(SliceRules, backToFrontAndFrontToBackAreThePictureButForRounding) {
     for (const double step : {2.0, 0.5, 0.05}) {
       Scene scene = phantomScene(model);
       scene.quality.stepVoxels = step;
-      const Image image = backwards.render(scene, pictureSize);
-      const double difference = test::largestDifference(image, forwards.render(scene, pictureSize));
-      std::printf("step %g: largest difference %.3g of %.3g\n", step, difference, roundingOf(scene));
-      EXPECT_LE(difference, roundingOf(scene));
-      EXPECT_NE(image, Image(pictureSize));
+      const Image image = backwards.render(scene, rulesSize);
+      const double difference = test::largestDifference(image, forwards.render(scene, rulesSize));
+      std::printf("step %g: largest difference %.3g of %.3g\n", step, difference, roundingOfTwo(scene));
+      EXPECT_LE(difference, roundingOfTwo(scene));
+      EXPECT_NE(image, Image(rulesSize));
     }
 }
 
-struct Row {
+struct RuleRow {
   const char* what;
   void (*apply)(Scene&);
 };
 
-const Row alongAxes[] = {
+const RuleRow alongAxes[] = {
     {"enhanced, fog",
      [](Scene& s) {
        s.fog = {Fog::Mode::exp, glm::dvec3(0.4, 0.5, 0.6), 0.002, 300.0, 0.0};
@@ -71,7 +71,7 @@ TEST_F(SliceRules, slicesTakeTheRayCastersSamplesWhereChordsAreTheBoxsDepth) {
   // Along an axis every chord is as deep as the box, so both renderers cut it into the same steps.
   SliceRenderer slices;
   RayCaster caster;
-  for (const Row& row : alongAxes)
+  for (const RuleRow& row : alongAxes)
     for (const StandardView view : {StandardView::anterior, StandardView::left, StandardView::inferior}) {
       Scene scene = phantomScene(ShadingModel::enhanced);
       scene.camera = standardView(scene.camera, scene.volume->grid(), view);
@@ -79,26 +79,26 @@ TEST_F(SliceRules, slicesTakeTheRayCastersSamplesWhereChordsAreTheBoxsDepth) {
       scene.camera.heightMm = 290.0;
       scene.quality.preintegrated = Preintegration::never;
       row.apply(scene);
-      const Image image = slices.render(scene, pictureSize);
-      const ImageError levels = imageError(image, caster.render(scene, pictureSize));
+      const Image image = slices.render(scene, rulesSize);
+      const ImageError levels = imageError(image, caster.render(scene, rulesSize));
       std::printf("%s: largest %.4f levels, mean %.6f\n", row.what, levels.largest, levels.mean);
       // The bounds of the ray caster against the reference under the same samples (AgainstReferenceTest).
       EXPECT_LE(levels.largest, 0.5) << row.what;
       EXPECT_LE(levels.mean, 0.01) << row.what;
-      EXPECT_NE(image, Image(pictureSize));
+      EXPECT_NE(image, Image(rulesSize));
     }
 }
 
 // The largest error of alpha in a picture of a homogeneous box with `opacity` over the unit
 // distance, against its closed form; `hits` counts the pixels that show it.
 double homogeneousError(SliceRenderer& slices, const Scene& scene, double opacity, int& hits) {
-  const Image image = slices.render(scene, pictureSize);
-  const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), pictureSize);
+  const Image image = slices.render(scene, rulesSize);
+  const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), rulesSize);
   const IndexBox box = croppedBox(scene.volume->grid(), scene.crop);
   double worst = 0.0;
-  for (int y = 0; y < pictureSize.y; ++y)
-    for (int x = 0; x < pictureSize.x; ++x) {
-      const RaySpan span = spanInBox(framedRay(frame, x, y, pictureSize), box);
+  for (int y = 0; y < rulesSize.y; ++y)
+    for (int x = 0; x < rulesSize.x; ++x) {
+      const RaySpan span = spanInBox(framedRay(frame, x, y, rulesSize), box);
       const double units =
           span.isEmpty() ? 0.0 : (span.end - span.begin) / scene.transferFunction.unitDistanceMm;
       worst = std::max(worst, std::abs(image.at(x, y).a - (1.0 - std::pow(1.0 - opacity, units))));
@@ -121,8 +121,8 @@ TEST_F(SliceRules, aHomogeneousBoxIsExactAtEveryAngleAndForEveryStep) {
     scene.quality.stepVoxels = step;
     int hits = 0;
     const double worst = homogeneousError(slices, scene, 0.05, hits);
-    std::printf("%zu slabs: largest error %.3g over %d pixels\n", proxySlabs(scene, pictureSize).size(),
-                worst, hits);
+    std::printf("%zu slabs: largest error %.3g over %d pixels\n", proxySlabs(scene, rulesSize).size(), worst,
+                hits);
     EXPECT_LE(worst, 2e-6); // the tolerance of A7
     EXPECT_GT(hits, 1000);
   }
@@ -177,9 +177,9 @@ TEST_F(SliceRules, picturesAreSoundAndNothingOutsideTheBox) {
   RayCaster caster;
   for (const ShadingModel model : {ShadingModel::none, ShadingModel::enhanced, ShadingModel::robust}) {
     const Scene scene = phantomScene(model);
-    const Image image = slices.render(scene, pictureSize);
-    const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
-    const double rounding = roundingOf(scene);
+    const Image image = slices.render(scene, rulesSize);
+    const std::vector<int> counts = caster.sampleCounts(scene, rulesSize);
+    const double rounding = roundingOfTwo(scene);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
       const glm::vec4& pixel = image.pixels[i];
       if (counts[i] == 0) {
@@ -188,7 +188,7 @@ TEST_F(SliceRules, picturesAreSoundAndNothingOutsideTheBox) {
       EXPECT_TRUE(pixel.a >= 0.0f && pixel.a <= 1.0f + rounding);
       EXPECT_LE(std::max({pixel.r, pixel.g, pixel.b}), pixel.a + rounding);
     }
-    EXPECT_EQ(slices.render(scene, pictureSize), image) << "the second time";
+    EXPECT_EQ(slices.render(scene, rulesSize), image) << "the second time";
   }
 }
 

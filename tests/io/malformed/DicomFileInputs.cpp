@@ -19,7 +19,7 @@ void addWhole(Corpus& corpus, const std::string& flaw, const DicomBuilder& file,
   corpus.addFile(flaw, "a.dcm", file.bytes(), allowed, says);
 }
 
-void addSizes(Corpus& corpus) {
+void addDicomFileSizes(Corpus& corpus) {
   for (const std::uint16_t size : {0, 65535}) {
     const std::string flaw = size == 0 ? "zero or negative size" : "oversized dimensions";
     addWhole(corpus, flaw, whole().us(0x00280010, {size}), {refused});
@@ -55,7 +55,7 @@ void addBits(Corpus& corpus) {
   addWhole(corpus, "contradiction", whole().pixels(rising<std::int16_t>(60)), {warned}, "more pixels");
 }
 
-void addPlaces(Corpus& corpus) {
+void addDicomFilePlaces(Corpus& corpus) {
   for (const char* spacing : {"nan\\nan", "0\\0", "-1\\-1", "inf\\1", "2", "x\\y", ""})
     addWhole(corpus, "spacing", whole().text(0x00280030, "DS", spacing), {warned}, "how large its pixels");
   for (const char* spacing : {"1e-30\\1e-30", "1e30\\1e30"})
@@ -145,9 +145,9 @@ void addStructures(Corpus& corpus) {
 void addDicomFileInputs(Corpus& corpus) {
   addWhole(corpus, "sound", whole(), {correct});
   corpus.addCuts("a.dcm", whole().bytes(), whole().bytes().size(), 80);
-  addSizes(corpus);
+  addDicomFileSizes(corpus);
   addBits(corpus);
-  addPlaces(corpus);
+  addDicomFilePlaces(corpus);
   addKinds(corpus);
   addStructures(corpus);
 }

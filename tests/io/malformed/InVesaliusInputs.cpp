@@ -58,28 +58,30 @@ std::string archive(const std::string& list, const std::string& voxels = goodVox
   return tar({{"p/main.plist", list}, {"p/matrix.dat", voxels}});
 }
 
-void addChanged(Corpus& corpus, const std::string& flaw, const std::string& from, const std::string& to,
-                const Outcomes& allowed, const std::string& says = "") {
+void addInVesaliusChanged(Corpus& corpus, const std::string& flaw, const std::string& from,
+                          const std::string& to, const Outcomes& allowed, const std::string& says = "") {
   corpus.addFile(flaw, "a.inv3", deflated(archive(replaced(project, from, to))), allowed, says);
 }
 
 void addProjects(Corpus& corpus) {
   for (const char* size : {"0", "-4"})
-    addChanged(corpus, "zero or negative size", "<integer>4", std::string("<integer>") + size, {refused});
+    addInVesaliusChanged(corpus, "zero or negative size", "<integer>4", std::string("<integer>") + size,
+                         {refused});
   for (const char* size : {"2147483648", "2147483647", "4611686018427387904", "1e300", "nan", "", "0.5"})
-    addChanged(corpus, "oversized dimensions", "<integer>4", std::string("<integer>") + size, {refused});
+    addInVesaliusChanged(corpus, "oversized dimensions", "<integer>4", std::string("<integer>") + size,
+                         {refused});
   for (const char* spacing : {"0", "nan", "inf", "1e-30", "1e30", "two"})
-    addChanged(corpus, "spacing", "<real>2", std::string("<real>") + spacing, {refused});
+    addInVesaliusChanged(corpus, "spacing", "<real>2", std::string("<real>") + spacing, {refused});
   for (const char* name : {"../../../../etc/passwd", "/etc/passwd", "../p/matrix.dat", ""})
-    addChanged(corpus, "path traversal", "matrix.dat", name, {refused}, "missing");
-  addChanged(corpus, "endless or cyclic", "matrix.dat", "main.plist", {refused});
-  addChanged(corpus, "contradiction", "int16", "object", {refused});
-  addChanged(corpus, "contradiction", "int16", "float64", {refused});
-  addChanged(corpus, "vector or colour", "<integer>4</integer>", "<integer>4</integer><integer>3</integer>",
-             {refused});
-  addChanged(corpus, "wrong magic", "<plist", "<plost", {refused});
-  addChanged(corpus, "truncated", "</dict></plist>", "", {refused});
-  addChanged(corpus, "missing file", "<key>spacing</key>", "<key>spicing</key>", {refused});
+    addInVesaliusChanged(corpus, "path traversal", "matrix.dat", name, {refused}, "missing");
+  addInVesaliusChanged(corpus, "endless or cyclic", "matrix.dat", "main.plist", {refused});
+  addInVesaliusChanged(corpus, "contradiction", "int16", "object", {refused});
+  addInVesaliusChanged(corpus, "contradiction", "int16", "float64", {refused});
+  addInVesaliusChanged(corpus, "vector or colour", "<integer>4</integer>",
+                       "<integer>4</integer><integer>3</integer>", {refused});
+  addInVesaliusChanged(corpus, "wrong magic", "<plist", "<plost", {refused});
+  addInVesaliusChanged(corpus, "truncated", "</dict></plist>", "", {refused});
+  addInVesaliusChanged(corpus, "missing file", "<key>spacing</key>", "<key>spicing</key>", {refused});
   std::string deep = project;
   for (int i = 0; i < 100000; ++i)
     deep += "<a>";

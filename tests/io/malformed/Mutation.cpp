@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 // What a batch of small damaged files may take beside one attempt at a sound one. A damaged header may ask
 // for what its file could hold at deflate's best ratio, here 10 MiB at most, and freed memory returns late.
-constexpr std::uint64_t slackBytes = std::uint64_t{48} << 20;
+constexpr std::uint64_t batchSlackBytes = std::uint64_t{48} << 20;
 
 using Random = std::mt19937;
 
@@ -150,7 +150,7 @@ FormatReport triedMutations(const Format& format, int count, std::uint32_t seed)
                    seed + static_cast<std::uint32_t>(i) * 1000003u + static_cast<std::uint32_t>(trial), say);
         },
         longestSeconds + share / 10);
-    judge(sound[i], end, base + slackBytes, report);
+    judge(sound[i], end, base + batchSlackBytes, report);
     report.worstSeconds = std::max(report.worstSeconds, end.seconds / std::max(share, 1));
     if (end.peakBytes > base)
       report.worstExtraBytes = std::max(report.worstExtraBytes, end.peakBytes - base);

@@ -34,7 +34,7 @@ NiftiFields withSpacing(double x, double y, double z) {
   return fields;
 }
 
-void addSizes(Corpus& corpus) {
+void addNiftiSizes(Corpus& corpus) {
   for (const int size : {0, -1, -32768}) {
     NiftiFields fields = placed();
     fields.dim[2] = size;
@@ -62,7 +62,7 @@ void addSizes(Corpus& corpus) {
   }
 }
 
-void addPlaces(Corpus& corpus) {
+void addNiftiPlaces(Corpus& corpus) {
   for (const double bad : {0.0, nan, infinity})
     corpus.addFile("spacing", "a.nii", fileOf(withSpacing(2, bad, 4)), {warned}, "Spacing unknown");
   for (const double bad : {1e-30, 1e30})
@@ -87,7 +87,7 @@ void addPlaces(Corpus& corpus) {
   corpus.addFile("orientation", "a.nii", fileOf(turned), {warned}, "qform");
 }
 
-void addMeanings(Corpus& corpus) {
+void addNiftiMeanings(Corpus& corpus) {
   NiftiFields series = placed();
   series.dim = {4, 2, 3, 4, 5, 1, 1, 1};
   std::string five;
@@ -129,7 +129,7 @@ void addMeanings(Corpus& corpus) {
                  "more");
 }
 
-void addFiles(Corpus& corpus) {
+void addNiftiFiles(Corpus& corpus) {
   std::string magic = fileOf(placed());
   magic.replace(344, 4, "n+9\0", 4);
   corpus.addFile("wrong magic", "a.nii", magic, {refused});
@@ -181,10 +181,10 @@ void addNiftiInputs(Corpus& corpus) {
   corpus.addCuts("a.nii", good, good.size());
   const std::string packed = deflated(good);
   corpus.addCuts("a.nii.gz", packed, packed.size() - 12);
-  addSizes(corpus);
-  addPlaces(corpus);
-  addMeanings(corpus);
-  addFiles(corpus);
+  addNiftiSizes(corpus);
+  addNiftiPlaces(corpus);
+  addNiftiMeanings(corpus);
+  addNiftiFiles(corpus);
 }
 
 } // namespace limn::test

@@ -37,7 +37,7 @@ MalformedInput& addAll(Corpus& corpus, const std::string& flaw, const std::strin
 }
 
 // An input whose volume is not the good one.
-void other(MalformedInput& input) {
+void otherStack(MalformedInput& input) {
   input.hasGoodDimensions = input.hasGoodVoxels = false;
 }
 
@@ -80,7 +80,7 @@ void addPngBombs(Corpus& corpus) {
 void addPngFolders(Corpus& corpus) {
   fs::path folder = pngStack(corpus);
   fs::remove(folder / "slice1.png");
-  other(corpus.add("missing slices", folder, {warned}, "slices may be missing"));
+  otherStack(corpus.add("missing slices", folder, {warned}, "slices may be missing"));
   folder = pngStack(corpus);
   fs::create_symlink("b.png", folder / "a.png");
   fs::create_symlink("a.png", folder / "b.png");
@@ -99,7 +99,7 @@ void addPngFolders(Corpus& corpus) {
 }
 
 // The bytes of a JPEG picture, made in a process of its own because the library starts threads.
-std::string jpeg(const fs::path& folder) {
+std::string jpegBytes(const fs::path& folder) {
   const fs::path file = folder / "made.jpg";
   inChild([&](const auto&) {
     Image image({2, 3});
@@ -138,7 +138,7 @@ void addPngInputs(Corpus& corpus) {
 }
 
 void addJpegInputs(Corpus& corpus) {
-  const std::string good = jpeg(corpus.newFolder());
+  const std::string good = jpegBytes(corpus.newFolder());
   addJpeg(corpus, "sound", good, good, {correct});
   for (std::size_t i = 1; i < 40; ++i)
     addJpeg(corpus, "truncated", good, good.substr(0, std::max<std::size_t>(good.size() * i / 40, 4)),

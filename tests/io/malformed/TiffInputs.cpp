@@ -26,7 +26,7 @@ std::string changedAll(std::uint16_t tag, const TiffPage::Entry& entry, bool isD
   return tiffOf(pages);
 }
 
-void addSizes(Corpus& corpus) {
+void addTiffSizes(Corpus& corpus) {
   for (const std::uint16_t tag : {256, 257})
     for (const std::uint32_t size : {0u, 65535u, 0x7fffffffu, 0x80000000u, 0xffffffffu}) {
       const std::string flaw = size == 0 ? "zero or negative size" : "oversized dimensions";
@@ -108,7 +108,7 @@ void addTiffInputs(Corpus& corpus) {
   corpus.addSound("a.tif", goodTiff(true));
   corpus.addCuts("a.tif", goodTiff(), goodTiff().size());
   corpus.addCuts("a.tif", goodTiff(true), goodTiff(true).size());
-  addSizes(corpus);
+  addTiffSizes(corpus);
   addChains(corpus);
   addPictures(corpus);
 }
