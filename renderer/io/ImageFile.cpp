@@ -206,10 +206,14 @@ bool isWholePicture(const fs::path& path) {
   const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
   if (!picture)
     return false;
-  constexpr std::size_t widestSample = sizeof(double);
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(picture->width) * picture->channels * widestSample);
-  for (int y = 0; y < picture->height; ++y)
-    if (!picture->readRows(row.data(), y, 1))
+  // Some MiB at a time, for the library takes tens of MiB of its own for each call.
+  constexpr std::size_t widestSample = sizeof(double), stripBytes = std::size_t{4} << 20;
+  const std::size_t rowBytes = static_cast<std::size_t>(picture->width) * picture->channels * widestSample;
+  const int rows =
+      static_cast<int>(std::max<std::size_t>(stripBytes / std::max<std::size_t>(rowBytes, 1), 1));
+  std::vector<std::uint8_t> strip(std::min(rows, picture->height) * rowBytes);
+  for (int y = 0; y < picture->height; y += rows)
+    if (!picture->readRows(strip.data(), y, std::min(rows, picture->height - y)))
       return false;
   return true;
 }

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <random>
@@ -128,6 +129,24 @@ TEST(ImageFile, isWholeUpToItsLastChunk) {
     const std::string bytes = bytesOfFile(file);
     std::ofstream(file, std::ios::binary) << bytes.substr(0, bytes.size() - 12);
     EXPECT_FALSE(isWholePicture(file)) << name << " without its last 12 bytes";
+  }
+}
+
+// It is read in several strips; the damage lies in the last of them.
+TEST(ImageFile, isNotWholeWhereItsLastRowsAreDamaged) {
+  const TemporaryFolder folder;
+  Image image({512, 600});
+  std::mt19937 random(3);
+  for (glm::vec4& pixel : image.pixels)
+    pixel = glm::vec4(static_cast<float>(random() % 256) / 255.0f);
+  for (const char* name : {"a.png", "a.exr"}) {
+    const std::filesystem::path file = folder.path() / name;
+    writeImage(file, image, glm::dvec3(0.0), description);
+    EXPECT_TRUE(isWholePicture(file)) << name;
+    std::string bytes = bytesOfFile(file);
+    std::fill_n(bytes.end() - static_cast<std::ptrdiff_t>(bytes.size() / 20), 100, '\xff');
+    std::ofstream(file, std::ios::binary) << bytes;
+    EXPECT_FALSE(isWholePicture(file)) << name;
   }
 }
 

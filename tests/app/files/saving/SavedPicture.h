@@ -34,7 +34,7 @@ protected:
   // The picture once it lies in its file and the window knows it, which it does a moment later.
   QImage written(const char* name) {
     EXPECT_TRUE(
-        test::waitUntil([&] { return isWholePicture(folder.path() / name) && !stopButton().isVisible(); }));
+        test::waitUntil([&] { return !stopButton().isVisible() && isWholePicture(folder.path() / name); }));
     return QImage(pathTo(name));
   }
 

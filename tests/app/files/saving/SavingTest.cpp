@@ -127,7 +127,7 @@ TEST_F(Saving, aPictureKnowsItsSizeSoThatItIsDrawnAgainAsLarge) {
     PictureOptions options;
     options.size = size;
     saving().writePicture(pathTo(name), options);
-    ASSERT_TRUE(test::waitUntil([&] { return isWholePicture(folder.path() / name) && !stop().isVisible(); }));
+    ASSERT_TRUE(test::waitUntil([&] { return !stop().isVisible() && isWholePicture(folder.path() / name); }));
     const ImageSettings image = parseScene(readImageDescription(folder.path() / name), name).scene.image;
     EXPECT_EQ(QSize(image.width, image.height), QImage(pathTo(name)).size()) << name;
   }
