@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/Places.h"
+#include "support/Sanitizers.h"
 #include "support/Shell.h"
 #include "support/TemporaryFolder.h"
 
@@ -15,6 +16,8 @@ namespace limn::test {
 class Installed : public testing::Test {
 protected:
   void SetUp() override {
+    if (isSanitised)
+      GTEST_SKIP() << "a program under a sanitizer is linked with what is never installed";
     const Said outcome = run("DESTDIR='" + tree().string() + "' cmake --install '" + buildFolder().string() +
                              "' --prefix /usr --strip");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
