@@ -192,7 +192,7 @@ void addOddDicomInputs(Corpus& corpus) {
                                        isSound     ? Outcomes{Outcome::correct}
                                        : isRefused ? Outcomes{Outcome::refused}
                                                    : Outcomes{Outcome::correct, Outcome::warned});
-    input.hasGoodDimensions = input.hasGoodVoxels = false;
+    input.becomesAnother();
   }
 }
 

@@ -31,6 +31,9 @@ struct MalformedInput {
   bool hasGoodDimensions = true; ///< a volume that comes of it is 2 × 3 × 4
   bool hasGoodVoxels = true;     ///< its voxels have the values 0 … 23 in order
   std::uint64_t heldBytes = 0;   ///< what the file truly decodes to where that is no volume
+
+  /// A volume that comes of it is not the good one.
+  void becomesAnother() { hasGoodDimensions = hasGoodVoxels = false; }
 };
 
 /// Collects the inputs of one format, each in a folder of its own.

@@ -31,15 +31,10 @@ fs::path withThird(Corpus& corpus, const std::function<void(DicomBuilder&)>& cha
   });
 }
 
-MalformedInput& otherSeries(MalformedInput& input) {
-  input.hasGoodDimensions = input.hasGoodVoxels = false;
-  return input;
-}
-
 void addSlices(Corpus& corpus) {
   fs::path folder = series(corpus);
   fs::remove(folder / "1.dcm");
-  otherSeries(corpus.add("missing slices", folder, {warned}, "missing slices"));
+  corpus.add("missing slices", folder, {warned}, "missing slices").becomesAnother();
   folder = series(corpus, [](int number, DicomBuilder slice) {
     return slice.text(0x00200032, "DS", "0\\0\\" + std::to_string(number < 2 ? number : 40 + number));
   });
@@ -51,49 +46,60 @@ void addSlices(Corpus& corpus) {
   goodSlice(2).text(0x00080018, "UI", "1.2.3.4.77").write(folder / "again.dcm");
   corpus.add("duplicate slices", folder, {warned}, "repeats some positions");
   folder = series(corpus, [](int, DicomBuilder slice) { return slice.text(0x00200032, "DS", "0\\0\\0"); });
-  otherSeries(corpus.add("duplicate slices", folder, {warned}));
-  otherSeries(corpus.add(
-      "slices of different size",
-      withThird(corpus, [](DicomBuilder& slice) { slice.us(0x00280010, {2}).us(0x00280011, {3}); }), {warned},
-      "2 series"));
+  corpus.add("duplicate slices", folder, {warned}).becomesAnother();
+  corpus
+      .add("slices of different size",
+           withThird(corpus, [](DicomBuilder& slice) { slice.us(0x00280010, {2}).us(0x00280011, {3}); }),
+           {warned}, "2 series")
+      .becomesAnother();
   corpus.add("slices of different size",
              withThird(corpus,
                        [](DicomBuilder& s) {
                          s.pixels(std::vector<std::int16_t>{1, 2});
                        }),
              {refused}, "2.dcm");
-  otherSeries(corpus.add("mixed series",
-                         withThird(corpus, [](DicomBuilder& s) { s.text(0x0020000E, "UI", "1.2.9"); }),
-                         {warned}, "2 series"));
-  otherSeries(corpus.add("mixed series",
-                         withThird(corpus, [](DicomBuilder& s) { s.text(0x0020000D, "UI", "1.9"); }),
-                         {warned}, "2 series"));
+  corpus
+      .add("mixed series", withThird(corpus, [](DicomBuilder& s) { s.text(0x0020000E, "UI", "1.2.9"); }),
+           {warned}, "2 series")
+      .becomesAnother();
+  corpus
+      .add("mixed series", withThird(corpus, [](DicomBuilder& s) { s.text(0x0020000D, "UI", "1.9"); }),
+           {warned}, "2 series")
+      .becomesAnother();
 }
 
 void addSeriesPlaces(Corpus& corpus) {
-  otherSeries(corpus.add(
-      "orientation", withThird(corpus, [](DicomBuilder& s) { s.text(0x00200037, "DS", "0\\1\\0\\0\\0\\1"); }),
-      {warned}, "2 series"));
-  otherSeries(corpus.add(
-      "orientation", withThird(corpus, [](DicomBuilder& s) { s.text(0x00200037, "DS", "0\\0\\0\\0\\0\\0"); }),
-      {warned}, "2 series"));
+  corpus
+      .add("orientation",
+           withThird(corpus, [](DicomBuilder& s) { s.text(0x00200037, "DS", "0\\1\\0\\0\\0\\1"); }), {warned},
+           "2 series")
+      .becomesAnother();
+  corpus
+      .add("orientation",
+           withThird(corpus, [](DicomBuilder& s) { s.text(0x00200037, "DS", "0\\0\\0\\0\\0\\0"); }), {warned},
+           "2 series")
+      .becomesAnother();
   corpus.add(
       "orientation",
       series(corpus, [](int, DicomBuilder s) { return s.text(0x00200037, "DS", "nan\\0\\0\\0\\1\\0"); }),
       {warned}, "orientation is unknown");
   for (const char* place : {"1e30\\0\\8", "1e300\\1e300\\8", "1e9\\0\\8", "nan\\0\\8"})
-    otherSeries(corpus.add("orientation",
-                           withThird(corpus, [&](DicomBuilder& s) { s.text(0x00200032, "DS", place); }),
-                           {warned, refused}));
+    corpus
+        .add("orientation", withThird(corpus, [&](DicomBuilder& s) { s.text(0x00200032, "DS", place); }),
+             {warned, refused})
+        .becomesAnother();
   for (const char* height : {"1e30", "1e308", "-1e308", "nan"})
-    otherSeries(corpus.add(
-        "spacing",
-        withThird(corpus,
-                  [&](DicomBuilder& s) { s.text(0x00200032, "DS", std::string("-10\\-20\\") + height); }),
-        {warned, refused}));
-  otherSeries(corpus.add("spacing",
-                         withThird(corpus, [](DicomBuilder& s) { s.text(0x00280030, "DS", "nan\\nan"); }),
-                         {warned}, "2 series"));
+    corpus
+        .add(
+            "spacing",
+            withThird(corpus,
+                      [&](DicomBuilder& s) { s.text(0x00200032, "DS", std::string("-10\\-20\\") + height); }),
+            {warned, refused})
+        .becomesAnother();
+  corpus
+      .add("spacing", withThird(corpus, [](DicomBuilder& s) { s.text(0x00280030, "DS", "nan\\nan"); }),
+           {warned}, "2 series")
+      .becomesAnother();
   corpus.add("spacing",
              series(corpus, [](int, DicomBuilder s) { return s.text(0x00280030, "DS", "1e-30\\1e-30"); }),
              {refused});
@@ -101,18 +107,22 @@ void addSeriesPlaces(Corpus& corpus) {
              series(corpus, [](int, DicomBuilder s) { return s.text(0x00280030, "DS", "1e30\\1e30"); }),
              {refused});
   // Slices that lie too close to tell apart, and some 10⁷ mm apart.
-  otherSeries(corpus.add("spacing",
-                         series(corpus,
-                                [](int number, DicomBuilder s) {
-                                  return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e-9");
-                                }),
-                         {warned, refused}));
-  otherSeries(corpus.add("spacing",
-                         series(corpus,
-                                [](int number, DicomBuilder s) {
-                                  return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e20");
-                                }),
-                         {warned, refused}));
+  corpus
+      .add("spacing",
+           series(corpus,
+                  [](int number, DicomBuilder s) {
+                    return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e-9");
+                  }),
+           {warned, refused})
+      .becomesAnother();
+  corpus
+      .add("spacing",
+           series(corpus,
+                  [](int number, DicomBuilder s) {
+                    return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e20");
+                  }),
+           {warned, refused})
+      .becomesAnother();
 }
 
 void addSeriesFiles(Corpus& corpus) {
@@ -122,7 +132,7 @@ void addSeriesFiles(Corpus& corpus) {
     for (std::size_t length = 0; length < whole.size(); length += 10) {
       const fs::path folder = series(corpus);
       writeBytes(folder / name, whole.substr(0, length));
-      otherSeries(corpus.add("truncated", folder, {warned, refused}, name));
+      corpus.add("truncated", folder, {warned, refused}, name).becomesAnother();
     }
   }
   const fs::path lost = series(corpus);

@@ -36,11 +36,6 @@ MalformedInput& addAll(Corpus& corpus, const std::string& flaw, const std::strin
   return corpus.add(flaw, folder, allowed);
 }
 
-// An input whose volume is not the good one.
-void otherStack(MalformedInput& input) {
-  input.hasGoodDimensions = input.hasGoodVoxels = false;
-}
-
 void addPngSizes(Corpus& corpus) {
   const std::string rows = deflated(std::string(9, '\0'), false);
   for (const std::uint32_t size : {0u, 65535u, 0x7fffffffu, 0x80000000u, 0xffffffffu}) {
@@ -80,7 +75,7 @@ void addPngBombs(Corpus& corpus) {
 void addPngFolders(Corpus& corpus) {
   fs::path folder = pngStack(corpus);
   fs::remove(folder / "slice1.png");
-  otherStack(corpus.add("missing slices", folder, {warned}, "slices may be missing"));
+  corpus.add("missing slices", folder, {warned}, "slices may be missing").becomesAnother();
   folder = pngStack(corpus);
   fs::create_symlink("b.png", folder / "a.png");
   fs::create_symlink("a.png", folder / "b.png");
