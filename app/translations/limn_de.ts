@@ -4589,10 +4589,6 @@
 <context>
     <name>limn::LabelSection</name>
     <message>
-        <source> %</source>
-        <translation>&#xa0;%</translation>
-    </message>
-    <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
     </message>

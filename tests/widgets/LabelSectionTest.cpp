@@ -8,13 +8,15 @@
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/FoldingSection.h"
+#include "widgets/controls/NumberField.h"
 #include "widgets/properties/LabelGroups.h"
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
-#include <QSpinBox>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
 
@@ -428,10 +430,9 @@ TEST_F(LabelSectionTest, hidesByAClickOnTheMark) {
 TEST_F(LabelSectionTest, fadesByANumber) {
   table().setCurrentIndex(model().index(2, 1));
   table().edit(table().currentIndex());
-  auto* field = widgetNamed<QSpinBox>(section, "Shown");
+  auto* field = widgetNamed<NumberField>(section, "Shown");
   ASSERT_TRUE(field);
-  EXPECT_EQ(field->maximum(), 100);
-  field->setValue(25);
+  QTest::keyClicks(field, QStringLiteral("25"));
   QTest::keyClick(field, Qt::Key_Enter);
   QCoreApplication::processEvents(); // the number is taken behind the key
   EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 0.25}));
@@ -440,6 +441,51 @@ TEST_F(LabelSectionTest, fadesByANumber) {
   QTest::mouseClick(&button(QStringLiteral("Show all")), Qt::LeftButton);
   EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 1}));
   EXPECT_FALSE(button(QStringLiteral("Show all")).isEnabled());
+}
+
+TEST_F(LabelSectionTest, aNumberThatIsLookedAtStaysWhatItWas) {
+  scene.keep.weights[2] = 0.333; // as a scene file may say
+  section.setScene(scene);
+  table().edit(model().index(2, 1));
+  QTest::keyClick(widgetNamed<NumberField>(section, "Shown"), Qt::Key_Enter);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(texts, std::vector<QString>());
+  EXPECT_EQ(scene.keep.weights[2], 0.333);
+}
+
+TEST_F(LabelSectionTest, saysWhatFitsAndKeepsTheFieldWhereANumberDoesNot) {
+  QSignalSpy refused(&section, &LabelSection::refused);
+  const QPersistentModelIndex bone = model().index(2, 1);
+  table().setCurrentIndex(bone);
+  table().edit(bone);
+  const QPointer<NumberField> field = widgetNamed<NumberField>(section, "Shown");
+  ASSERT_TRUE(field);
+  const std::vector<double> whole{1, 1, 1};
+  for (const Qt::Key key : {Qt::Key_Enter, Qt::Key_Tab}) {
+    QTest::keyClicks(field, QStringLiteral("150"));
+    QTest::keyClick(field, key);
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(field && field->isVisible());
+    EXPECT_EQ(field->refusal(),
+              QStringLiteral("150\u00a0% does not fit: give a number from 0\u00a0% to 100\u00a0%."));
+    EXPECT_EQ(scene.keep.weights, whole);
+  }
+  EXPECT_EQ(refused.count(), 0) << "it is said at the field";
+  QTest::keyClicks(field, QStringLiteral("40 %"));
+  QTest::keyClick(field, Qt::Key_Enter);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 0.4}));
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  ASSERT_FALSE(field);
+
+  table().edit(bone);
+  auto* another = widgetNamed<NumberField>(section, "Shown");
+  ASSERT_TRUE(another);
+  QTest::keyClicks(another, QStringLiteral("150"));
+  table().setFocus();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 0.4}));
+  EXPECT_EQ(refused.count(), 1) << "the field has gone";
 }
 
 TEST_F(LabelSectionTest, hasRoomForTenThousandLabels) {

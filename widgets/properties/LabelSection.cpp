@@ -4,17 +4,18 @@
 #include "scene/regions/BodyAndLabels.h"
 #include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/ListRows.h"
+#include "widgets/controls/NumberField.h"
 #include "widgets/controls/SearchField.h"
 #include "widgets/properties/LabelGroups.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QIcon>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
-#include <QSpinBox>
 #include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -84,18 +85,53 @@ private:
   Ask m_askForColor;
 };
 
-// Edits percents.
+// Edits percents. What does not fit is said at the field, which stays for another number; where it is left
+// with that, `tell` says so.
 class PercentDelegate : public RowDelegate {
 public:
-  using RowDelegate::RowDelegate;
+  using Tell = std::function<void(const QString& sentence)>;
+
+  PercentDelegate(QTreeView& view, Ask askForColor, Tell tell)
+      : RowDelegate(view, std::move(askForColor)), m_tell(std::move(tell)) {}
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
-    auto* field = new QSpinBox(parent);
-    field->setRange(0, 100);
-    field->setSuffix(LabelSection::tr(" %"));
+    auto* field = new NumberField(0.0, 100.0, 0, parent);
+    field->setUnit(QStringLiteral("%"));
     field->setAccessibleName(LabelSection::tr("Shown"));
     return field;
   }
+
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    static_cast<NumberField*>(editor)->setNumber(index.data(Qt::EditRole).toDouble());
+  }
+
+  void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+    auto& field = static_cast<NumberField&>(*editor);
+    const bool isSaid = !field.refusal().isEmpty();
+    field.commit();
+    if (!isSaid && !field.refusal().isEmpty())
+      m_tell(field.refusal());
+    if (field.number() != index.data(Qt::EditRole).toDouble()) // it rounds: an untouched one changes nothing
+      model->setData(index, field.number());
+  }
+
+  bool eventFilter(QObject* editor, QEvent* event) override {
+    if (event->type() == QEvent::KeyPress) {
+      const int key = static_cast<QKeyEvent*>(event)->key();
+      if (key == Qt::Key_Enter || key == Qt::Key_Return || key == Qt::Key_Tab || key == Qt::Key_Backtab) {
+        auto& field = static_cast<NumberField&>(*editor);
+        field.commit();
+        if (!field.refusal().isEmpty()) {
+          field.selectAll(); // what is typed next replaces the number of before
+          return true;
+        }
+      }
+    }
+    return RowDelegate::eventFilter(editor, event);
+  }
+
+private:
+  Tell m_tell;
 };
 
 // Of the segmentation's own labels: what was cut away by hand is none of them, nor is what is not the body.
@@ -134,7 +170,10 @@ LabelSection::LabelSection(QWidget* parent)
   m_table->setModel(m_found);
   const auto askForColor = [this](const QModelIndex& row, const QRect& square) { pickColor(row, square); };
   m_table->setItemDelegate(new RowDelegate(*m_table, askForColor));
-  m_table->setItemDelegateForColumn(LabelTable::weightColumn, new PercentDelegate(*m_table, askForColor));
+  m_table->setItemDelegateForColumn(
+      LabelTable::weightColumn, new PercentDelegate(*m_table, askForColor, [this](const QString& sentence) {
+        emit refused(sentence);
+      }));
   m_table->setAccessibleName(tr("Labels"));
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
