@@ -71,7 +71,7 @@ TEST(CpuTravellingLight, aToleranceHasItFoundAlongSoManyPaths) {
 
 TEST(CpuTravellingLight, aToleranceIsKeptAndSpent) {
   Scene scene = shadowedHead(4.0);
-  const glm::ivec2 size{128, 128};
+  const glm::ivec2 size{96, 96};
   CpuRenderer renderer(0, CpuRenderer::Tolerance::stepsFirst);
   const DrawScene draw = [&](const Scene& drawn, const glm::ivec2& pixels) {
     return renderer.render(drawn, pixels);
