@@ -144,9 +144,11 @@ QString NumberField::usualSuffix() const {
   return m_unitOfOne.isEmpty() ? suffix() : withUnit({}, m_unit);
 }
 
-void NumberField::commit() {
+bool NumberField::commit() {
   interpretText();
+  selectAll();
   reportIfChanged();
+  return m_refusal.isEmpty();
 }
 
 void NumberField::setShownAs(QString (*write)(double)) {

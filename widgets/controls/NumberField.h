@@ -41,8 +41,8 @@ public:
   /// What was set, in place of what was typed since.
   void takeBack();
 
-  /// Takes what was typed, as Enter does.
-  void commit();
+  /// Takes what was typed and marks the number, as Enter does; false where it was refused.
+  bool commit();
 
   /// The unit behind the number; `ofOne` is the word behind 1 where that is another, and can be typed, too.
   void setUnit(const QString& unit, const QString& ofOne = {});

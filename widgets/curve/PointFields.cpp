@@ -172,14 +172,10 @@ bool PointFields::eventFilter(QObject* watched, QEvent* event) {
   const int key = static_cast<QKeyEvent*>(event)->key();
   if (key == Qt::Key_Escape)
     field->takeBack();
-  else if (key == Qt::Key_Return || key == Qt::Key_Enter)
-    field->commit();
-  else
+  else if (key != Qt::Key_Return && key != Qt::Key_Enter)
     return false;
-  if (!field->refusal().isEmpty()) { // to be typed once more
-    field->selectAll();
-    return true;
-  }
+  else if (!field->commit())
+    return true; // to be typed once more
   emit typingEnded(key == Qt::Key_Escape);
   return true;
 }

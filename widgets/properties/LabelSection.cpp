@@ -108,8 +108,7 @@ public:
   void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
     auto& field = static_cast<NumberField&>(*editor);
     const bool isSaid = !field.refusal().isEmpty();
-    field.commit();
-    if (!isSaid && !field.refusal().isEmpty())
+    if (!field.commit() && !isSaid)
       m_tell(field.refusal());
     if (field.number() != index.data(Qt::EditRole).toDouble()) // it rounds: an untouched one changes nothing
       model->setData(index, field.number());
@@ -118,14 +117,10 @@ public:
   bool eventFilter(QObject* editor, QEvent* event) override {
     if (event->type() == QEvent::KeyPress) {
       const int key = static_cast<QKeyEvent*>(event)->key();
-      if (key == Qt::Key_Enter || key == Qt::Key_Return || key == Qt::Key_Tab || key == Qt::Key_Backtab) {
-        auto& field = static_cast<NumberField&>(*editor);
-        field.commit();
-        if (!field.refusal().isEmpty()) {
-          field.selectAll(); // what is typed next replaces the number of before
-          return true;
-        }
-      }
+      const bool endsTyping =
+          key == Qt::Key_Enter || key == Qt::Key_Return || key == Qt::Key_Tab || key == Qt::Key_Backtab;
+      if (endsTyping && !static_cast<NumberField*>(editor)->commit())
+        return true; // to be typed once more
     }
     return RowDelegate::eventFilter(editor, event);
   }
